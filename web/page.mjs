@@ -1,6 +1,7 @@
 // Serves the folder that web/build made, and opens it in a headless Chromium.
 //
-// Needs playwright-core (in the folder that PLAYWRIGHT names, else found as usual), and Chromium (CHROMIUM, else /usr/bin/chromium).
+// Needs playwright-core (in the folder that PLAYWRIGHT names, else resolved as usual), and Chromium (CHROMIUM, else
+// /usr/bin/chromium).
 import fs from 'node:fs';
 import http from 'node:http';
 import os from 'node:os';
@@ -8,13 +9,13 @@ import path from 'node:path';
 import { createRequire } from 'node:module';
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
-// no request leaves the machine, and software draws
+// no requests to other hosts; rendering in software
 const flags = [
   '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--force-color-profile=srgb',
   '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
 ];
 
-/** A server and a browser; `open` opens a page, `close` ends both. What pages say is wrong goes to `wrong`. */
+/** Starts a server and a browser; `open` opens a page, `close` ends both. Errors of pages are added to `wrong`. */
 export async function studio(folder, { width = 1280, height = 800, scale = 1 } = {}) {
   const require = createRequire(process.env.PLAYWRIGHT ? path.resolve(process.env.PLAYWRIGHT, 'x') : import.meta.url);
   const { chromium } = require('playwright-core');
@@ -36,12 +37,12 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
   const wrong = [];
   return {
     wrong,
-    /** Opens what the address asks for behind `#`; resolves when `until`, of `globalThis.throng`, holds. */
+    /** Opens the address with this hash; resolves when `until`, a function of `globalThis.throng`, holds. */
     async open(hash, until) {
       const page = await browser.newPage();
       page.on('pageerror', (error) => wrong.push(`the page says: ${error.message}`));
       page.on('console', (line) => { if (line.type() === 'error') console.log(line.text()); });
-      // as for somebody who has never been here
+      // a new user: empty storage
       const place = `http://127.0.0.1:${server.address().port}`;
       await page.goto(`${place}/blank`);
       await page.evaluate(() => localStorage.clear());
@@ -57,7 +58,7 @@ export async function studio(folder, { width = 1280, height = 800, scale = 1 } =
   };
 }
 
-/** What the page shows, once `until` holds of it: a function of the state that knows nothing from outside. */
+/** Returns the state of the page once `until` holds: a function of the state without references to its scope. */
 export async function shows(page, until = () => true) {
   await page.waitForFunction(`globalThis.throng && (${until})(globalThis.throng)`, null, { timeout: 120_000, polling: 100 });
   return page.evaluate(() => globalThis.throng);

@@ -1,6 +1,6 @@
-// Makes the pictures of docs/studio.md: the page that web/build made, used as people do, in a headless Chromium.
+// Makes the pictures of docs/studio.md: operates the page that web/build made in a headless Chromium.
 //
-// usage: node web/pictures.mjs FOLDER [OUT_DIR]      (default: docs/studio; what it needs: see page.mjs)
+// usage: node web/pictures.mjs FOLDER [OUT_DIR]      (default: docs/studio; requirements: see page.mjs)
 import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,7 +10,7 @@ const [folder, out = fileURLToPath(new URL('../docs/studio', import.meta.url))] 
 const { wrong, open, close } = await studio(folder, { width: 1280, height: 720 });
 fs.mkdirSync(out, { recursive: true });
 
-/** Opens what an address asks for, does something with it, and keeps what is seen then. */
+/** Opens an address, acts on the page, and writes a screenshot. */
 async function picture(name, address, act = async () => {}) {
   const page = await open(address);
   const step = Number(address.split('@')[1]?.split('&')[0] ?? 0);
@@ -38,7 +38,7 @@ await picture('gallery', 'doorway@150', async (page) => {
   await page.keyboard.type('boids');
 });
 await picture('annotations', `circle@95&select=0&${bare}&panels.why=true`, async (page) => {
-  // the window by its title, aside; then the ring
+  // moves the window aside by its title bar, then zooms into the ring
   await drag(page, [[583, 81], [400, 84], [353, 84]]);
   await page.mouse.move(1150, 400);
   await page.mouse.wheel(0, 200);

@@ -1,8 +1,9 @@
-// Uses the page that web/build made as people do, in a headless Chromium, and looks at what it shows.
+// Operates the page that web/build made in a headless Chromium, and checks what it shows.
 //
-// usage: node web/test.mjs FOLDER [PICTURE.png]      (what it needs: see page.mjs)
+// usage: node web/test.mjs FOLDER [PICTURE.png]      (requirements: see page.mjs)
 //
-// With PROGRAM=..., scenes of every kind must be in the same state as in that program (`throng run SCENE --json`), to the bit.
+// With PROGRAM=..., scenes of every kind must reach the same state as in that program (`throng run SCENE --json`), bit
+// for bit.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -24,7 +25,7 @@ async function checked(what, check) {
   console.log(`${what}: ${wrong.length === before ? 'ok' : 'WRONG'}`);
 }
 
-await checked('circle runs to its end, and there is something to see', async () => {
+await checked('circle runs to its end, and the page draws it', async () => {
   const page = await open('circle', (now) => now.over);
   const end = await shows(page);
   expect(end.agents === 36 && end.arrived === 36, `${end.arrived} of ${end.agents} arrived`);
@@ -32,7 +33,7 @@ await checked('circle runs to its end, and there is something to see', async () 
   const png = await page.screenshot(picture ? { path: picture } : {});
   // an empty page is a few kilobytes
   expect(png.length > 30_000, `the picture has only ${png.length} bytes`);
-  // keys are for who has the focus
+  // a click gives the canvas the keyboard focus
   await page.mouse.click(...middle);
   await page.keyboard.press('r');
   const { playing } = await shows(page, (now) => now.step < 100);
@@ -52,7 +53,7 @@ await checked('circle runs to its end, and there is something to see', async () 
   await page.close();
 });
 
-/** Scenes, after so many steps of so many seconds. */
+/** Scenes with a number of steps and the length of a step, seconds. */
 const same = {
   circle: [500, 0.04], office: [150, 0.04], maze: [150, 0.04], 'mixed-sizes': [150, 0.04], 'field-goal': [150, 0.04],
   sphere: [150, 0.04], 'boids-in-box': [150, 0.04], 'swarm-aggregation': [150, 0.016666667],
@@ -71,31 +72,31 @@ await checked('the same bits as the program', async () => {
   }
 });
 
-await checked('what is written is checked, kept when the page is loaded anew, and downloaded', async () => {
+await checked('the text is checked, kept when the page is reloaded, and downloaded', async () => {
   const page = await open('circle@0&panels.text=true', (now) => now.step === 0);
   await page.waitForTimeout(1000);
   await page.mouse.click(1050, 400);
   await page.keyboard.press('Control+End');
   await page.keyboard.type('what = is this\n');
   const { trouble } = await shows(page, (now) => now.trouble);
-  expect(/:\d+:\d+: /.test(trouble), `the error names no place: ${trouble}`);
-  // the draft is kept every 3 s
+  expect(/:\d+:\d+: /.test(trouble), `the error names no position: ${trouble}`);
+  // the draft is stored every 3 s
   await page.waitForTimeout(4000);
   await page.reload();
   const again = await shows(page, (now) => now.unsaved);
-  expect(again.trouble, 'the draft is not there again');
+  expect(again.trouble, 'the draft is not restored');
   const asked = page.waitForEvent('download', { timeout: 20_000 });
   await page.mouse.click(...middle);
   await page.keyboard.press('Control+s');
   const download = await asked;
   const text = fs.readFileSync(await download.path(), 'utf8');
   expect(download.suggestedFilename() === 'circle.toml', `the file is called ${download.suggestedFilename()}`);
-  expect(text.includes('what = is this'), 'the file is not what was written');
+  expect(text.includes('what = is this'), 'the file does not contain the text');
   await shows(page, (now) => !now.unsaved);
   await page.close();
 });
 
-await checked('a picked file of trajectories is replayed, with the place of the scene beside it', async () => {
+await checked('a picked file of trajectories is replayed, with the surroundings of the scene file beside it', async () => {
   const page = await open('box@0', (now) => now.step === 0);
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'throng-'));
   const walk = Array.from({ length: 30 }, (_, k) => `${k / 10},7,${k / 10},2,a\n${k / 10},9,${3 - k / 10},4,a\n`);
@@ -103,7 +104,7 @@ await checked('a picked file of trajectories is replayed, with the place of the 
   files.forEach(([name, text]) => fs.writeFileSync(path.join(folder, name), text));
   await page.waitForTimeout(1000);
   await page.mouse.click(...middle);
-  // a browser lets a page ask only shortly after a key: where drawing is slow, once more
+  // a browser opens the file chooser only shortly after a key press; slow drawing may need another attempt
   let asked;
   for (let k = 0; k < 6 && !asked; k += 1) {
     const asking = page.waitForEvent('filechooser', { timeout: 10_000 }).catch(() => undefined);

@@ -1,10 +1,11 @@
-//! Makes a table of the thumbnails that there are, for windows (pages fetch them; `cargo run -p throng-studio --example thumbnails` makes them).
+//! Generates the table of thumbnails that the window build embeds. The web build fetches the files instead. `cargo run
+//! -p throng-studio --example thumbnails` renders the thumbnails.
 
 use std::fmt::Write;
 use std::path::Path;
 use std::{env, fs};
 
-/// The name of a picture's scene.
+/// Returns the scene name of a thumbnail, or `None` if the file is no PNG.
 fn stem(file: &Path) -> Option<String> {
     let picture = file.extension()? == "png";
     Some(file.file_stem()?.to_str()?.to_owned()).filter(|_| picture)

@@ -141,7 +141,7 @@ class Roadmap:
         to_node = np.linalg.norm(self.nodes - position, axis=1)
         way = np.where(to_node < ROADMAP_MARGIN, np.inf, to_node + self.to_goal[agent])
         order = np.argsort(way)
-        for share in (1.0, 0.5, 0.0):  # whoever is pressed against a wall sees nothing with its full width
+        for share in (1.0, 0.5, 0.0):  # an agent pressed against a wall sees nothing with its full width
             if self.sees(position, goal, share):
                 return goal, True
             for node in order:

@@ -1,4 +1,4 @@
-//! bevy_orca's `Crowd`, which brings its own grid.
+//! bevy_orca's `Crowd`, with its own grid.
 
 use crate::contest::{Contestant, Turn};
 use crate::crossing::{WARM_UP, goal};
@@ -17,7 +17,7 @@ pub struct BevyOrca {
 }
 
 impl BevyOrca {
-    /// The crowd, warmed up.
+    /// Creates the crowd and warms it up.
     pub fn new(crowd: &Crowd) -> Self {
         let vec = |p: glam::DVec2| Vec2::new(p.x as f32, p.y as f32);
         let member = |(key, pos)| CrowdMember {
@@ -48,7 +48,7 @@ impl BevyOrca {
     }
 
     fn step(&mut self) {
-        // without the nudge, which the others do not have either
+        // without the nudge, which the other simulators do not have
         let params = CrowdParams {
             time_horizon: Crowd::TIME_HORIZON as f32,
             neighbour_range: Crowd::NEIGHBOUR_DISTANCE as f32,

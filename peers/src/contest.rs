@@ -1,22 +1,22 @@
-//! Contestants take turns, so that what else happens on the machine happens to all.
+//! Measures contestants in turns, so that disturbances on the machine affect all of them.
 
 use std::error::Error;
 use std::time::Duration;
 use throng_bench::clock::thread_time;
 use throng_bench::median;
 
-/// What some steps took.
+/// The time of some steps.
 pub struct Turn {
-    /// Moves of one agent by one step.
+    /// Number of moves of an agent by a step.
     pub agent_steps: u64,
     /// Processor time.
     pub cpu: Duration,
-    /// Simulated seconds.
+    /// Simulated time, seconds.
     pub seconds: f64,
 }
 
 impl Turn {
-    /// What `count` steps of so many agents take, each of `seconds`.
+    /// Measures `count` steps of `agents` agents, each of `seconds`.
     pub fn of(count: u32, agents: usize, seconds: f32, mut step: impl FnMut()) -> Self {
         let begin = thread_time();
         for _ in 0..count {
@@ -30,43 +30,43 @@ impl Turn {
     }
 }
 
-/// Someone who is measured.
+/// A simulator that is measured.
 pub trait Contestant {
-    /// What it is.
+    /// Returns its name.
     fn name(&self) -> String;
 
-    /// Goes back to where everybody was after the warm-up.
+    /// Returns to the state after the warm-up.
     ///
     /// # Errors
     /// Another program does not answer.
     fn restart(&mut self) -> Result<(), Box<dyn Error>>;
 
-    /// Makes so many steps.
+    /// Makes `count` steps.
     ///
     /// # Errors
     /// Another program does not answer.
     fn steps(&mut self, count: u32) -> Result<Turn, Box<dyn Error>>;
 }
 
-/// What came of a contestant.
+/// The result of a contestant.
 pub struct Outcome {
-    /// What it is.
+    /// Its name.
     pub name: String,
-    /// Nanoseconds of processor time an agent-step, a turn each.
+    /// Processor time per agent-step of each turn, nanoseconds.
     pub ns: Vec<f64>,
-    /// Processor seconds a simulated second, the median.
+    /// Processor seconds per simulated second, the median.
     pub cpu_per_second: f64,
 }
 
 impl Outcome {
-    /// The median.
+    /// Returns the median time per agent-step, nanoseconds.
     pub fn median(&self) -> f64 {
         median(self.ns.clone())
     }
 }
 
-/// Measures everybody: in each of `repeat` rounds everybody begins where the warm-up ended, makes one step that does not count,
-/// and then `steps`.
+/// Measures all contestants. In each of `repeat` rounds, each of them returns to the state after the warm-up, makes a
+/// step that does not count, and then `steps` steps.
 ///
 /// # Errors
 /// Another program does not answer.

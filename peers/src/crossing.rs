@@ -1,4 +1,4 @@
-//! The reference work: throng and everybody who does the same.
+//! The reference work, by throng and the simulators of the same kind.
 
 use crate::bevy::BevyOrca;
 use crate::contest::{self, Contestant, Outcome, Turn};
@@ -11,16 +11,16 @@ use throng::World;
 use throng_bench::clock::thread_time;
 use throng_bench::{Crowd, lap, work};
 
-/// Steps before anything is measured.
+/// Number of warm-up steps.
 pub const WARM_UP: u32 = 20;
 
-/// Measures one of the crossings with so many people.
+/// Measures a crossing with `agents` agents.
 ///
 /// # Errors
 /// The work cannot be built, or Python does not answer.
 pub fn measure(name: &str, agents: usize, repeat: u32, python: Option<&Path>) -> Result<Vec<Outcome>, Box<dyn Error>> {
     let work = work(name).ok_or("no such work")?;
-    let crowd = work.crowd(agents).expect("a work of people");
+    let crowd = work.crowd(agents).expect("a work of pedestrians");
     let mut contestants: Vec<Box<dyn Contestant>> = vec![
         Box::new(Throng::new("throng", work.world(agents, false)?)),
         Box::new(Throng::new("throng with its guard", work.world(agents, true)?)),
@@ -42,7 +42,7 @@ pub fn measure(name: &str, agents: usize, repeat: u32, python: Option<&Path>) ->
     contest::measure(contestants, steps, repeat)
 }
 
-/// The goal of a way that has one goal.
+/// Returns the goal of a way that has a single goal.
 pub fn goal(crowd: &Crowd, way: Option<usize>) -> DVec2 {
     way.map_or(DVec2::ZERO, |way| crowd.goals[crowd.ways[way][0]])
 }
@@ -55,7 +55,7 @@ pub struct Throng {
 }
 
 impl Throng {
-    /// A world, warmed up.
+    /// Creates the contestant and warms its world up.
     pub fn new(name: &'static str, mut warm: World) -> Self {
         lap(&mut warm, WARM_UP, || true);
         let world = warm.clone();

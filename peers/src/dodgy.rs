@@ -1,4 +1,4 @@
-//! dodgy_2d, through the interface that its page prefers: its users find neighbours themselves, here with a plain grid.
+//! dodgy_2d, through the interface that its page recommends: its users find the neighbours, here with a plain grid.
 
 use crate::contest::{Contestant, Turn};
 use crate::crossing::{WARM_UP, goal};
@@ -19,7 +19,7 @@ pub struct Dodgy {
 }
 
 impl Dodgy {
-    /// The crowd, warmed up.
+    /// Creates the crowd and warms it up.
     pub fn new(crowd: &Crowd) -> Self {
         let vec = |p: glam::DVec2| Vec2::new(p.x as f32, p.y as f32);
         let agent = |position| Agent {

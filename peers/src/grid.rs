@@ -1,21 +1,22 @@
-//! A plain grid, for those who bring no search for neighbours: a counting sort into square cells, and the nearest kept in order.
+//! A plain grid, for simulators without a neighbour search: a counting sort into square cells, and a sorted list of the
+//! nearest.
 
 use dodgy_2d::Vec2;
 
-/// People in square cells, those of one cell side by side.
+/// Agents in square cells; the agents of a cell are contiguous.
 #[derive(Clone, Default)]
 pub struct Grid {
     cell: f32,
     low: Vec2,
     size: (usize, usize),
-    /// Where each cell begins in `order`; one more at the end.
+    /// Index in `order` of the first agent of each cell; one more at the end.
     starts: Vec<u32>,
-    /// Indices and places, cell by cell.
+    /// Indices and positions, cell by cell.
     order: Vec<(u32, Vec2)>,
 }
 
 impl Grid {
-    /// Sorts everybody into cells of this width.
+    /// Sorts agents into cells of this width.
     pub fn rebuild(&mut self, places: impl Iterator<Item = Vec2> + Clone, cell: f32) {
         let low = places.clone().fold(Vec2::MAX, Vec2::min);
         let high = places.clone().fold(Vec2::MIN, Vec2::max);
@@ -47,7 +48,7 @@ impl Grid {
         }
     }
 
-    /// The `most` nearest others within one cell's width of `p`, nearest first.
+    /// Finds the `most` nearest other agents within a cell width of `p`, nearest first.
     pub fn nearest(&self, own: usize, p: Vec2, most: usize, found: &mut Vec<(f32, u32)>) {
         found.clear();
         let mut range = self.cell * self.cell;

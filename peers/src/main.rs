@@ -1,4 +1,4 @@
-//! Measures other crowd simulators on throng's reference work, beside throng, in turns in one run.
+//! Measures other crowd simulators and throng on throng's reference work, in turns in a single run.
 
 mod bevy;
 mod contest;
@@ -14,31 +14,31 @@ use report::Report;
 use std::error::Error;
 use std::path::PathBuf;
 
-/// Measures other crowd simulators on throng's reference work, beside throng, in turns in one run
+/// Measure other crowd simulators and throng on throng's reference work, in turns in a single run
 #[derive(Parser)]
 struct Arguments {
-    /// How many people cross, sorted and shuffled; none: only floor plans
+    /// Numbers of agents in the crossings, sorted and shuffled; none: only floor plans
     #[arg(long, value_name = "N", num_args = 0.., value_delimiter = ',', default_values_t = [1_000, 10_000, 100_000])]
     agents: Vec<usize>,
 
-    /// How many times each is measured
+    /// Number of repeats
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     repeat: u32,
 
-    /// The Python that has pyrvo and jupedsim; without it they are left out
+    /// The Python with pyrvo and jupedsim; without it they are left out
     #[arg(long, value_name = "FILE")]
     python: Option<PathBuf>,
 
-    /// A floor plan to measure JuPedSim and throng on, and the lower left corner, width and height of its exit; can be given
+    /// A floor plan for JuPedSim and throng, and the lower left corner, width and height of its exit; can be given
     /// several times
     #[arg(long, value_name = "FILE.wkt X,Y,W,H", num_args = 2, allow_hyphen_values = true)]
     plan: Vec<String>,
 
-    /// How many people are on the floor plans
+    /// Number of agents on the floor plans
     #[arg(long, value_name = "N", default_value_t = 500)]
     people: u64,
 
-    /// Writes the figures as JSON to this file
+    /// Write the figures as JSON to this file
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -1,29 +1,29 @@
-//! JuPedSim, on its own work and on floor plans that throng walks too.
+//! JuPedSim, on its own work and on floor plans that throng simulates too.
 
 use crate::contest::Contestant;
 use crate::crossing::Throng;
 use crate::python::Python;
 use std::error::Error;
 use std::path::Path;
-use throng_scene::import::plan::{self, Ask};
+use throng_scene::import::plan::{self, PlanOptions};
 
 const SCRIPT: &str = include_str!("../scripts/jupedsim.py");
 
-/// JuPedSim with so many people in a square.
+/// Returns JuPedSim with `agents` agents in a square.
 ///
 /// # Errors
 /// Python does not answer.
 pub fn own_work(python: &Path, agents: usize) -> Result<Box<dyn Contestant>, Box<dyn Error>> {
-    // where they stand is the script's
+    // the script draws their positions
     let people = vec![String::new(); agents];
     Ok(Box::new(Python::start(python, "jupedsim", SCRIPT, &[], &people)?))
 }
 
-/// People anywhere on a floor plan who walk to an exit, `x,y,width,height`: throng in steps of 0.05 s, and JuPedSim with the
-/// same people in steps of its own.
+/// Returns throng and JuPedSim with the same agents at random on a floor plan, bound for an exit `x,y,width,height`.
+/// throng makes steps of 0.05 s, JuPedSim its own.
 ///
 /// # Errors
-/// The plan is none, nobody can stand in the exit, or Python does not answer.
+/// The plan cannot be loaded, the exit has no room, or Python does not answer.
 pub fn evacuation(
     plan: &str,
     exit: &str,
@@ -32,11 +32,11 @@ pub fn evacuation(
 ) -> Result<Vec<Box<dyn Contestant>>, Box<dyn Error>> {
     let numbers: Vec<f64> = exit.split(',').map(str::parse).collect::<Result<_, _>>()?;
     let exit: [f64; 4] = numbers.try_into().map_err(|_| "the exit is x,y,width,height")?;
-    let mut scene = plan::load(plan, &Ask { exit: Some(exit), people: Some(people), ..Ask::default() })?.scene;
+    let mut scene = plan::load(plan, &PlanOptions { exit: Some(exit), people: Some(people), ..PlanOptions::default() })?.scene;
     scene.time.step = 0.05;
     let (world, _) = scene.build()?;
     let origin = world.settings().origin;
-    let agents = world.agents();
+    let agents = world.relative_columns();
     let rows: Vec<String> = (0..agents.len())
         .map(|row| {
             let at = agents.position[row].as_dvec2() + origin;

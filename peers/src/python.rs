@@ -1,4 +1,4 @@
-//! Simulators in Python: a script that is told on its standard input what to do, and answers with how long it took.
+//! Simulators in Python: a script that receives commands on its standard input and answers with its times.
 
 use crate::contest::{Contestant, Turn};
 use std::error::Error;
@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
-/// A script that runs.
+/// A running script.
 pub struct Python {
     name: String,
     child: Child,
@@ -16,10 +16,10 @@ pub struct Python {
 }
 
 impl Python {
-    /// Starts a script, hands it its arguments and the people, a line each, and waits until it is warm.
+    /// Starts a script, sends it the agents, a line each, and waits until it is warmed up.
     ///
     /// # Errors
-    /// It cannot be started, or ends; it has said why on standard error.
+    /// The script cannot be started, or ends; it has reported the reason on standard error.
     pub fn start(
         python: &Path,
         name: &str,
@@ -41,7 +41,7 @@ impl Python {
         for person in people {
             writeln!(script.to, "{person}")?;
         }
-        // it tells its name and version
+        // the answer is its name and version
         script.name = script.answer()?;
         Ok(script)
     }
@@ -77,7 +77,7 @@ impl Contestant for Python {
 
 impl Drop for Python {
     fn drop(&mut self) {
-        // it is ours, and has nothing to lose
+        // the process has no state to lose
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

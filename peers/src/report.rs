@@ -1,46 +1,47 @@
-//! What came of it, as Markdown and as JSON.
+//! Reports the results as Markdown and as JSON.
 
 use crate::contest::Outcome;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// All outcomes, work by work.
+/// All results, by work.
 #[derive(Default)]
 pub struct Report {
     works: Vec<(String, usize, Vec<Outcome>)>,
 }
 
 impl Report {
-    /// Takes in a work.
+    /// Adds the results of a work.
     pub fn add(&mut self, work: &str, agents: usize, outcomes: Vec<Outcome>) {
         self.works.push((work.to_owned(), agents, outcomes));
     }
 
-    /// A row a contestant and work: medians, and how many times throng's (the first of a work).
+    /// Returns a table with a row per contestant and work: medians, and the ratio to throng's, the first contestant of
+    /// a work.
     pub fn markdown(&self) -> String {
         let mut out = String::from(
-            "| work | agents | who | CPU ns an agent-step | least | times throng's | CPU s a simulated s |\n\
+            "| work | agents | simulator | CPU ns per agent-step | least | times throng's | CPU s per simulated s |\n\
              |---|---:|---|---:|---:|---:|---:|\n",
         );
         for (work, agents, outcomes) in &self.works {
             for outcome in outcomes {
                 let (ns, least) = (outcome.median(), least(outcome));
                 let ratio = self.ratio(outcomes, outcome).map_or("–".into(), |ratio| format!("{ratio:.2}"));
-                let (who, cpu) = (&outcome.name, outcome.cpu_per_second);
-                let _ = writeln!(out, "| {work} | {agents} | {who} | {ns:.0} | {least:.0} | {ratio} | {cpu:.4} |");
+                let (name, cpu) = (&outcome.name, outcome.cpu_per_second);
+                let _ = writeln!(out, "| {work} | {agents} | {name} | {ns:.0} | {least:.0} | {ratio} | {cpu:.4} |");
             }
         }
         out
     }
 
-    /// The same for programs: a list of objects.
+    /// Returns the same for programs: a list of objects.
     pub fn json(&self) -> Value {
         let rows = self.works.iter().flat_map(|(work, agents, outcomes)| {
             outcomes.iter().map(move |outcome| {
                 json!({
                     "work": work,
                     "agents": agents,
-                    "who": outcome.name,
+                    "simulator": outcome.name,
                     "cpu_ns_per_agent_step": outcome.median(),
                     "least_cpu_ns_per_agent_step": least(outcome),
                     "times_throng": self.ratio(outcomes, outcome),

@@ -1,12 +1,12 @@
-//! The reference work with every local model. An item is an agent moved by one step.
+//! The reference work with every local model. An item is a move of an agent by a step.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use std::sync::Arc;
 use throng::Group;
 use throng::avoid::{
-    AnticipationVelocity, Avo, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, Orca, Orca3d, PowerLaw,
-    Rvo, RvoLab, Search, SocialForce, Unavoiding, Vo,
+    AnticipationVelocity, Avo, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance, Orca,
+    Orca3d, PowerLaw, Rvo, RvoLab, SamplePattern, SocialForce, Vo,
 };
 use throng_bench::{Crowd, lap, work};
 
@@ -42,17 +42,17 @@ fn crossing_of_10000(bencher: Bencher, name: &str) {
         "clearpath" => Arc::new(ClearPath::default()),
         "vo" => Arc::new(Vo::default()),
         "rvo" => Arc::new(Rvo::default()),
-        "rvo, 250 drawn" => Arc::new(Rvo { search: Search::Random { candidates: 250 }, ..Rvo::default() }),
+        "rvo, 250 drawn" => Arc::new(Rvo { search: SamplePattern::Random { candidates: 250 }, ..Rvo::default() }),
         "rvo_lab" => Arc::new(RvoLab),
         "collision_free_speed" => Arc::new(CollisionFreeSpeed::default()),
         "anticipation_velocity" => Arc::new(AnticipationVelocity::default()),
         "social_force" => Arc::new(SocialForce::default()),
         "moussaid_2009" => Arc::new(Moussaid2009::default()),
         "power_law" => Arc::new(PowerLaw::default()),
-        _ => Arc::new(Unavoiding),
+        _ => Arc::new(NoAvoidance),
     };
-    let crowd = work("crossing").expect("a work").crowd(10_000).expect("of people");
-    let mut world = crowd.world(Group { model, ..Crowd::manners() }, 5.0).expect("these are valid");
+    let crowd = work("crossing").expect("a work").crowd(10_000).expect("a work of pedestrians");
+    let mut world = crowd.world(Group { model, ..Crowd::interaction() }, 5.0).expect("the parameters are valid");
     lap(&mut world, 20, || true);
     bencher.counter(ItemsCount::new(crowd.people.len())).bench_local(|| world.step());
 }

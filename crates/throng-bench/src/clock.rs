@@ -1,14 +1,14 @@
-//! How long this thread, and this program, have worked: what others do on the same machine does not count.
+//! Processor time of this thread and of this program, which does not include other programs on the machine.
 
 use std::time::Duration;
 
-/// Processor time of this thread so far.
+/// Returns the processor time of this thread so far.
 #[cfg(unix)]
 pub fn thread_time() -> Duration {
     time(rustix::time::ClockId::ThreadCPUTime)
 }
 
-/// Processor time of this program so far, all threads; `None` where the system does not tell.
+/// Returns the processor time of this program so far, all threads; `None` if the system does not report it.
 #[cfg(unix)]
 pub fn process_time() -> Option<Duration> {
     Some(time(rustix::time::ClockId::ProcessCPUTime))
@@ -20,7 +20,7 @@ fn time(clock: rustix::time::ClockId) -> Duration {
     Duration::new(u64::try_from(now.tv_sec).unwrap_or(0), u32::try_from(now.tv_nsec).unwrap_or(0))
 }
 
-/// Time on the clock: processor time is not asked for here.
+/// Returns wall-clock time: processor time is not measured on this system.
 #[cfg(not(unix))]
 pub fn thread_time() -> Duration {
     use std::sync::LazyLock;
@@ -29,7 +29,7 @@ pub fn thread_time() -> Duration {
     START.elapsed()
 }
 
-/// Processor time of this program so far, all threads; `None` where the system does not tell.
+/// Returns the processor time of this program so far, all threads; `None` if the system does not report it.
 #[cfg(not(unix))]
 pub fn process_time() -> Option<Duration> {
     None

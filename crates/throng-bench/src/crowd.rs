@@ -1,4 +1,4 @@
-//! The people of a work, where they go, and what is solid: plain data for any simulator.
+//! The pedestrians of a work, their ways and the obstacles: plain data for any simulator.
 
 use glam::DVec2;
 use std::sync::Arc;
@@ -7,59 +7,61 @@ use throng::{
     Agent, Error, Goal, GoalId, Group, Journey, JourneyId, Obstacle, Settings, Stop, SubSteps, Walkable, World,
 };
 
-/// One person of a [`Crowd`].
+/// A pedestrian of a [`Crowd`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Person {
-    /// Where they stand, metres.
+    /// Initial position, metres.
     pub position: DVec2,
-    /// Speed at which they would like to walk, m/s.
+    /// Preferred speed, m/s.
     pub preferred_speed: f64,
-    /// Which of [`Crowd::ways`] they go; `None`: they stay.
+    /// Index into [`Crowd::ways`]; `None`: the pedestrian stays.
     pub way: Option<usize>,
 }
 
-/// The people of a work. All have one radius; they look for the ten nearest within 5 m, and 2 s ahead.
+/// The pedestrians of a work. All have the same radius, and avoid the ten nearest neighbours within 5 m with a time
+/// horizon of 2 s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crowd {
-    /// In the order in which they are added.
+    /// The pedestrians, in the order in which they are added.
     pub people: Vec<Person>,
-    /// Radius of everybody, metres.
+    /// Radius of all pedestrians, metres.
     pub radius: f64,
-    /// Places to go to.
+    /// Goals, metres.
     pub goals: Vec<DVec2>,
-    /// Indices of goals, one after the other, then again from the first.
+    /// By way: indices of goals, visited in order and repeatedly.
     pub ways: Vec<Vec<usize>>,
-    /// The ground; none: everywhere.
+    /// The walkable areas; empty: everywhere.
     pub walkable: Vec<Walkable>,
-    /// What is solid.
+    /// The obstacles.
     pub obstacles: Vec<Obstacle>,
-    /// Seconds of a step.
+    /// Length of a step, seconds.
     pub step: f64,
 }
 
 impl Crowd {
-    /// Speed nobody exceeds, m/s.
+    /// Greatest speed, m/s.
     pub const MAX_SPEED: f64 = 2.0;
-    /// How far everybody looks for others, metres.
+    /// Range of the neighbour search, metres.
     pub const NEIGHBOUR_DISTANCE: f64 = 5.0;
-    /// How many of the nearest everybody takes into account.
+    /// Greatest number of neighbours.
     pub const NEIGHBOURS: usize = 10;
-    /// How far everybody looks ahead, seconds.
+    /// Time horizon of the avoidance, seconds.
     pub const TIME_HORIZON: f64 = 2.0;
 
-    /// A crowd in the open, in steps of 0.1 s.
+    /// Creates a crowd on unbounded ground, with steps of 0.1 s.
     pub(crate) fn open(people: Vec<Person>, radius: f64, goals: Vec<DVec2>) -> Self {
         let ways = (0..goals.len()).map(|goal| vec![goal]).collect();
         Self { people, radius, goals, ways, walkable: vec![], obstacles: vec![], step: 0.1 }
     }
 
-    /// What every simulator of the kind does and no more: ORCA, velocities change at once, no manners.
+    /// Returns the group that other simulators have in common: ORCA, velocities that change at once, no interaction
+    /// rules.
     pub fn bare() -> Group {
-        Group { look_ahead: false, keep_right: 0.0, resolve: false, ..Self::manners() }
+        Group { look_ahead: false, keep_right: 0.0, resolve: false, ..Self::interaction() }
     }
 
-    /// What people do: throng's own group, with the reach of the reference works.
-    pub fn manners() -> Group {
+    /// Returns throng's default group, with the neighbour search of the reference works.
+    pub fn interaction() -> Group {
         Group {
             model: Arc::new(Orca { time_horizon: Self::TIME_HORIZON as f32, ..Orca::default() }),
             neighbour_distance: Self::NEIGHBOUR_DISTANCE as f32,
@@ -68,11 +70,11 @@ impl Crowd {
         }
     }
 
-    /// A world of this crowd, everybody in this group and with this greatest change of velocity a second. Steps are not
+    /// Returns a world of this crowd, with all agents in this group and with this greatest acceleration. Steps are not
     /// divided.
     ///
     /// # Errors
-    /// Those of [`World::add_group`] and [`World::add_agent`].
+    /// The errors of [`World::add_group`] and [`World::add_agent`].
     pub fn world(&self, group: Group, max_acceleration: f32) -> Result<World, Error> {
         let mut world = World::new(Settings { step: self.step, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
         world.set_walkable(self.walkable.clone())?;

@@ -1,4 +1,4 @@
-//! Birds of a flock: plain data for any simulator.
+//! The birds of a flock: plain data for any simulator.
 
 use crate::Dice;
 use glam::{DVec2, DVec3};
@@ -6,51 +6,51 @@ use throng::motion::{Locomotion, Vehicle};
 use throng::steer::Flocking;
 use throng::{Agent, Error, Group, Settings, SubSteps, World};
 
-/// One bird of a [`Flock`].
+/// A bird of a [`Flock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bird {
-    /// Where it is, metres.
+    /// Initial position, metres.
     pub position: DVec3,
-    /// Which way it faces along the ground, radians.
+    /// Initial heading along the ground, radians.
     pub heading: f64,
 }
 
-/// The birds of a work: OpenSteer's boids. They separate from those within 5 m, align with those within 7.5 m, and gather with
-/// those within 9 m, at top speeds of 9 m/s.
+/// The birds of a work: OpenSteer's boids. They separate from neighbours within 5 m, align with those within 7.5 m, and
+/// cohere with those within 9 m, at top speeds of 9 m/s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flock {
-    /// In the order in which they are added.
+    /// The birds, in the order in which they are added.
     pub birds: Vec<Bird>,
 }
 
 impl Flock {
-    /// Radius of everybody, metres.
+    /// Radius of all birds, metres.
     pub const RADIUS: f64 = 0.5;
-    /// Speed nobody exceeds, m/s.
+    /// Greatest speed, m/s.
     pub const MAX_SPEED: f64 = 9.0;
-    /// Speed of everybody at the start, m/s.
+    /// Initial speed, m/s.
     pub const START_SPEED: f64 = 2.7;
-    /// Force nobody exceeds, newtons.
+    /// Greatest force, newtons.
     pub const MAX_FORCE: f64 = 27.0;
-    /// How far everybody looks, metres.
+    /// Range of the neighbour search, metres.
     pub const NEIGHBOUR_DISTANCE: f64 = 9.0;
-    /// Seconds of a step.
+    /// Length of a step, seconds.
     pub const STEP: f64 = 1.0 / 30.0;
 
-    /// So many birds in a sphere of this radius, metres, facing anywhere along the ground, which they do not touch.
+    /// Creates `count` birds in a sphere of this radius, metres, above the ground, with random headings.
     pub(crate) fn in_sphere(count: usize, radius: f64) -> Self {
-        let mut dice = Dice(9);
+        let mut rng = Dice(9);
         let bird = |_| {
             let middle = DVec3::Z * (radius + 100.0);
-            Bird { position: dice.in_sphere(radius) + middle, heading: dice.between(-3.1, 3.1) }
+            Bird { position: rng.in_sphere(radius) + middle, heading: rng.between(-3.1, 3.1) }
         };
         Self { birds: (0..count).map(bird).collect() }
     }
 
-    /// A world of this flock, with or without the guard. Steps are not divided.
+    /// Returns a world of this flock, with or without the guard. Steps are not divided.
     ///
     /// # Errors
-    /// Those of [`World::add_agent`].
+    /// The errors of [`World::add_agent`].
     pub fn world(&self, guard: bool) -> Result<World, Error> {
         let mut world =
             World::new(Settings { step: Self::STEP, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
@@ -61,7 +61,7 @@ impl Flock {
             ..Vehicle::default()
         };
         let group = world.add_group(Group {
-            neighbours: Group::EVERYBODY,
+            neighbours: Group::ALL_NEIGHBOURS,
             neighbour_distance: Self::NEIGHBOUR_DISTANCE as f32,
             guard,
             ..Group::vehicles(Flocking::default(), vehicle)

@@ -1,18 +1,18 @@
-//! A floor of rooms, and the same people in a hall without them.
+//! A floor of rooms, and the same crowd in a hall without them.
 
 use crate::{Crowd, Dice, Person};
 use glam::DVec2;
 use throng::{Obstacle, Walkable};
 
-/// A room, metres.
+/// Size of a room, metres.
 const ROOM: DVec2 = DVec2::new(5.0, 4.0);
-/// Places to stand in a room: five, along its lower side.
+/// Initial positions in a room: five, along its lower side.
 const PLACES: usize = 5;
 /// Width of a door, metres.
 const DOOR: f64 = 1.2;
 
-/// As many rooms as hold everybody, five in each, all of the same size in a square, with a door to every neighbour, a desk
-/// and a pillar. Everybody walks to and fro between two rooms.
+/// Returns a floor with a room per five pedestrians. Rooms have the same size and form a square; each has a door to
+/// every adjacent room, a desk and a pillar. Every pedestrian walks to and fro between two rooms.
 pub fn rooms(count: usize) -> Crowd {
     let side = side(count);
     let mut obstacles = Vec::new();
@@ -39,19 +39,19 @@ pub fn rooms(count: usize) -> Crowd {
     Crowd { obstacles, ..hall(count) }
 }
 
-/// The people of [`rooms`], and their ways, on the same ground without walls, desks and pillars.
+/// Returns the crowd of [`rooms`], with its ways, on the same ground without walls, desks and pillars.
 pub fn hall(count: usize) -> Crowd {
-    let (mut dice, side) = (Dice(11), side(count));
-    let stand = |k: usize, dice: &mut Dice| {
+    let (mut rng, side) = (Dice(11), side(count));
+    let stand = |k: usize, rng: &mut Dice| {
         let along = DVec2::new(0.7 + 0.9 * (k % PLACES) as f64, 1.2);
-        room(k / PLACES % (side * side), side) + along + dice.in_disc(0.2)
+        room(k / PLACES % (side * side), side) + along + rng.in_disc(0.2)
     };
     let mut people = Vec::with_capacity(count);
     let mut ways = Vec::with_capacity(count);
     for k in 0..count {
-        let position = stand(k, &mut dice);
-        ways.push(vec![dice.below(side * side), dice.below(side * side)]);
-        people.push(Person { position, preferred_speed: dice.between(1.3, 1.5), way: Some(k) });
+        let position = stand(k, &mut rng);
+        ways.push(vec![rng.below(side * side), rng.below(side * side)]);
+        people.push(Person { position, preferred_speed: rng.between(1.3, 1.5), way: Some(k) });
     }
     let size = ROOM * side as f64;
     let outer = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|p| DVec2::from(p) * size).to_vec();
@@ -66,12 +66,12 @@ pub fn hall(count: usize) -> Crowd {
     }
 }
 
-/// How many rooms there are along a side.
+/// Returns the number of rooms along a side.
 fn side(count: usize) -> usize {
     (count as f64 / PLACES as f64).sqrt().ceil().max(1.0) as usize
 }
 
-/// The lower left corner of a room.
+/// Returns the lower left corner of a room.
 fn room(k: usize, side: usize) -> DVec2 {
     DVec2::new((k % side) as f64, (k / side) as f64) * ROOM
 }

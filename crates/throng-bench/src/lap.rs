@@ -1,32 +1,32 @@
-//! How long some steps of a world take.
+//! Measures the time of steps of a world.
 
 use crate::clock::process_time;
 use std::time::{Duration, Instant};
 use throng::{Stage, World};
 
-/// How long some steps took.
+/// The time of some steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lap {
-    /// Steps made.
+    /// Number of steps.
     pub steps: u32,
-    /// Moves of one agent by one sub-step.
+    /// Number of moves of an agent by a sub-step.
     pub agent_steps: u64,
-    /// Time on the clock.
+    /// Wall-clock time.
     pub wall: Duration,
-    /// Processor time, all threads; `None` where the system does not tell.
+    /// Processor time, all threads; `None` if the system does not report it.
     pub cpu: Option<Duration>,
-    /// Time on the clock in each stage, in the order of [`Stage::ALL`].
+    /// Wall-clock time in each stage, in the order of [`Stage::ALL`].
     pub stages: [Duration; 5],
 }
 
 impl Lap {
-    /// Nanoseconds an agent-step of some of the time.
+    /// Returns nanoseconds per agent-step of a time.
     pub fn ns(&self, time: Duration) -> f64 {
         time.as_secs_f64() * 1e9 / self.agent_steps.max(1) as f64
     }
 }
 
-/// Moves a world on by so many steps, as long as `go_on` says, which is asked before each.
+/// Advances a world by `steps` steps, as long as `go_on`, called before each, returns `true`.
 pub fn lap(world: &mut World, steps: u32, mut go_on: impl FnMut() -> bool) -> Lap {
     let mut lap = Lap::default();
     let agent_steps = world.summary().agent_steps;
@@ -47,7 +47,7 @@ pub fn lap(world: &mut World, steps: u32, mut go_on: impl FnMut() -> bool) -> La
     lap
 }
 
-/// The middle value; the mean of the two in the middle of an even number; not a number for none.
+/// Returns the median, the mean of the two middle values for an even number of values; NaN for no values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let n = values.len();

@@ -1,8 +1,8 @@
-//! The reference works: crowds that the speed of simulators is measured on, and how long they take.
+//! The reference works: crowds on which the speed of simulators is measured, and the measurement.
 //!
-//! A [`Work`] makes a [`Crowd`], a [`Flock`] or [`Insects`], plain data that any simulator can be given, and a [`World`](throng::World) of it;
-//! [`lap`] moves a world on and says where the time went. `throng bench` measures them, and `peers/` measures other
-//! simulators on the same crowds. `docs/performance.md` has figures.
+//! A [`Work`] makes a [`Crowd`], a [`Flock`] or [`Insects`], plain data for any simulator, and a
+//! [`World`](throng::World) of it. [`lap`] advances a world and measures the time of each stage. `throng bench`
+//! measures the works, and `peers/` measures other simulators on the same crowds. `docs/performance.md` has results.
 //!
 //! ```
 //! use throng_bench::{lap, work};
@@ -16,17 +16,17 @@
 
 pub mod clock;
 mod crowd;
-mod dice;
 mod flock;
 mod floor;
 mod lap;
 mod place;
+mod rng;
 mod swarm;
 mod work;
 
 pub use crowd::{Crowd, Person};
-pub use dice::Dice;
 pub use flock::{Bird, Flock};
 pub use lap::{Lap, lap, median};
+pub use rng::Dice;
 pub use swarm::Insects;
 pub use work::{WORKS, Work, work};

@@ -5,23 +5,23 @@ use crate::{Crowd, Dice, Flock, Insects, Person, floor};
 use glam::DVec2;
 use throng::{Agent, Error, Group, World};
 
-/// A crowd that speed is measured on, of any size.
+/// A crowd on which speed is measured, of any size.
 pub struct Work {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// A description, in a line.
     pub about: &'static str,
-    /// The sizes it is measured with if no others are asked for.
+    /// The default sizes.
     pub sizes: &'static [usize],
     kind: Kind,
 }
 
-/// Whom a work is of.
+/// The kind of agents.
 enum Kind {
     Crowd {
         crowd: fn(usize) -> Crowd,
-        /// Whether people have throng's manners, and bodies that take time to change their velocity.
-        manners: bool,
+        /// Whether agents have throng's interaction rules and a limited acceleration.
+        interaction: bool,
     },
     Flock(fn(usize) -> Flock),
     Insects(fn(usize) -> Insects),
@@ -31,21 +31,21 @@ enum Kind {
 pub const WORKS: &[Work] = &[
     Work {
         name: "crossing",
-        about: "0.25 per m2, everybody bound far away in a random direction; added in spatial order",
+        about: "0.25 agents per m2, bound far away in random directions; added in spatial order",
         sizes: &[1_000, 10_000, 100_000],
-        kind: Kind::Crowd { crowd: |count| crossing(count, true), manners: false },
+        kind: Kind::Crowd { crowd: |count| crossing(count, true), interaction: false },
     },
     Work {
         name: "crossing-shuffled",
         about: "the same, added in random order",
         sizes: &[1_000, 10_000, 100_000],
-        kind: Kind::Crowd { crowd: |count| crossing(count, false), manners: false },
+        kind: Kind::Crowd { crowd: |count| crossing(count, false), interaction: false },
     },
     Work {
-        name: "crossing-manners",
+        name: "crossing-rules",
         about: "the same with keeping right, detours, standoffs and accelerations, as throng does by default",
         sizes: &[10_000],
-        kind: Kind::Crowd { crowd: |count| crossing(count, false), manners: true },
+        kind: Kind::Crowd { crowd: |count| crossing(count, false), interaction: true },
     },
     density("density-0.1", "0.1 per m2, bodies of 0.2 m, bound far away in random directions", |n| packed(n, 0.1)),
     density("density-0.25", "the same, 0.25 per m2", |n| packed(n, 0.25)),
@@ -56,19 +56,19 @@ pub const WORKS: &[Work] = &[
     density("density-6", "the same, 6 per m2", |n| packed(n, 6.0)),
     Work {
         name: "one-spot",
-        about: "everybody within 5 cm, bound far away in random directions",
+        about: "all agents within 5 cm, bound far away in random directions",
         sizes: &[1_000],
-        kind: Kind::Crowd { crowd: one_spot, manners: false },
+        kind: Kind::Crowd { crowd: one_spot, interaction: false },
     },
     Work {
         name: "at-rest",
-        about: "1 per m2, everybody stands and wants to",
+        about: "1 agent per m2, all of them stand and have no goal",
         sizes: &[10_000],
-        kind: Kind::Crowd { crowd: at_rest, manners: false },
+        kind: Kind::Crowd { crowd: at_rest, interaction: false },
     },
     Work {
         name: "flock",
-        about: "OpenSteer's boids in space, three or four within 9 m of each",
+        about: "OpenSteer's boids in space, three or four neighbours within 9 m of each",
         sizes: &[1_000, 10_000, 100_000],
         kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0 * (count as f64 / 200.0).cbrt())),
     },
@@ -86,31 +86,31 @@ pub const WORKS: &[Work] = &[
     },
     Work {
         name: "swarm-alone",
-        about: "the same, but they see nobody",
+        about: "the same, without neighbours",
         sizes: &[10_000, 100_000, 1_000_000],
         kind: Kind::Insects(|count| Insects::in_sphere(count, 1000.0, false)),
     },
     Work {
         name: "hall",
-        about: "to and fro in an empty hall with 20 m2 for five people, with manners",
+        about: "to and fro in an empty hall with 20 m2 for five agents, with interaction rules",
         sizes: &[500],
-        kind: Kind::Crowd { crowd: floor::hall, manners: true },
+        kind: Kind::Crowd { crowd: floor::hall, interaction: true },
     },
     Work {
         name: "rooms",
         about: "the same on a floor of rooms of 20 m2, with doors, desks and pillars",
         sizes: &[500],
-        kind: Kind::Crowd { crowd: floor::rooms, manners: true },
+        kind: Kind::Crowd { crowd: floor::rooms, interaction: true },
     },
 ];
 
-/// The work of this name.
+/// Returns the work of a name.
 pub fn work(name: &str) -> Option<&'static Work> {
     WORKS.iter().find(|work| work.name == name)
 }
 
 impl Work {
-    /// Its people, if it is of people; the same for the same count.
+    /// Returns the pedestrians of a work of pedestrians; the same for the same count.
     pub fn crowd(&self, count: usize) -> Option<Crowd> {
         match self.kind {
             Kind::Crowd { crowd, .. } => Some(crowd(count)),
@@ -118,7 +118,7 @@ impl Work {
         }
     }
 
-    /// Its birds, if it is of birds; the same for the same count.
+    /// Returns the birds of a work of birds; the same for the same count.
     pub fn flock(&self, count: usize) -> Option<Flock> {
         match self.kind {
             Kind::Crowd { .. } | Kind::Insects(_) => None,
@@ -126,7 +126,7 @@ impl Work {
         }
     }
 
-    /// Its insects, if it is of insects; the same for the same count.
+    /// Returns the insects of a work of insects; the same for the same count.
     pub fn insects(&self, count: usize) -> Option<Insects> {
         match self.kind {
             Kind::Insects(insects) => Some(insects(count)),
@@ -134,16 +134,17 @@ impl Work {
         }
     }
 
-    /// Its world, with or without the guard.
+    /// Returns the world of a work, with or without the guard.
     ///
     /// # Errors
-    /// Those of [`Crowd::world`], [`Flock::world`] and [`Insects::world`]: the ground of very many people reaches farther than a world does.
+    /// The errors of [`Crowd::world`], [`Flock::world`] and [`Insects::world`]: the ground of very large crowds exceeds
+    /// the limits of a world.
     pub fn world(&self, count: usize, guard: bool) -> Result<World, Error> {
         match self.kind {
-            Kind::Crowd { crowd, manners: true } => {
-                crowd(count).world(Group { guard, ..Crowd::manners() }, Agent::default().max_acceleration)
+            Kind::Crowd { crowd, interaction: true } => {
+                crowd(count).world(Group { guard, ..Crowd::interaction() }, Agent::default().max_acceleration)
             }
-            Kind::Crowd { crowd, manners: false } => {
+            Kind::Crowd { crowd, interaction: false } => {
                 crowd(count).world(Group { guard, ..Crowd::bare() }, f32::INFINITY)
             }
             Kind::Flock(flock) => flock(count).world(guard),
@@ -153,10 +154,10 @@ impl Work {
 }
 
 const fn density(name: &'static str, about: &'static str, crowd: fn(usize) -> Crowd) -> Work {
-    Work { name, about, sizes: &[10_000], kind: Kind::Crowd { crowd, manners: false } }
+    Work { name, about, sizes: &[10_000], kind: Kind::Crowd { crowd, interaction: false } }
 }
 
-/// The reference work that crowd simulators are compared on.
+/// The reference work by which crowd simulators are compared.
 fn crossing(count: usize, sorted: bool) -> Crowd {
     const RADIUS: f64 = 0.25;
     let mut places = uniform(count, 0.25, 2.0 * RADIUS, &mut Dice(7));
@@ -166,35 +167,35 @@ fn crossing(count: usize, sorted: bool) -> Crowd {
     outward(places, RADIUS)
 }
 
-/// So many to the square metre, as far as bodies of 0.2 m can be packed.
+/// A crowd of `density` agents per square metre, as far as bodies of 0.2 m can be packed.
 fn packed(count: usize, density: f64) -> Crowd {
     const RADIUS: f64 = 0.2;
     outward(bricks(count, density, 2.0 * RADIUS, &mut Dice(7)), RADIUS)
 }
 
 fn one_spot(count: usize) -> Crowd {
-    let mut dice = Dice(7);
-    outward((0..count).map(|_| dice.in_disc(0.05)).collect(), 0.25)
+    let mut rng = Dice(7);
+    outward((0..count).map(|_| rng.in_disc(0.05)).collect(), 0.25)
 }
 
 fn at_rest(count: usize) -> Crowd {
     const RADIUS: f64 = 0.25;
-    let mut dice = Dice(9);
+    let mut rng = Dice(9);
     let people = bricks(count, 1.0, 2.0 * RADIUS, &mut Dice(7)).into_iter();
-    let people = people.map(|position| Person { position, preferred_speed: dice.between(1.3, 1.5), way: None });
+    let people = people.map(|position| Person { position, preferred_speed: rng.between(1.3, 1.5), way: None });
     Crowd::open(people.collect(), RADIUS, vec![])
 }
 
-/// Everybody bound for one of some thousand places, so far away that it is a direction: there are few enough of them
-/// that millions of people can be measured, and so many that hardly anybody has the goal of somebody near.
+/// Returns agents bound for one of 4096 goals, so far away that each goal is a direction. The goals are few enough to
+/// measure millions of agents, and many enough that neighbours rarely share a goal.
 fn outward(places: Vec<DVec2>, radius: f64) -> Crowd {
     const GOALS: usize = 4096;
     const DISTANCE: f64 = 15_000.0;
-    let mut dice = Dice(9);
-    let goals = (0..GOALS).map(|_| DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU)) * DISTANCE).collect();
+    let mut rng = Dice(9);
+    let goals = (0..GOALS).map(|_| DVec2::from_angle(rng.between(0.0, std::f64::consts::TAU)) * DISTANCE).collect();
     let people = places.into_iter().map(|position| {
-        let way = Some(dice.below(GOALS));
-        Person { position, preferred_speed: dice.between(1.3, 1.5), way }
+        let way = Some(rng.below(GOALS));
+        Person { position, preferred_speed: rng.between(1.3, 1.5), way }
     });
     Crowd::open(people.collect(), radius, goals)
 }

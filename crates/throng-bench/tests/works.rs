@@ -1,4 +1,4 @@
-//! The works are what they say.
+//! Tests that the works match their descriptions.
 
 use glam::DVec2;
 use throng_bench::{WORKS, Work, lap, median, work};
@@ -7,14 +7,14 @@ fn places(work: &Work, count: usize) -> Vec<DVec2> {
     work.crowd(count).unwrap().people.iter().map(|person| person.position).collect()
 }
 
-/// The least distance of two, by looking at all pairs.
+/// Returns the least distance of two points, over all pairs.
 fn least_distance(places: &[DVec2]) -> f64 {
     let from = |k: usize| places[..k].iter().map(move |p| p.distance(places[k]));
     (0..places.len()).flat_map(from).fold(f64::INFINITY, f64::min)
 }
 
 #[test]
-fn nobody_overlaps_at_the_start_except_in_one_spot() {
+fn no_two_agents_overlap_at_the_start_except_in_one_spot() {
     for work in WORKS {
         for count in [1, 2, 700] {
             let Some(crowd) = work.crowd(count) else { continue };
@@ -27,18 +27,19 @@ fn nobody_overlaps_at_the_start_except_in_one_spot() {
 }
 
 #[test]
-fn crowds_are_as_dense_as_they_say() {
+fn crowds_have_the_density_of_their_name() {
     for work in WORKS {
         let Some(density) = work.name.strip_prefix("density-") else { continue };
         let density: f64 = density.parse().unwrap();
         let all = places(work, 10_000);
-        // in a square in the middle, a quarter of it all
+        // in a square in the middle, with a quarter of the area
         let half = 0.25 * (10_000.0 / density).sqrt();
         let inside = all.iter().filter(|p| p.abs().max_element() < half).count() as f64;
         let found = inside / (4.0 * half * half);
         assert!((found / density - 1.0).abs() < 0.06, "{}: {found}", work.name);
     }
-    // uniform at random: the numbers in squares of 10 m vary as Poisson's, a little less since bodies don't overlap
+    // uniformly random: the counts in squares of 10 m vary like a Poisson distribution, a little less since bodies do
+    // not overlap
     let all = places(work("crossing").unwrap(), 10_000);
     let mut counts = vec![0.0_f64; 400];
     for p in &all {
@@ -61,19 +62,19 @@ fn shuffled_are_the_same_places_in_another_order() {
 }
 
 #[test]
-fn everybody_walks_or_stands_as_they_should() {
+fn agents_walk_or_stand_as_described() {
     for work in WORKS {
         for guard in [false, true] {
             let mut world = work.world(200, guard).unwrap();
             let lap = lap(&mut world, 30, || true);
             assert_eq!((lap.steps, lap.agent_steps), (30, 6_000));
             assert!(world.stranded().is_empty(), "{}: {:?}", work.name, world.stranded());
-            let walked = (0..200).map(|row| world.agents().trip(row).walked).sum::<f64>() / 200.0;
+            let walked = (0..200).map(|row| world.relative_columns().trip(row).walked).sum::<f64>() / 200.0;
             match work.name {
                 "at-rest" => assert!(walked < 0.01, "{walked}"),
-                // in a crush hardly anybody gets on
+                // in a crush, agents hardly move
                 "one-spot" | "density-4" | "density-6" => assert!(walked > 0.0, "{}: {walked}", work.name),
-                // half a second of noise of 0.6 m/s, from rest
+                // half a second of noise of 0.6 m/s, starting at rest
                 "swarm" | "swarm-alone" => assert!((0.1..0.4).contains(&walked), "{}: {walked}", work.name),
                 _ => assert!(walked > 1.0, "{}: {walked}", work.name),
             }

@@ -21,7 +21,7 @@ use std::path::PathBuf;
 #[derive(Parser, Debug)]
 #[command(name = "throng", version, propagate_version = true, after_help = EXAMPLES, after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// What to do.
+    /// The subcommand.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -32,21 +32,21 @@ Examples:
   throng run circle                  run one; writes circle.mp4
   throng run plan.toml -o a.mp4 -o a.csv
   throng compare circle -o c.html    the local models side by side
-  throng check plan.toml             is it right, and what would it do?
+  throng check plan.toml             validate a scene and report what it does
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
-  throng measure flocking            how its members move: distributions of speeds and the like
-  throng replay obsmat.txt -o a.mp4  recorded people, and what a model makes of them, side by side
-  throng info run.csv                what is in a file of trajectories
-  throng convert run.csv -o run.usda the same as another kind of file
-  throng render people.txt -o a.mp4  a video of it
-  throng validate --quick            the experiments with people, beside what the model makes of them
-  throng explain circle --agent 3    why agent 3 goes where it goes, circle-agent-3.svg
+  throng measure flocking            distributions of speeds, distances and the like
+  throng replay obsmat.txt -o a.mp4  recorded and simulated people side by side
+  throng info run.csv                report on a file of trajectories
+  throng convert run.csv -o run.usda the same trajectories as another kind of file
+  throng render people.txt -o a.mp4  a video of a file of trajectories
+  throng validate --quick            experiments with people beside the model's results
+  throng explain circle --agent 3    why agent 3 chooses its velocity, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
-Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.";
+Exit codes: 0 done; 1 the scene did not meet its [expect]; 2 an error; 130 interrupted.";
 
-/// What to do.
+/// The subcommands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Runs a scene and writes what happens
@@ -54,20 +54,21 @@ pub enum Command {
     Run(Box<RunArgs>),
     /// Runs a scene with several local models and shows them side by side
     ///
-    /// Every model runs every seed. The table holds the median of each figure, and the range where there are several
-    /// seeds; docs/compare.md says what the figures mean.
+    /// Every model runs every seed. The table holds the median of each figure, and its range where there are several
+    /// seeds; docs/compare.md defines the figures.
     #[command(after_help = COMPARE_SHORT, after_long_help = COMPARE)]
     Compare(Box<CompareArgs>),
-    /// Measures how long steps take, stage by stage, on the reference works and on scenes
+    /// Measures how long steps take, stage by stage, in reference works and scenes
     #[command(after_help = bench::SHORT, after_long_help = bench::LONG)]
     Bench(Box<BenchArgs>),
     /// Lists the scenes of the gallery, group by group
     List(ListArgs),
-    /// Validates a scene and says what it would do
+    /// Validates a scene and reports what it would do
     ///
-    /// Reads the scene, builds its world, plans everybody's way and makes one step. Reports agents, groups, goals,
-    /// the place, what importers left out, agents that overlap at the start, and goals that cannot be reached, with
-    /// the reasons. The exit code is 0 for a scene that can be run, whatever is reported, and 2 for one that cannot.
+    /// Reads the scene, builds its world, plans the ways of all agents and makes one step. Reports agents, groups,
+    /// goals, the place, what importers left out, agents that overlap at the start, and goals that cannot be reached,
+    /// with the reasons. The exit code is 0 for a scene that can be run, with or without warnings, and 2 for one that
+    /// cannot.
     #[command(after_help = CHECK)]
     Check(SceneArgs),
     /// Draws the start of a scene
@@ -75,36 +76,37 @@ pub enum Command {
     Show(ShowArgs),
     /// Draws a contact sheet: a still of each of many scenes, with its name
     ///
-    /// Runs every scene up to a moment that tells what it is about, several at a time, and draws them side by side,
-    /// under the headings of the gallery's groups. Without names, the whole gallery.
+    /// Runs every scene up to a typical moment, several scenes at a time, and draws them side by side, under the
+    /// headings of the gallery's groups. Without names, the whole gallery.
     #[command(after_help = sheet::EXAMPLES, after_long_help = sheet::EXAMPLES)]
     Sheet(SheetArgs),
-    /// Says what is in a file of trajectories: who, how many, when, where, how fast
+    /// Reports on a file of trajectories: agents, times, place, speeds
     #[command(after_help = info::LONG, after_long_help = info::LONG)]
     Info(InfoArgs),
-    /// Measures swarms: how speeds, accelerations and distances are distributed, how long velocities last, how wide they are
+    /// Measures swarms: distributions of speeds, accelerations and distances, correlation times of velocities, sizes
     ///
-    /// Of the scene that it runs, or of a table of trajectories; docs/swarms.md says what the figures mean.
+    /// Measures the scene that it runs, or a table of trajectories; docs/swarms.md defines the figures.
     #[command(after_help = measure::SHORT, after_long_help = measure::LONG)]
     Measure(Box<MeasureArgs>),
-    /// Writes trajectories as other trajectories: another kind of file, other moments, some of the people
+    /// Converts trajectories: to another kind of file, to other moments, to some of the people
     #[command(after_help = recorded::CONVERT, after_long_help = recorded::CONVERT)]
     Convert(Box<ConvertArgs>),
-    /// Draws trajectories: video and pictures of a file
+    /// Draws trajectories: writes video and pictures of a file
     #[command(after_help = recorded::RENDER, after_long_help = recorded::RENDER)]
     Render(Box<RenderArgs>),
-    /// Replays recorded people: they enter as they did, walk by a model, and are compared with what they did
+    /// Replays recorded people: they enter as recorded, walk by a model, and are compared with the recording
     ///
-    /// Everybody enters at their time and place with their speed and goal. Recorded and simulated people are drawn side by side and
-    /// compared; docs/replay.md says what the figures mean.
+    /// Every agent enters at the recorded time and place with the recorded speed and goal. Recorded and simulated
+    /// people are drawn side by side and compared; docs/replay.md defines the figures.
     #[command(after_help = replay::SHORT, after_long_help = replay::LONG)]
     Replay(Box<ReplayArgs>),
-    /// Validates the model of pedestrians: the experiments with people, and what the model makes of them
+    /// Validates the pedestrian model: repeats experiments with people and compares the results
     ///
-    /// Every case runs every seed. The table holds mean and standard deviation of each figure, what people did, and the tolerance.
+    /// Every case runs every seed. The table holds mean and standard deviation of each figure, the value measured in
+    /// the experiment, and the tolerance.
     #[command(after_help = validate::SHORT, after_long_help = validate::LONG)]
     Validate(Box<ValidateArgs>),
-    /// Draws why one agent goes where it goes: its velocity space at one moment
+    /// Draws why one agent chooses its velocity: its velocity space at one moment
     #[command(after_help = explain::SHORT, after_long_help = explain::LONG)]
     Explain(Box<ExplainArgs>),
     /// Opens the studio: see, direct and debug scenes in a window
@@ -112,7 +114,7 @@ pub enum Command {
     Studio(throng_studio::window::Arguments),
     /// Writes the JSON schema of scene files to standard output
     ///
-    /// Editors that know it complete and check the keys of scene files while one types.
+    /// Editors with support for JSON schemas complete and check the keys of scene files.
     #[command(after_help = "Example:\n  throng schema > throng.schema.json")]
     Schema,
     /// Writes the completion script of a shell to standard output
@@ -135,53 +137,53 @@ Outputs, by the ending of the name:
   .png, .svg        one picture: the last moment, or that of --frame
   .csv              trajectories: every agent at every step, as text
   .parquet          the same for data frames (Apache Parquet)
-  .rec              the same in few bytes; what is written so far is in NAME.rec.part, and can be read, whatever happens
+  .rec              the same in few bytes; NAME.rec.part holds what is written so far and is readable after a crash
   .sqlite           the same for JuPedSim and PedPy
   .usda             the same for film and animation (Universal Scene Description)
   .glb              the same for engines and the web (binary glTF)
   NAME/             a folder of PNG files, one a picture
-  .avi, .webm, ...  other video, through the program ffmpeg where that is installed
+  .avi, .webm, ...  other video, through the program ffmpeg if it is installed
 
 Files get their names when they are complete. Ctrl-C ends the run and completes the files; a second one ends the
 program at once.
 
 Keys of --json (one object on standard output):
   scene                     name of the scene
-  agents                    agents in all: present, gone, and still to enter
-  arrived, removed          in place at the end of their journeys (gone ones included); gone by exits
+  agents                    all agents: present, removed, and still to enter
+  arrived, removed          at the ends of their journeys (removed agents included); removed by exits
   resting                   agents that stand still
-  queueing                  agents behind others in a queue that moves
-  waiting_for_room          agents outside the area of their journey's end, in which no place is free
-  blocked                   agents that have not got on for 10 s, which no queue explains
-  oscillating               agents that have not got on for 10 s and walked all the while
-  stranded                  agents whose goal cannot be reached
+  queueing                  agents that stand in a queue that moves
+  waiting_for_room          agents outside the goal area of their journey, in which no place is free
+  blocked                   agents without progress for 10 s, not because of a queue
+  oscillating               agents without progress for 10 s that kept walking
+  stranded                  agents that cannot reach their goals
   stuck                     blocked, oscillating and stranded agents together
-  without_progress_30s      how often an agent walked for 30 s without getting on
+  without_progress_30s      how often an agent walked for 30 s without progress
   time                      seconds simulated
-  time_ratio, path_ratio    of the arrived: time and way over those of the shortest way, mean
+  time_ratio, path_ratio    agents that arrived: time and length of the way over those of the shortest way, mean
   least_separation          least distance of two centres over the sum of their radii; 1: they touched
   overlaps                  overlaps of bodies with bodies and walls, counted every sub-step
   guard_share               share of the moves that the guard changed by more than 1 %
-  pushed_share              share of the moves that accelerate an agent beyond its limit, which only the guard does
-  backwards_share           share of the time that agents on their way move away from where it leads
-  heading_change_deg_per_s  turning of the headings of those on their way, mean
-  course_change_deg_per_s   turning of their directions of motion, which headings smooth out: trembling
-  steps, sub_steps          steps made, and the parts they were divided into
-  agent_steps_per_second    moves of one agent by one sub-step, a second of computing the steps
+  pushed_share              share of the moves that accelerate an agent beyond its limit, which only the guard causes
+  backwards_share           share of the time that walking agents move against the direction of their way
+  heading_change_deg_per_s  turning of the headings of walking agents, mean
+  course_change_deg_per_s   turning of their directions of motion: trembling, which headings smooth out
+  steps, sub_steps          steps made, and the sub-steps they were divided into
+  agent_steps_per_second    moves of one agent by one sub-step, per second of computing the steps
   expect                    { passed, checks: [{ name, expected, found, passed }] }: the scene's [expect]
   figures                   what the rules of a game count, by name; empty without rules
   least_wall_separation     least distance of a centre to a wall or solid over the radius
   state_hash                hash of the last state: the same for the same bits, here and in the studio
   swarms                    [{ name, speed, speed_sd, acceleration, nearest, size, polarisation, correlation_time }] of
-                            the groups that steer as swarms: means, as `throng measure` says them
+                            the groups that steer as swarms: means, as in `throng measure`
   wall_seconds              seconds the whole run took, files included
-  step_seconds              those of them for the steps alone
-  cpu_per_simulated_second  processor seconds (all threads, files included) a simulated second
+  step_seconds              seconds the steps alone took
+  cpu_per_simulated_second  processor seconds (all threads, files included) per simulated second
   interrupted               whether the run was interrupted
   files                     the files written
-What is infinite or not known is null.
+Infinite and unknown values are null.
 
-Exit codes: 0 done; 1 the scene did not show what its [expect] says; 2 an error; 130 interrupted.
+Exit codes: 0 done; 1 the scene did not meet its [expect]; 2 an error; 130 interrupted.
 
 Examples:
   throng run circle
@@ -208,10 +210,10 @@ Examples:
   throng show doorway
   throng show plan.toml -o plan.svg --size 1600x900";
 
-/// What `throng run` is told.
+/// The arguments of `throng run`.
 #[derive(Args, Debug)]
 pub struct RunArgs {
-    /// Which scene.
+    /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
 
@@ -223,15 +225,15 @@ pub struct RunArgs {
     #[arg(long, conflicts_with = "output")]
     pub no_files: bool,
 
-    /// When it ends.
+    /// When the run ends.
     #[command(flatten)]
     pub end: EndArgs,
 
-    /// Does not check what the scene's [expect] says
+    /// Does not check the scene's [expect]
     #[arg(long)]
     pub no_expect: bool,
 
-    /// How many threads.
+    /// The number of threads.
     #[command(flatten)]
     pub threads: ThreadArgs,
 
@@ -243,11 +245,11 @@ pub struct RunArgs {
     #[arg(long)]
     pub json: bool,
 
-    /// What of it is written.
+    /// What is written.
     #[command(flatten)]
     pub choice: ChoiceArgs,
 
-    /// Which moments pictures show, and how they look.
+    /// The moments that pictures show, and how pictures look.
     #[command(flatten)]
     pub film: FilmArgs,
 
@@ -256,18 +258,18 @@ pub struct RunArgs {
     pub annotate: AnnotateArgs,
 }
 
-/// What `throng list` is told.
+/// The arguments of `throng list`.
 #[derive(Args, Debug)]
 pub struct ListArgs {
-    /// Only the names, for programs
+    /// Writes only the names, for programs
     #[arg(long)]
     pub names: bool,
 }
 
-/// What `throng show` is told.
+/// The arguments of `throng show`.
 #[derive(Args, Debug)]
 pub struct ShowArgs {
-    /// Which scene.
+    /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
 
@@ -280,10 +282,10 @@ pub struct ShowArgs {
     pub look: LookArgs,
 }
 
-/// What `throng completions` is told.
+/// The arguments of `throng completions`.
 #[derive(Args, Debug)]
 pub struct CompletionsArgs {
-    /// Which shell
+    /// The shell
     #[arg(value_enum)]
     pub shell: clap_complete::Shell,
 }

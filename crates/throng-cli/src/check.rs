@@ -1,13 +1,14 @@
-//! `throng check`: whether a scene is right, and what it would do.
+//! `throng check`: whether a scene can be run, and what it would do.
 
 use crate::failure::Failure;
 use crate::out::Out;
+use crate::progress::waiting;
 use crate::source::{Loaded, SceneArgs};
 use std::collections::BTreeMap;
 use throng::{Goal, Obstacle, World};
 use throng_scene::{Built, Scene, SubSteps, Until};
 
-/// How many of a kind of finding are written out.
+/// How many findings of a kind are written out.
 const SHOWN: usize = 5;
 
 /// Validates a scene and writes what it would do to standard output.
@@ -16,7 +17,7 @@ const SHOWN: usize = 5;
 /// The scene cannot be built, or standard output cannot be written.
 pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     let loaded = args.load()?;
-    let (mut world, built) = loaded.build()?;
+    let (mut world, built) = loaded.build(false)?;
     let Loaded { name, scene, notes, .. } = &loaded;
     let title = if scene.title.is_empty() { String::new() } else { format!(": {}", scene.title) };
     out.line(format_args!("{name}{title}"))?;
@@ -24,18 +25,19 @@ pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     place(&built, out)?;
     game(scene, &world, out)?;
     let overlapping = world.overlapping();
-    // The first step plans everybody's way.
-    world.step();
+    // The first step plans the ways of all agents.
+    waiting(false, "planning", || world.step());
     time(scene, &world, out)?;
     expectations(scene, out)?;
     for note in notes.iter().chain(&built.notes) {
         out.line(format_args!("  note       {note}"))?;
     }
     let found = overlaps(&overlapping, out)? | unreachable(&world, &built, out)?;
-    out.line(format_args!("{}", if found { "it can be run, with the warnings above" } else { "it is right" }))
+    let verdict = if found { "the scene can be run, with the warnings above" } else { "the scene is valid" };
+    out.line(format_args!("{verdict}"))
 }
 
-/// Whose rules it is played by, and what they count.
+/// Writes the rules of the scene's game and the figures they count.
 fn game(scene: &Scene, world: &World, out: &mut Out) -> Result<(), Failure> {
     let Some(rules) = &scene.rules else { return Ok(()) };
     let figures: Vec<&str> = world.figures().map(|(name, _)| name).collect();
@@ -61,13 +63,13 @@ fn people(scene: &Scene, built: &Built, out: &mut Out) -> Result<(), Failure> {
     out.line(format_args!("  goals      {kinds}"))
 }
 
-/// What those do who have no goals.
+/// Describes what agents without goals do.
 fn without_goals(scene: &Scene) -> &'static str {
     let mut steers = scene.groups.iter().map(|group| group.steer.is_some());
     match (steers.clone().any(|steers| steers), steers.all(|steers| steers)) {
-        (_, true) => "everybody goes as they steer",
-        (true, false) => "who steers goes as they steer, everybody else stays",
-        (false, false) => "everybody stays",
+        (_, true) => "all agents move by their steering",
+        (true, false) => "agents with `steer` move by it, all others stay",
+        (false, false) => "all agents stay",
     }
 }
 
@@ -103,8 +105,8 @@ fn time(scene: &Scene, world: &World, out: &mut Out) -> Result<(), Failure> {
     let (step, limit) = (scene.time.step, scene.time.limit);
     out.line(format_args!("  steps      {step} s, {sub_steps}"))?;
     let until = match scene.time.until {
-        Until::Arrived => format!("when everybody has arrived, at the latest at {limit} s"),
-        Until::Empty => format!("when nobody is left, at the latest at {limit} s"),
+        Until::Arrived => format!("when all agents have arrived, at the latest at {limit} s"),
+        Until::Empty => format!("when no agent is left, at the latest at {limit} s"),
         Until::Limit => format!("at {limit} s"),
     };
     out.line(format_args!("  ends       {until}"))
@@ -136,7 +138,7 @@ fn expectations(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
     out.line(format_args!("  expects    {keys}"))
 }
 
-/// Writes who overlaps at the start; whether anybody does.
+/// Writes the agents that overlap at the start. Returns whether there are any.
 fn overlaps(pairs: &[(u32, u32, f64)], out: &mut Out) -> Result<bool, Failure> {
     for (a, b, ratio) in pairs.iter().take(SHOWN) {
         out.line(format_args!("  warning    agents {a} and {b} overlap at the start ({ratio:.3} of touching)"))?;
@@ -147,7 +149,7 @@ fn overlaps(pairs: &[(u32, u32, f64)], out: &mut Out) -> Result<bool, Failure> {
     Ok(!pairs.is_empty())
 }
 
-/// Writes whose goals cannot be reached, and why; whether there are such.
+/// Writes the agents that cannot reach their goals, with the reasons. Returns whether there are any.
 fn unreachable(world: &World, built: &Built, out: &mut Out) -> Result<bool, Failure> {
     let mut groups: BTreeMap<&str, Vec<&(u32, throng::navigate::Unreachable)>> = BTreeMap::new();
     for stranded in world.stranded() {
@@ -159,12 +161,12 @@ fn unreachable(world: &World, built: &Built, out: &mut Out) -> Result<bool, Fail
             out.line(format_args!("  warning    agent {number} of {name} cannot reach its goal: {why}"))?;
         }
         if stranded.len() > SHOWN {
-            out.line(format_args!("  warning    and {} more of {name} cannot reach theirs", stranded.len() - SHOWN))?;
+            out.line(format_args!("  warning    and {} more of {name} cannot reach a goal", stranded.len() - SHOWN))?;
         }
     }
     if !groups.is_empty() {
         out.line(format_args!(
-            "  hint       open a way wider than the bodies, or move the goal; a picture helps: throng show"
+            "  hint       make a gap wider than the agents, or move the goal; `throng show` draws the scene"
         ))?;
     }
     Ok(!groups.is_empty())

@@ -1,23 +1,23 @@
-//! Which part of what happens is written.
+//! The part of a run that is written.
 
 use crate::look::{parse_not_negative, parse_positive};
 use clap::Args;
 use std::ops::RangeInclusive;
 use throng_record::{Choice, Column};
 
-/// Which part of what happens is written.
+/// Options for the part of a run that is written.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "What is written")]
 pub struct ChoiceArgs {
-    /// Leaves out what comes before, seconds
+    /// Leaves out everything before this time, seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
     pub from: Option<f64>,
 
-    /// Leaves out what comes after, seconds
+    /// Leaves out everything after this time, seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
     pub to: Option<f64>,
 
-    /// Moments a second in files of trajectories; between steps everybody goes straight on [default: every step]
+    /// Moments per second in files of trajectories, interpolated linearly between steps [default: every step]
     #[arg(long, value_name = "N", value_parser = parse_positive)]
     pub rate: Option<f64>,
 
@@ -35,7 +35,7 @@ pub struct ChoiceArgs {
 }
 
 impl ChoiceArgs {
-    /// What is chosen.
+    /// Returns the options as a [`Choice`].
     pub fn choice(&self) -> Choice {
         Choice {
             from: self.from.unwrap_or(f64::NEG_INFINITY),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// Lines of cells under each other: the first column to the left, the others to the right.
+/// Aligns cells in columns: the first column to the left, the other columns to the right.
 pub fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.first().map_or(0, Vec::len);
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);

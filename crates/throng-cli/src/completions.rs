@@ -1,4 +1,4 @@
-//! `throng completions`: what a shell needs to complete our command lines.
+//! `throng completions`: completion scripts for shells.
 
 use crate::args::{Arguments, CompletionsArgs};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use clap::CommandFactory;
 /// Writes the completion script of a shell to standard output.
 ///
 /// # Errors
-/// It cannot be written.
+/// Standard output cannot be written.
 pub fn completions(args: &CompletionsArgs, out: &mut Out) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Arguments::command(), "throng", &mut script);

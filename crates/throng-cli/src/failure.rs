@@ -1,28 +1,27 @@
-//! Why a command did not succeed, and the exit code that says so.
+//! Failures of commands and their exit codes.
 
-use throng_record::{ChoiceError, OutputError, TracksError};
+use throng_record::{ChoiceError, OutputError, TrajectoriesError};
 
-/// Why a command did not succeed.
+/// A reason why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// Something is wrong with what the user gave, or a file cannot be written: the text says what, and how to mend
-    /// it.
+    /// An error in the input, or a file that cannot be written. The text says what is wrong and how to fix it.
     Error(String),
-    /// The scene ran, and did not show what its `[expect]` says. The report has said so already.
+    /// The scene did not meet its `[expect]`. The report has already said so.
     Expectation,
     /// The run was interrupted; its files are finished.
     Interrupted,
-    /// Whoever read our output has gone: nobody is left to tell.
+    /// The reader of standard output closed the pipe.
     ClosedPipe,
 }
 
 impl Failure {
-    /// An error with a hint on a line of its own.
+    /// Creates an error with a hint on a separate line.
     pub fn hint(text: impl std::fmt::Display, hint: impl std::fmt::Display) -> Self {
         Self::Error(format!("{text}\n  hint: {hint}"))
     }
 
-    /// The exit code: 0 for a closed pipe, 1 for a failed expectation, 2 for errors, 130 for an interrupt.
+    /// Returns the exit code: 0 for a closed pipe, 1 for a failed expectation, 2 for errors, 130 for an interrupt.
     pub fn code(&self) -> u8 {
         match self {
             Self::Error(_) => 2,
@@ -32,7 +31,7 @@ impl Failure {
         }
     }
 
-    /// What to tell the user, if there is something left to tell.
+    /// Returns the message for the user, if there is one.
     pub fn text(&self) -> Option<&str> {
         match self {
             Self::Error(text) => Some(text),
@@ -51,4 +50,4 @@ macro_rules! errors {
     };
 }
 
-errors!(throng_scene::Error, throng_draw::Error, OutputError, TracksError, ChoiceError);
+errors!(throng_scene::Error, throng_draw::Error, OutputError, TrajectoriesError, ChoiceError);

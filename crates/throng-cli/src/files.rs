@@ -1,4 +1,4 @@
-//! The files a run writes.
+//! The files that a run writes.
 
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -8,10 +8,11 @@ use throng_draw::{Film, Sheet, Style};
 use throng_record::formats::FORMATS;
 use throng_record::{Format, Output};
 
-/// Begins the files of a run.
+/// Creates the files of a run.
 ///
 /// # Errors
-/// A name does not say what to write or comes twice, what is chosen is not there, or a file cannot be begun.
+/// The kind of a file does not follow from its name, a name is given twice, a chosen agent, group or column does not
+/// exist, or a file cannot be created.
 pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
     distinct(paths)?;
     paths.iter().for_each(Output::remove_leftovers);
@@ -26,22 +27,22 @@ pub fn create(paths: &[PathBuf], plan: &Plan) -> Result<Files, Failure> {
     Ok(Files::new(paths.iter().map(begin).collect::<Result<_, _>>()?, plan.pace(), plan.choice).stopped_by(plan.stop))
 }
 
-/// How the names of trajectories end that are written.
+/// Returns the file-name endings of the trajectory formats that can be written.
 pub fn written() -> Vec<&'static str> {
     FORMATS.iter().filter(|format| format.is_written()).map(|format| format.ending).collect()
 }
 
-/// The same in words.
+/// Returns these endings as a phrase.
 pub fn trajectories() -> String {
     let all: Vec<String> = written().iter().map(|ending| format!(".{ending}")).collect();
-    let (last, others) = all.split_last().expect("some are written");
+    let (last, others) = all.split_last().expect("at least one format is written");
     format!("{} or {last}", others.join(", "))
 }
 
-/// That no file is named twice.
+/// Checks that no file is named twice.
 ///
 /// # Errors
-/// One is.
+/// A file is named twice.
 pub fn distinct(paths: &[PathBuf]) -> Result<(), Failure> {
     for (index, path) in paths.iter().enumerate() {
         if paths[..index].contains(path) {
@@ -51,20 +52,21 @@ pub fn distinct(paths: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a file is called in titles: its name, without the folders it is in.
+/// Returns the title of a file: its name without its folders.
 pub fn title(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// Whether a name has this ending, which files have and folders do not.
+/// Whether a path has this ending and is not a folder.
 pub fn is(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending)) && !path.is_dir()
 }
 
-/// That a name says which picture or video to write; `others` are the endings of what else could have been written.
+/// Checks that a name ends like a picture or video; `others` are the other endings the command accepts, for the
+/// message.
 ///
 /// # Errors
-/// It does not, or names a folder without saying so.
+/// The name has another ending, or names an existing folder without a trailing slash.
 fn named(path: &Path, others: &[&str]) -> Result<(), Failure> {
     let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&byte| std::path::is_separator(byte.into()));
     if path.is_dir() && !slash {
@@ -86,19 +88,19 @@ fn named(path: &Path, others: &[&str]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Begins a picture or a video; `others` are the endings of what else could have been written.
+/// Creates a picture or a video; `others` are the other endings the command accepts, for the message.
 ///
 /// # Errors
-/// The name does not say what to write, or the file cannot be begun.
+/// The kind of picture does not follow from the name, or the file cannot be created.
 pub fn film(path: &Path, sheet: impl Into<Sheet>, style: &Style, rate: f64, others: &[&str]) -> Result<Film, Failure> {
     named(path, others)?;
     Ok(Film::create(path, sheet, style, rate)?)
 }
 
-/// That a path names a single picture, which is all that `command` writes.
+/// Checks that a path names a single picture, the only output of `command`.
 ///
 /// # Errors
-/// It names something else.
+/// The path names something else.
 pub fn one_picture(path: &Path, command: &str) -> Result<(), Failure> {
     if matches!(Kind::of(path), Ok(Kind::Png | Kind::Svg)) {
         return Ok(());

@@ -1,12 +1,12 @@
-//! Ctrl-C, and the signals that ask a program to end.
+//! Ctrl-C and the signals that ask a program to end.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// From now on a first Ctrl-C asks the run to end, which [`asked`] tells, and a second one ends the program at once.
+/// Installs a handler: the first Ctrl-C makes [`asked`] return true, the second ends the program at once.
 pub fn watch() {
-    // Where it cannot be done, Ctrl-C ends the program at once, as it did before.
+    // If the handler cannot be installed, the first Ctrl-C ends the program at once.
     let _ = ctrlc::set_handler(|| {
         if ASKED.swap(true, Ordering::SeqCst) {
             std::process::exit(130);
@@ -14,7 +14,7 @@ pub fn watch() {
     });
 }
 
-/// Whether the run was asked to end.
+/// Whether an end of the run was requested.
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }

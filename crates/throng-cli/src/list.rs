@@ -8,7 +8,7 @@ use throng_scene::gallery;
 /// Writes the names and titles of all scenes, group by group, to standard output.
 ///
 /// # Errors
-/// It cannot be written.
+/// Standard output cannot be written.
 pub fn list(args: &ListArgs, out: &mut Out) -> Result<(), Failure> {
     let widest = gallery::names().map(str::len).max().unwrap_or(0);
     for (group, names) in gallery::groups() {

@@ -1,4 +1,4 @@
-//! How pictures look.
+//! Options for the look of pictures.
 
 use crate::failure::Failure;
 use crate::field::FieldArgs;
@@ -8,13 +8,13 @@ use glam::DVec2;
 use throng_draw::{ColorBy, Projection, Style, WorldBox, columns, title_height};
 use throng_scene::Scene;
 
-/// A sheet nobody gave a size is at most this wide and high, pixels, and about twice as wide as high.
+/// The largest size of a sheet without a given size, pixels; such a sheet is about twice as wide as high.
 const LARGEST: [f64; 2] = [1920.0, 1440.0];
 const ASPECT: f64 = 2.0;
-/// More panels than this are too small to see anything.
+/// The maximum number of panels: more would be too small.
 const MOST: usize = 9;
 
-/// How pictures look.
+/// Options for the look of pictures.
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Pictures")]
 pub struct LookArgs {
@@ -22,24 +22,24 @@ pub struct LookArgs {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
 
-    /// The part of the world to show, metres: two opposite corners; without it, everything
+    /// The part of the world to show, metres: two opposite corners [default: everything]
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_four, allow_hyphen_values = true)]
     pub camera: Option<[f64; 4]>,
 
-    /// Whether the world is seen from straight above or in perspective [default: the scene's `view.projection`, else in
-    /// perspective where somebody flies]
+    /// Whether the world is drawn in plan view or in perspective [default: the scene's `view.projection`, else in
+    /// perspective if agents fly]
     #[arg(long, value_enum, value_name = "HOW")]
     pub projection: Option<ProjectionArg>,
 
-    /// How long the trails behind agents are, seconds; 0 for none
+    /// Length of the trails behind agents, seconds; 0 for none
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
     pub trails: Option<f64>,
 
-    /// What the colour of an agent says
+    /// What the colour of an agent shows
     #[arg(long, value_enum, value_name = "WHAT", default_value_t = ColorArg::Group)]
     pub color: ColorArg,
 
-    /// Leaves out the notch that shows which way an agent faces
+    /// Leaves out the notch that marks the heading of an agent
     #[arg(long)]
     pub no_headings: bool,
 
@@ -48,38 +48,38 @@ pub struct LookArgs {
     pub field: FieldArgs,
 }
 
-/// How the world is seen.
+/// The projections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ProjectionArg {
     /// From straight above, true to scale
     Plan,
-    /// By an eye: what is far away is small and pale
+    /// From a viewpoint: distant objects are small and pale
     Perspective,
 }
 
-/// What the colour of an agent says.
+/// The quantities that colours of agents show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ColorArg {
     /// Its group
     Group,
-    /// How fast it is
+    /// Its speed
     Speed,
-    /// Where it goes
+    /// Its goal
     Goal,
-    /// How high it flies
+    /// Its altitude
     Altitude,
-    /// How many there are within a metre and a half
+    /// The number of agents within 1.5 m
     Density,
-    /// How long it has still to go on a straight line
+    /// The time to its goal on a straight line
     TimeToGoal,
 }
 
 impl LookArgs {
-    /// The style: what is said here, else what the scene's `[view]` says, else the default. `bounds` are the corners
-    /// of the scene.
+    /// Returns the style: the options, else the values of the scene's `[view]`, else the defaults. `bounds` are the
+    /// corners of the scene.
     ///
     /// # Errors
-    /// The camera sees nothing.
+    /// The camera's view is empty.
     pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
         let said = Style::said(scene);
         let given = self.camera.map(|[x0, y0, x1, y1]| {
@@ -113,8 +113,8 @@ impl LookArgs {
         })
     }
 
-    /// The look of a sheet of `count` panels of this style, and how many of them stand side by side: what is said is the size of all
-    /// together. `bounds` are the corners of the scene, `what` is what the panels show.
+    /// Returns the style of a sheet of `count` panels of this style, and the number of panels side by side. A given
+    /// size is the size of the whole sheet. `bounds` are the corners of the scene, `what` names the panels in messages.
     ///
     /// # Errors
     /// There are more panels than fit.
@@ -158,28 +158,29 @@ impl ProjectionArg {
     }
 }
 
-/// A picture 960 pixels wide, at most 720 high, and lower where the scene is wide and low.
+/// Returns the picture size for a scene of this extent: 960 pixels wide, from 280 to 720 high by the scene's aspect
+/// ratio.
 fn shaped_like(extent: DVec2) -> (u32, u32) {
-    // Painters blow nothing up that is less than 4 m wide or high.
+    // Painters do not enlarge scenes that are less than 4 m wide or high.
     let extent = extent.max(DVec2::splat(4.0));
-    // What title and legend take is 28 pixels at the sides and about 110 above and below.
+    // Title and legend take 28 pixels at the sides and about 110 above and below.
     let height = 932.0 * extent.y / extent.x + 110.0;
     (960, height.clamp(280.0, 720.0) as u32 / 2 * 2)
 }
 
-/// Reads width and height.
+/// Parses width and height.
 pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let size = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     size.filter(|(w, h)| (16..=16384).contains(w) && (16..=16384).contains(h))
         .ok_or_else(|| "write width x height in pixels, each from 16 to 16384, such as 1280x720".into())
 }
 
-/// Reads a number that is at least 0 and finite.
+/// Parses a finite number that is at least 0.
 pub fn parse_not_negative(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x: &f64| *x >= 0.0 && x.is_finite()).ok_or_else(|| "write a number, at least 0".into())
 }
 
-/// Reads a number that is greater than 0 and finite.
+/// Parses a finite number that is greater than 0.
 pub fn parse_positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x: &f64| *x > 0.0 && x.is_finite()).ok_or_else(|| "write a number greater than 0".into())
 }

@@ -44,7 +44,7 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 use std::alloc::System;
 use std::process::ExitCode;
 
-/// Counts what is allocated, so that `throng bench` can say how many bytes an agent takes.
+/// Counts allocations, so that `throng bench` can report bytes per agent.
 #[global_allocator]
 static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 

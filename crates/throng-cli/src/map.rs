@@ -1,4 +1,4 @@
-//! Where recorded people walked: `--map`, and how it is read.
+//! The ground where recorded people walked: `--map` and the files it reads.
 
 use crate::failure::Failure;
 use crate::files::is;
@@ -7,18 +7,18 @@ use clap::Args;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
 use throng::{Obstacle, Walkable};
-use throng_record::{Flaw, Setting, TracksError};
+use throng_record::{FormatFlaw, Setting, TrajectoriesError};
 use throng_scene::import::plan::is_plan;
 
-/// Where it was, as it is asked for.
+/// Options for the map of a recording.
 #[derive(Args, Clone, Debug, Default)]
 pub struct MapArgs {
-    /// Where it was: OpenTraj's map.xml, a floor plan (see `throng run`), or a scene, of which ground and obstacles count [default:
-    /// what the file says; of `replay` else a map.xml beside it]
+    /// The map: OpenTraj's map.xml, a floor plan (see `throng run`), or the ground and obstacles of a scene [default:
+    /// the map in the recording; `replay`: else a map.xml beside it]
     #[arg(long, value_name = "SCENE|FILE")]
     pub map: Option<PathBuf>,
 
-    /// Where the origin of the map is in the recording, metres
+    /// The position of the map's origin in the recording, metres
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
     pub map_offset: Option<DVec2>,
 
@@ -27,24 +27,24 @@ pub struct MapArgs {
     pub plan: PlanArgs,
 }
 
-/// Where people can walk.
+/// The ground where people can walk.
 #[derive(Clone, Debug, Default)]
 pub struct Map {
-    /// The file it is from; none: the recording itself, or nowhere.
+    /// The file that the map is from; `None` for the recording itself, or without a map.
     pub path: Option<PathBuf>,
-    /// Ground that can be walked on; none: everywhere.
+    /// The walkable ground; empty if people can walk everywhere.
     pub walkable: Vec<Walkable>,
-    /// What is solid.
+    /// The solid obstacles and walls.
     pub obstacles: Vec<Obstacle>,
-    /// What was left out of a floor plan, or changed.
+    /// What was left out of a floor plan or changed in it.
     pub notes: Vec<String>,
 }
 
 impl Map {
-    /// The map that is asked for; else that of the recording, else the one at `beside`.
+    /// Returns the map of the options, else of the recording, else of the file `beside`.
     ///
     /// # Errors
-    /// It cannot be read, or an offset is given and there is none.
+    /// The map cannot be read, or an offset is given without a map.
     pub fn read(args: &MapArgs, data: &Path, setting: &Setting, beside: Option<PathBuf>) -> Result<Self, Failure> {
         let known = !(setting.walkable.is_empty() && setting.obstacles.is_empty());
         let mut map = match args.map.clone().or(beside.filter(|_| !known)) {
@@ -56,17 +56,17 @@ impl Map {
         if let Some(offset) = args.map_offset {
             if map.walkable.is_empty() && map.obstacles.is_empty() {
                 let text = format!("--map-offset: {} has no map", data.display());
-                return Err(Failure::hint(text, "say which map: --map FILE"));
+                return Err(Failure::hint(text, "give a map: --map FILE"));
             }
             map.shift(offset);
         }
         Ok(map)
     }
 
-    /// That of a file.
+    /// Returns the map of a file.
     ///
     /// # Errors
-    /// It cannot be read.
+    /// The file cannot be read.
     pub fn of(path: PathBuf, how: &PlanArgs) -> Result<Self, Failure> {
         let mut notes = Vec::new();
         let (walkable, obstacles) = if is(&path, "xml") {
@@ -85,7 +85,7 @@ impl Map {
         Ok(Self { path: Some(path), walkable, obstacles, notes })
     }
 
-    /// Moves it, metres.
+    /// Moves the map by an offset, metres.
     pub fn shift(&mut self, by: DVec2) {
         let all = |points: &mut Vec<DVec2>| points.iter_mut().for_each(|point| *point += by);
         for area in &mut self.walkable {
@@ -101,18 +101,18 @@ impl Map {
     }
 }
 
-/// A file beside the recording, if it is there.
+/// Returns the path of a file beside the recording, if the file exists.
 pub fn beside(data: &Path, name: &str) -> Option<PathBuf> {
     Some(data.with_file_name(name)).filter(|path| path.is_file())
 }
 
-/// Reads a small file whole.
+/// Reads a small file and parses it.
 ///
 /// # Errors
-/// It cannot be read, or is not what it should be.
-pub fn read<T>(path: &Path, of: fn(&[u8]) -> Result<T, Flaw>) -> Result<T, Failure> {
-    let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.into(), source })?;
-    Ok(of(&bytes).map_err(|flaw| TracksError::Content { path: path.into(), flaw })?)
+/// The file cannot be read or parsed.
+pub fn read<T>(path: &Path, of: fn(&[u8]) -> Result<T, FormatFlaw>) -> Result<T, Failure> {
+    let bytes = std::fs::read(path).map_err(|source| TrajectoriesError::File { path: path.into(), source })?;
+    Ok(of(&bytes).map_err(|flaw| TrajectoriesError::Content { path: path.into(), flaw })?)
 }
 
 fn parse_place(text: &str) -> Result<DVec2, String> {

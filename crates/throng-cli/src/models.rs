@@ -1,12 +1,12 @@
-//! Local models, as options name them.
+//! Parses the local models that options name.
 
 use crate::failure::Failure;
 use throng_scene::Model;
 
-/// The models that are named, in order; `option` is which says so.
+/// Returns the named models, in order; `option` is the option's name, for messages.
 ///
 /// # Errors
-/// There is no such model, it has no such key, or it comes twice.
+/// A model does not exist, has no such key, or is given twice.
 pub fn models(option: &str, texts: &[String]) -> Result<Vec<Model>, Failure> {
     let mut models: Vec<Model> = Vec::new();
     for text in texts {

@@ -5,20 +5,20 @@ use clap::Args;
 use throng_draw::Still;
 use throng_scene::{Scene, Until};
 
-/// When a run ends.
+/// Options for the end of a run.
 #[derive(Args, Debug)]
 pub struct EndArgs {
-    /// Ends at this many seconds at the latest, instead of the scene's `time.limit`
+    /// Ends the run after at most this many seconds, instead of the scene's `time.limit`
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, conflicts_with = "duration")]
     pub limit: Option<f64>,
 
-    /// Ends at this many seconds exactly, whatever the scene's `time.until` says
+    /// Ends the run after exactly this many seconds, whatever the scene's `time.until` says
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
     pub duration: Option<f64>,
 }
 
 impl EndArgs {
-    /// Changes the scene's end to what is said here.
+    /// Applies the options to the scene.
     pub fn apply(&self, scene: &mut Scene) {
         if let Some(limit) = self.limit.or(self.duration) {
             scene.time.limit = limit;
@@ -29,17 +29,17 @@ impl EndArgs {
     }
 }
 
-/// How many threads there are.
+/// Options for threads.
 #[derive(Args, Debug)]
 pub struct ThreadArgs {
-    /// Threads for the steps; 0: as many as there are cores. The result is the same for any number
+    /// Threads for the steps; 0: the number of cores. The result is the same for any number
     #[cfg(feature = "parallel")]
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=1024))]
     pub threads: u16,
 }
 
 impl ThreadArgs {
-    /// Threads for the steps; 0: as many as there are cores.
+    /// Returns the number of threads for the steps; 0 stands for the number of cores.
     pub fn count(&self) -> usize {
         #[cfg(feature = "parallel")]
         return usize::from(self.threads);
@@ -48,18 +48,18 @@ impl ThreadArgs {
     }
 }
 
-/// Which moments pictures show, and how they look.
+/// Options for the moments that pictures show, and their look.
 #[derive(Args, Debug)]
 pub struct FilmArgs {
-    /// Which moment .png and .svg show, seconds; without it, the last
+    /// The moment that .png and .svg show, seconds [default: the last]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub frame: Option<f64>,
 
-    /// Pictures a second of video [default: the scene's `view.fps`, else 25]
+    /// Pictures per second of video [default: the scene's `view.fps`, else 25]
     #[arg(long, value_name = "N", value_parser = parse_rate, help_heading = "Pictures")]
     pub fps: Option<f64>,
 
-    /// Seconds of the scene in a second of video
+    /// Seconds of the scene per second of video
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]
     pub speed_up: f64,
 
@@ -69,12 +69,12 @@ pub struct FilmArgs {
 }
 
 impl FilmArgs {
-    /// Pictures a second of video.
+    /// Returns the pictures per second of video.
     pub fn rate(&self, scene: &Scene) -> f64 {
         self.fps.or(scene.view.fps).unwrap_or(25.0)
     }
 
-    /// Which moment single pictures show.
+    /// Returns the moment that single pictures show.
     pub fn still(&self) -> Still {
         self.frame.map_or(Still::Last, Still::Time)
     }

@@ -5,13 +5,13 @@ use std::borrow::Cow;
 use std::fmt::Arguments;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 
-/// Standard output. A reader that has gone (`throng list | head -1`) ends the command quietly.
+/// Standard output. A closed pipe (`throng list | head -1`) ends the command without a message.
 pub struct Out {
     stdout: BufWriter<Stdout>,
 }
 
 impl Out {
-    /// Standard output.
+    /// Creates a buffered writer to standard output.
     pub fn new() -> Self {
         Self { stdout: BufWriter::new(io::stdout()) }
     }
@@ -19,12 +19,12 @@ impl Out {
     /// Writes a line. Used as `out.line(format_args!(...))`.
     ///
     /// # Errors
-    /// The reader has gone, or what standard output was sent to cannot be written.
+    /// The reader has closed the pipe, or standard output cannot be written.
     pub fn line(&mut self, text: Arguments) -> Result<(), Failure> {
         self.text(format!("{text}\n").as_bytes())
     }
 
-    /// Writes text, its control characters escaped.
+    /// Writes text and escapes its control characters.
     ///
     /// # Errors
     /// Those of [`line`](Self::line).
@@ -33,7 +33,7 @@ impl Out {
         self.stdout.write_all(escaped(&text).as_bytes()).map_err(|error| failure(&error))
     }
 
-    /// Hands on everything written so far.
+    /// Flushes the buffer.
     ///
     /// # Errors
     /// Those of [`line`](Self::line).
@@ -50,13 +50,13 @@ fn failure(error: &io::Error) -> Failure {
     }
 }
 
-/// Writes a line to standard error, its control characters escaped. A failure to do so is ignored.
+/// Writes a line to standard error and escapes its control characters. Ignores failures.
 pub fn complain(text: &str) {
     let _ = writeln!(io::stderr(), "{}", escaped(text));
 }
 
-/// Text that is safe to write to a terminal: characters that control the terminal or the direction of the text become
-/// `\u001b`, which JSON reads as the same character. Newlines and tabs stay.
+/// Escapes text for a terminal: characters that control the terminal or the direction of the text become `\u001b`,
+/// which JSON reads as the same character. Newlines and tabs stay.
 pub fn escaped(text: &str) -> Cow<'_, str> {
     if !text.contains(controls) {
         return text.into();
@@ -70,7 +70,7 @@ fn controls(c: char) -> bool {
     c.is_control() && !matches!(c, '\n' | '\t') || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// Says to standard error what was left out of a file, or changed.
+/// Writes notes to standard error, such as on parts of a file that were left out or changed.
 pub fn note<'n>(notes: impl IntoIterator<Item = &'n String>) {
     notes.into_iter().for_each(|note| complain(&format!("note: {note}")));
 }

@@ -1,4 +1,4 @@
-//! The summary of a run, for people and for programs.
+//! The summary of a run, as text and as JSON.
 
 use crate::failure::Failure;
 use crate::measure::Measured;
@@ -8,33 +8,33 @@ use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 use throng::Summary;
-use throng_scene::Verdict;
+use throng_scene::Outcome;
 
-/// How a run went.
+/// The summary of a run.
 pub struct Report {
-    /// Name of the scene.
+    /// The name of the scene.
     pub scene: String,
-    /// The world's figures.
+    /// The figures of the world.
     pub summary: Summary,
-    /// What the rules of the game counted, by name.
+    /// The figures of the game's rules, by name.
     pub figures: Vec<(String, f64)>,
-    /// What the world last refused them.
+    /// The last error that the world returned to the rules.
     pub refused: Option<String>,
-    /// The agents whose goals cannot be reached, by number, and why.
+    /// The agents that cannot reach their goals, by number, with the reasons.
     pub stranded: Vec<(u32, String)>,
-    /// What came of `[expect]`.
-    pub verdict: Verdict,
+    /// The outcome of `[expect]`.
+    pub verdict: Outcome,
     /// The hash of the last state.
     pub state_hash: u64,
-    /// What its swarms were like.
+    /// The figures of the swarms.
     pub swarms: Vec<Measured>,
-    /// How long the whole run took.
+    /// The wall-clock time of the whole run.
     pub wall: Duration,
-    /// How long the steps took.
+    /// The wall-clock time of the steps.
     pub stepping: Duration,
-    /// Processor time of the whole run, where it is known.
+    /// The processor time of the whole run, where it is known.
     pub cpu: Option<Duration>,
-    /// Whether it was interrupted.
+    /// Whether the run was interrupted.
     pub interrupted: bool,
     /// The files written.
     pub files: Vec<PathBuf>,
@@ -45,7 +45,7 @@ impl Report {
         self.cpu.map(|cpu| cpu.as_secs_f64() / self.summary.time).filter(|share| share.is_finite())
     }
 
-    /// The summary as one JSON object. `throng run --help` describes its keys.
+    /// Returns the summary as one JSON object. `throng run --help` describes its keys.
     pub fn json(&self) -> Value {
         let s = &self.summary;
         let mut all = Map::from_iter([("scene".to_owned(), json!(self.scene))]);
@@ -68,7 +68,7 @@ impl Report {
         Value::Object(all)
     }
 
-    /// Writes the summary for people.
+    /// Writes the summary as text.
     ///
     /// # Errors
     /// Standard output cannot be written.
@@ -97,14 +97,14 @@ impl Report {
             out.line(format_args!("  rules      {}", figures.join(", ")))?;
         }
         if let Some(refused) = &self.refused {
-            out.line(format_args!("  rules      could not do all that they say: {refused}"))?;
+            out.line(format_args!("  rules      could not do everything: {refused}"))?;
         }
         for (number, why) in self.stranded.iter().take(3) {
             out.line(format_args!("  stuck      agent {number} cannot reach its goal: {why}"))?;
         }
         if s.without_progress_30s > 0 {
             let times = s.without_progress_30s;
-            out.line(format_args!("  stuck      {times} times an agent walked for 30 s without getting on"))?;
+            out.line(format_args!("  stuck      {times} times an agent walked for 30 s without progress"))?;
         }
         let apart = |least: f64| match least.is_finite() {
             true => format!("{least:.4}"),
@@ -124,7 +124,7 @@ impl Report {
         for swarm in &self.swarms {
             out.line(format_args!("  swarm      {}", swarms::line(swarm)))?;
         }
-        let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s a simulated s")).unwrap_or_default();
+        let cpu = self.cpu_per_simulated_second().map(|c| format!(", {c:.4} CPU s/simulated s")).unwrap_or_default();
         let rate = rate(s, self.stepping);
         let wall = self.wall.as_secs_f64();
         out.line(format_args!("  computing  {wall:.2} s{cpu}; {rate:.3e} agent steps/s ({} sub-steps)", s.sub_steps))?;
@@ -138,9 +138,10 @@ impl Report {
     }
 }
 
-/// The figures of a run whose steps took so long, under the names that `throng run --help` describes.
+/// Returns the figures of a run under the names that `throng run --help` describes; `stepping` is the time of the
+/// steps.
 pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
-    // Without anybody who arrived, there is no mean.
+    // The mean is undefined if no agent has arrived.
     let of_arrived = |value: f64| if s.arrived > 0 && value > 0.0 { number(value) } else { Value::Null };
     let figures = json!({
         "agents": s.agents,
@@ -170,12 +171,12 @@ pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
     figures.as_object().cloned().unwrap_or_default()
 }
 
-/// Moves of one agent by one sub-step, a second of computing the steps.
+/// Returns the moves of one agent by one sub-step per second of computing the steps.
 fn rate(summary: &Summary, stepping: Duration) -> f64 {
     summary.agent_steps as f64 / stepping.as_secs_f64()
 }
 
-/// A number; null for one that is infinite or none.
+/// Returns a number as JSON; null if it is infinite or NaN.
 pub fn number(value: f64) -> Value {
     if value.is_finite() { json!(value) } else { Value::Null }
 }

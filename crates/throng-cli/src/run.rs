@@ -1,4 +1,4 @@
-//! `throng run`: runs a scene and writes what happens.
+//! `throng run`: runs a scene and writes its files and summary.
 
 use crate::args::RunArgs;
 use crate::failure::Failure;
@@ -11,11 +11,12 @@ use crate::swarms::Swarms;
 use crate::{interrupt, threads};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+use throng::World;
 use throng_bench::clock::process_time;
 use throng_draw::Style;
 use throng_draw::record::Plan;
 use throng_record::moment;
-use throng_scene::{Expect, Watch};
+use throng_scene::{Expect, Expectations};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
 ///
@@ -30,7 +31,6 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
     if !args.quiet {
         note(&loaded.notes);
     }
-    interrupt::watch();
     let report = threads::with(args.threads.count(), || simulate(args, &loaded))?;
     if args.json {
         out.line(format_args!("{}", report.json()))?;
@@ -39,7 +39,7 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
     }
     out.flush()?;
     if report.interrupted && !args.quiet {
-        complain(&format!("interrupted at {:.2} s; the files are complete up to there", report.summary.time));
+        complain(&format!("interrupted at {:.2} s; the files cover the time until then", report.summary.time));
     }
     match (report.interrupted, report.verdict.passed) {
         (true, _) => Err(Failure::Interrupted),
@@ -47,7 +47,7 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
             if args.quiet && !args.json {
                 let failed = report.verdict.checks.iter().filter(|check| !check.passed);
                 let failed: String = failed.map(|check| format!("\n  {check}")).collect();
-                complain(&format!("{}: the scene did not show what its [expect] says{failed}", report.scene));
+                complain(&format!("{}: the scene did not meet its [expect]{failed}", report.scene));
             }
             Err(Failure::Expectation)
         }
@@ -58,13 +58,15 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
 fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
-    let (mut world, built) = loaded.build()?;
+    let (mut world, built) = loaded.build(args.quiet)?;
+    // Before this point there are no files to finish, and an interrupt ends the program at once.
+    interrupt::watch();
     if !args.quiet {
         note(&built.notes);
     }
     let annotations = args.annotate.annotations(scene);
     if !args.no_files {
-        world.ask(annotations.asked());
+        world.request_traces(annotations.asked());
     }
     let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
     let choice = args.choice.choice();
@@ -83,10 +85,18 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let mut files = files::create(&paths, &plan)?;
 
     let step = scene.time.step;
-    let mut watch = Watch::new(&scene.expect, &world, &built);
+    let mut watch = Expectations::new(&scene.expect, &world, &built);
     let mut swarms = Swarms::of(scene, args.json || !args.quiet);
     let progress = Progress::new(args.quiet);
+    let show = |world: &World| {
+        progress.show(share(world, scene.time.limit), || {
+            let counts = world.counts();
+            format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents)
+        });
+    };
     let mut stepping = Duration::ZERO;
+    // The first step plans the ways of all agents, which can take long.
+    show(&world);
     swarms.push(&world, step);
     files.push(0.0, step, |frame| moment::capture(&world, frame))?;
     while !scene.time.over(&world) && !interrupt::asked() {
@@ -96,10 +106,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
         watch.step(&world);
         swarms.push(&world, step);
-        progress.show(share(&world, scene.time.limit), || {
-            let counts = world.counts();
-            format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents)
-        });
+        show(&world);
     }
     progress.done();
     files.finish(world.time(), |frame| moment::capture(&world, frame))?;

@@ -6,7 +6,7 @@ use crate::out::Out;
 /// Writes the schema to standard output.
 ///
 /// # Errors
-/// It cannot be written.
+/// Standard output cannot be written.
 pub fn schema(out: &mut Out) -> Result<(), Failure> {
     out.line(format_args!("{:#}", throng_scene::schema()))
 }

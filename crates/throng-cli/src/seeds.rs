@@ -1,14 +1,14 @@
-//! Seeds, as options name them.
+//! Parses the seeds that options name.
 
 use crate::failure::Failure;
 
-/// More seeds than this are a slip of the pen.
+/// More seeds than this are taken for a mistyped number.
 const MOST_SEEDS: usize = 10_000;
 
-/// The seeds of `--seeds`, in order: `1..5`, or `1,3,7`.
+/// Returns the seeds of `--seeds`, in order: `1..5`, or `1,3,7`.
 ///
 /// # Errors
-/// They are no whole numbers, too many, or one comes twice.
+/// A seed is not a whole number or is given twice, or there are too many seeds.
 pub fn seeds(text: &str) -> Result<Vec<u64>, Failure> {
     let wrong = |what: String| Failure::hint(format!("--seeds {text}: {what}"), "write 1..5, or 1,3,7");
     let number = |text: &str| text.trim().parse::<u64>().ok().filter(|seed| i64::try_from(*seed).is_ok());
@@ -17,7 +17,7 @@ pub fn seeds(text: &str) -> Result<Vec<u64>, Failure> {
         let (from, to) = part.split_once("..").unwrap_or((part, part));
         let to = to.strip_prefix('=').unwrap_or(to);
         let (Some(from), Some(to)) = (number(from), number(to)) else {
-            return Err(wrong(format!("`{part}` is no seed, a whole number that is not negative")));
+            return Err(wrong(format!("`{part}` is not a seed: seeds are whole numbers from 0")));
         };
         if from > to {
             return Err(wrong(format!("{from} is more than {to}")));

@@ -16,7 +16,7 @@ pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
     let loaded = args.scene.load()?;
     let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", loaded.name)));
     one_picture(&path, "show")?;
-    let (world, built) = loaded.build()?;
+    let (world, built) = loaded.build(false)?;
     let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);

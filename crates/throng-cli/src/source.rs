@@ -1,111 +1,115 @@
-//! Which scene a command is about.
+//! Options for the scene of a command.
 
 use crate::failure::Failure;
 use crate::look::parse_positive;
+use crate::progress::waiting;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use throng::World;
 use throng_scene::import::plan;
 use throng_scene::{Built, Kind, Scene, gallery};
 
-/// Which scene, and what of it is changed.
+/// Options for a scene and its changes.
 #[derive(Args, Debug)]
 pub struct SceneArgs {
     /// The scene: a name of the gallery (see `throng list`) or a file
     ///
-    /// Files: a scene file (.toml); a JuPedSim scenario (a folder with config.json, a .zip of one, or a .json); a project
-    /// of Menge's (its .xml, or the folder); or a floor plan (.wkt, .geojson, .dxf, .svg, .obj), with --exit and --people
-    /// where it does not say them itself.
+    /// Files: a scene file (.toml); a JuPedSim scenario (a folder with config.json, a .zip of the folder, or a .json);
+    /// a project of Menge (its .xml, or the folder); or a floor plan (.wkt, .geojson, .dxf, .svg, .obj), with --exit
+    /// and --people if the plan does not define them.
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
 
-    /// What of it is changed.
+    /// Changes to the scene.
     #[command(flatten)]
     pub changes: Changes,
 }
 
-/// How a floor plan is read.
+/// Options for reading floor plans.
 #[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlanArgs {
-    /// Of a floor plan: the length of its unit in metres, such as 0.001 [default: what it says, or 1; 0.01 for SVG]
+    /// For floor plans: metres per unit of length, such as 0.001 [default: from the plan, else 1; 0.01 for SVG]
     #[arg(long, value_name = "METRES", value_parser = parse_positive)]
     pub plan_unit: Option<f64>,
 
-    /// Of a mesh with several levels: which, from 1 for the lowest; `throng check` lists them [default: the largest]
+    /// For meshes with several levels: the level, from 1 for the lowest; `throng check` lists them [default: the
+    /// largest]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub level: Option<u64>,
 }
 
 impl PlanArgs {
-    /// What is said of a plan.
-    pub fn ask(&self) -> plan::Ask {
-        plan::Ask { unit: self.plan_unit, level: self.level, ..plan::Ask::default() }
+    /// Returns the options as a request to the importer of floor plans.
+    pub fn ask(&self) -> plan::PlanOptions {
+        plan::PlanOptions { unit: self.plan_unit, level: self.level, ..plan::PlanOptions::default() }
     }
 
     /// Reads the ground of a floor plan.
     ///
     /// # Errors
-    /// It cannot be read, or is none.
-    pub fn ground(&self, path: &Path) -> Result<plan::Ground, Failure> {
+    /// The file cannot be read or is not a floor plan.
+    pub fn ground(&self, path: &Path) -> Result<plan::PlanGround, Failure> {
         Ok(plan::ground(path, &self.ask())?)
     }
 }
 
-/// What of a scene is changed.
+/// Options that change a scene.
 #[derive(Args, Debug, Default)]
 pub struct Changes {
-    /// The seed of everything random, instead of the scene's
+    /// The seed of the random number generator, instead of the scene's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub seed: Option<u64>,
 
     /// Changes one value of the scene; can be given several times
     ///
     /// KEY is the path of the value in the scene file. A key of a group changes all groups; `group.NAME.` before it
-    /// changes one. Examples: --set avoid.orca.time_horizon=3  --set group.left.speed.preferred=1
-    /// --set time.step=0.1  --set expect.within=20
+    /// changes one group. Examples: --set avoid.orca.time_horizon=3  --set group.left.speed.preferred=1 --set
+    /// time.step=0.1  --set expect.within=20
     #[arg(long, value_name = "KEY=VALUE", value_parser = parse_change)]
     pub set: Vec<(String, String)>,
 
-    /// Of a floor plan: where the exit is, its lower left corner, width and height in metres [default: the plan's own]
+    /// For floor plans: the exit's lower left corner, width and height in metres [default: the plan's own]
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_four, allow_hyphen_values = true)]
     pub exit: Option<[f64; 4]>,
 
-    /// Of a floor plan: how many people there are [default: what it says, or one on every 4 m²]
+    /// For floor plans: the number of people [default: from the plan, else 1 per 4 m²]
     #[arg(long, value_name = "N")]
     pub people: Option<u64>,
 
-    /// How it is read.
+    /// How floor plans are read.
     #[command(flatten)]
     pub plan: PlanArgs,
 }
 
-/// A scene, what it is called, and what its importer left out.
+/// A scene, its name, and the notes of its importer.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The stem of the names of files made from it.
+    /// The stem for the names of output files.
     pub name: String,
     /// The scene, with `--seed` and `--set` applied.
     pub scene: Scene,
-    /// What the importer left out or changed, a sentence each.
+    /// What the importer left out or changed, one sentence each.
     pub notes: Vec<String>,
-    /// What it was read from.
+    /// The path that the scene was read from.
     path: PathBuf,
-    /// Whether that is a floor plan, and the rest of the scene is from the command line.
+    /// Whether the path is a floor plan, with the rest of the scene from the command line.
     plan: bool,
 }
 
 impl Loaded {
-    /// The scene's title; its name where it has none.
+    /// Returns the scene's title; its name if it has no title.
     pub fn title(&self) -> &str {
         if self.scene.title.is_empty() { &self.name } else { &self.scene.title }
     }
 
-    /// Makes the world. What is wrong is said with the file's name, and with the option it comes from.
+    /// Builds the world. Errors name the file, and the option that caused them. If building takes long, a line on
+    /// standard error says so, unless `quiet`.
     ///
     /// # Errors
     /// Those of [`Scene::build`].
-    pub fn build(&self) -> Result<(World, Built), Failure> {
-        self.scene.build().map_err(|mut error| {
+    pub fn build(&self, quiet: bool) -> Result<(World, Built), Failure> {
+        let doing = format!("building {}", self.name);
+        waiting(quiet, &doing, || self.scene.build()).map_err(|mut error| {
             if self.plan && matches!(error.kind, Kind::NoRoom | Kind::Count) {
                 error.hint = Some("change --people".into());
             }
@@ -116,7 +120,7 @@ impl Loaded {
 }
 
 impl SceneArgs {
-    /// Reads the scene and changes it.
+    /// Reads the scene and applies the changes.
     ///
     /// # Errors
     /// Those of [`Changes::load`].
@@ -129,7 +133,7 @@ impl Changes {
     /// Reads a scene and applies `--seed` and `--set`.
     ///
     /// # Errors
-    /// There is no such scene, it is no scene, or a change cannot be applied.
+    /// The scene does not exist, the file is not a scene, or a change cannot be applied.
     pub fn load(&self, path: &Path) -> Result<Loaded, Failure> {
         let (mut scene, notes) = self.read(path)?;
         for (key, value) in &self.set {
@@ -142,7 +146,7 @@ impl Changes {
     }
 
     fn read(&self, path: &Path) -> Result<(Scene, Vec<String>), Failure> {
-        let ask = plan::Ask { exit: self.exit, people: self.people, ..self.plan.ask() };
+        let ask = plan::PlanOptions { exit: self.exit, people: self.people, ..self.plan.ask() };
         if plan::is_plan(path) {
             if let Some([_, _, width, height]) = self.exit.filter(|exit| exit[2] <= 0.0 || exit[3] <= 0.0) {
                 let text = format!("--exit: the exit is {width} m wide and {height} m high");
@@ -156,7 +160,7 @@ impl Changes {
             })?;
             return Ok((imported.scene, imported.notes));
         }
-        if ask != plan::Ask::default() {
+        if ask != plan::PlanOptions::default() {
             let text =
                 format!("--exit, --people, --plan-unit and --level are for floor plans, not for {}", path.display());
             return Err(Failure::hint(text, "change the goal and the count with --set, or in the scene file"));
@@ -166,12 +170,12 @@ impl Changes {
     }
 }
 
-/// The stem of the names of files made from a scene.
+/// Returns the stem for the names of output files of a scene.
 fn name(path: &Path) -> String {
     let whole = path.to_str().filter(|name| gallery::text(name).is_some() && !path.exists());
     match whole {
         Some(name) => name.to_owned(),
-        // `folder/.` and `..` have no stem of their own.
+        // `folder/.` and `..` have no file stem.
         None => path
             .canonicalize()
             .ok()
@@ -182,7 +186,7 @@ fn name(path: &Path) -> String {
     }
 }
 
-/// Reads a key and its value.
+/// Parses a key and its value.
 pub fn parse_change(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((key, value)) if !key.trim().is_empty() => Ok((key.trim().to_owned(), value.trim().to_owned())),
@@ -190,7 +194,7 @@ pub fn parse_change(text: &str) -> Result<(String, String), String> {
     }
 }
 
-/// Reads four finite numbers with commas between them.
+/// Parses four finite numbers separated by commas.
 pub fn parse_four(text: &str) -> Result<[f64; 4], String> {
     let numbers: Option<Vec<f64>> =
         text.split(',').map(|part| part.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();

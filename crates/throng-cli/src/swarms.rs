@@ -1,4 +1,4 @@
-//! The swarms of a run, measured for its summary.
+//! Measures the swarms of a run for its summary.
 
 use crate::measure::{Measured, mean, short};
 use crate::report::number;
@@ -8,12 +8,12 @@ use throng_record::swarm::Swarm;
 use throng_record::{Frame, moment};
 use throng_scene::{Scene, Steer};
 
-/// How often they are measured, at most, seconds: as their pictures show them.
+/// The least time between measurements, seconds: a frame of 30 per second.
 const SPACING: f64 = 1.0 / 30.0;
-/// Longest lag of the correlation of velocities, seconds.
+/// The longest lag of the autocorrelation of velocities, seconds.
 const LAG: f64 = 2.0;
 
-/// The groups of a scene that steer as swarms do, and what was seen of them.
+/// The groups of a scene that steer as swarms, and their figures.
 pub struct Swarms {
     groups: Vec<(u32, Measured)>,
     frame: Frame,
@@ -21,7 +21,7 @@ pub struct Swarms {
 }
 
 impl Swarms {
-    /// Those of a scene, not yet seen; none if nobody wants to know.
+    /// Returns the swarms of a scene, not yet measured; none unless `wanted`.
     pub fn of(scene: &Scene, wanted: bool) -> Self {
         let groups = scene.groups.iter().enumerate().filter(|(_, group)| matches!(group.steer, Some(Steer::Swarm(_))));
         let begin = |name: &str| Measured { name: name.to_owned(), swarm: Swarm::new(LAG) };
@@ -29,9 +29,9 @@ impl Swarms {
         Self { groups: groups.filter(|_| wanted).collect(), frame: Frame::default(), next: 0.0 }
     }
 
-    /// Takes in the world after a step that took so long, seconds.
+    /// Measures the world after a step of `step` seconds.
     pub fn push(&mut self, world: &World, step: f64) {
-        // half a step, so that rounding leaves out nothing
+        // Half a step of tolerance keeps rounding from leaving out a moment.
         if self.groups.is_empty() || world.time() + 0.5 * step < self.next {
             return;
         }
@@ -42,26 +42,26 @@ impl Swarms {
         }
     }
 
-    /// What was measured, of those of whom somebody was there.
+    /// Returns the figures of the swarms that had agents.
     pub fn finish(self) -> Vec<Measured> {
         let groups = self.groups.into_iter().map(|(_, measured)| measured);
         groups.filter(|group| group.swarm.speed().count() > 0).collect()
     }
 }
 
-/// One swarm's line in the summary.
+/// Returns a swarm's line of the summary.
 pub fn line(Measured { name, swarm }: &Measured) -> String {
     let (speed, nearest, size) = (swarm.speed(), swarm.nearest().mean(), mean(swarm, |moment| moment.size()));
     let polarisation = short(mean(swarm, |moment| moment.polarisation));
     let keep = swarm.correlation().time().map_or_else(|| format!("over {LAG:.0}"), short);
     let [mean, deviation, nearest, size] = [speed.mean(), speed.deviation(), nearest, size].map(short);
     format!(
-        "{name}: {mean} m/s (sd {deviation}), nearest other {nearest} m, radius of gyration {size} m, \
+        "{name}: {mean} m/s (sd {deviation}), nearest neighbour {nearest} m, radius of gyration {size} m, \
          polarisation {polarisation}, velocities last {keep} s"
     )
 }
 
-/// One swarm's figures for programs.
+/// Returns a swarm's figures as JSON.
 pub fn json(Measured { name, swarm }: &Measured) -> Value {
     let acceleration = swarm.acceleration().iter().map(|all| all.rms() * all.rms()).sum::<f64>().sqrt();
     json!({

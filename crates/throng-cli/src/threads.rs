@@ -1,8 +1,8 @@
-//! How many threads the steps use.
+//! The threads of steps and runs.
 
 use crate::failure::Failure;
 
-/// Calls `work` with this many threads for the steps: 0 for as many as there are cores.
+/// Calls `work` with this number of threads for the steps; 0 stands for the number of cores.
 ///
 /// # Errors
 /// Those of `work`, or the threads cannot be started.
@@ -13,7 +13,7 @@ pub fn with<T: Send>(threads: usize, work: impl FnOnce() -> Result<T, Failure> +
     pool.install(work)
 }
 
-/// Calls `work`: this program was built without threads.
+/// Calls `work` directly: this program was built without threads.
 ///
 /// # Errors
 /// Those of `work`.
@@ -22,17 +22,17 @@ pub fn with<T>(_threads: usize, work: impl FnOnce() -> Result<T, Failure>) -> Re
     work()
 }
 
-/// Threads that each take one thing to do at a time and do all of it.
+/// Threads that each process one item at a time.
 pub struct Workers {
     #[cfg(feature = "parallel")]
     pools: Vec<rayon::ThreadPool>,
 }
 
 impl Workers {
-    /// This many threads, 0 for as many as there are cores; not more than there are things to do.
+    /// Starts this number of threads, but at most `most`, the number of items; 0 stands for the number of cores.
     ///
     /// # Errors
-    /// They cannot be started.
+    /// The threads cannot be started.
     #[cfg(feature = "parallel")]
     pub fn new(threads: usize, most: usize) -> Result<Self, Failure> {
         let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -43,7 +43,7 @@ impl Workers {
         Ok(Self { pools })
     }
 
-    /// One: this program was built without threads.
+    /// Returns the calling thread as the only worker: this program was built without threads.
     ///
     /// # Errors
     /// None.
@@ -52,7 +52,7 @@ impl Workers {
         Ok(Self {})
     }
 
-    /// What `work` makes of each of `items`, in their order. Whatever `work` does in parallel stays on its thread.
+    /// Returns the results of `work` for `items`, in their order. Parallel work inside `work` stays on its thread.
     #[cfg(feature = "parallel")]
     pub fn map<I: Send, O: Send>(&self, items: Vec<I>, work: impl Fn(I) -> O + Sync) -> Vec<O> {
         use std::sync::{Mutex, PoisonError};
@@ -75,7 +75,7 @@ impl Workers {
         results.into_iter().flatten().collect()
     }
 
-    /// What `work` makes of each of `items`, in their order.
+    /// Returns the results of `work` for `items`, in their order.
     #[cfg(not(feature = "parallel"))]
     pub fn map<I, O>(&self, items: Vec<I>, work: impl Fn(I) -> O) -> Vec<O> {
         items.into_iter().map(work).collect()

@@ -1,4 +1,4 @@
-//! Paints a made-up ring of agents that walk to the opposite side: `cargo run --example circle -- 36 circle.png`.
+//! Paints a generated ring of agents that walk to the opposite side: `cargo run --example circle -- 36 circle.png`.
 
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for k in 0..=60 {
         let time = f64::from(k) * 0.04;
         let bodies = (0..count).map(|n| {
-            // Inwards, turning aside as the ring gets narrow.
+            // Agents walk inwards and turn aside as the ring gets narrow.
             let inward = -place(n);
             let turn = 0.9 * (1.3 * time / ring).min(1.0);
             let direction = DVec2::from_angle(turn).rotate(inward);
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 position: -inward * ring + direction * 1.3 * time,
                 velocity: (direction * 1.3).as_vec2(),
                 altitude: 0.0,
-                climb: 0.0,
+                vertical_velocity: 0.0,
                 heading: (f64::from(n) / f64::from(count) * TAU + PI + turn) as f32,
                 basis: None,
                 radius: 0.2,

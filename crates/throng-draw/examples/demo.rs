@@ -1,4 +1,4 @@
-//! Makes a film of a made-up recording: `cargo run --release --example demo -- film.mp4`, or any other ending.
+//! Makes a film of a generated recording: `cargo run --release --example demo -- film.mp4`, or any other ending.
 
 #[path = "shared/scene.rs"]
 mod scene;
@@ -8,7 +8,7 @@ use throng_draw::{ColorBy, Film, Style, Theme};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args().nth(1).unwrap_or_else(|| "demo.png".into());
     let mut style = Style::default();
-    // Further words choose another look: dark, speed, goal, large.
+    // Further arguments change the look: dark, speed, goal, large.
     for word in std::env::args().skip(2) {
         match word.as_str() {
             "dark" => style.theme = Theme::dark(),

@@ -1,4 +1,4 @@
-//! Draws fields, and says how long each layer takes: `cargo run --release --example fields -- [FOLDER [WIDTHxHEIGHT]]`.
+//! Draws fields and prints the time of each layer: `cargo run --release --example fields -- [FOLDER [WIDTHxHEIGHT]]`.
 
 #[path = "shared/clock.rs"]
 mod clock;
@@ -58,7 +58,7 @@ fn still(field: impl Field + 'static, anchors: Vec<Anchor>) -> Vec<Flow> {
     vec![Flow { still: true, anchors, ..Flow::of(Arc::new(field)) }]
 }
 
-/// Round a pond, the slower the farther away.
+/// Returns a vortex around a pond: the speed has its maximum 5 m from the centre.
 fn vortex() -> Fallible<(&'static str, Setting, WorldBox)> {
     let whirl = |place: Vec3, _: f64| {
         let distance = place.truncate().length();
@@ -69,7 +69,7 @@ fn vortex() -> Fallible<(&'static str, Setting, WorldBox)> {
     Ok(("vortex", setting, around(DVec2::new(16.0, 9.0))))
 }
 
-/// The street of docs/fields.md, between houses.
+/// Returns the street of docs/fields.md, between houses.
 fn street() -> Fallible<(&'static str, Setting, WorldBox)> {
     let points = vec![DVec2::ZERO, DVec2::new(0.0, 20.0), DVec2::new(20.0, 20.0)];
     let anchors = Stroke { points, ..Stroke::default() }.anchors()?;
@@ -88,7 +88,7 @@ fn street() -> Fallible<(&'static str, Setting, WorldBox)> {
     Ok(("street", setting, WorldBox { min: corner(-17.0, -5.0), max: corner(37.0, 29.0) }))
 }
 
-/// All kinds of critical points between two walls.
+/// Returns all kinds of critical points between two walls.
 fn valley() -> Fallible<(&'static str, Setting, WorldBox)> {
     let stamp =
         |x: f64, y: f64, kind: Critical, speed: f64| Stamp { place: DVec2::new(x, y), kind, radius: 3.0, speed };
@@ -119,7 +119,7 @@ fn valley() -> Fallible<(&'static str, Setting, WorldBox)> {
     Ok(("valley", setting, around(DVec2::new(16.0, 9.0))))
 }
 
-/// Two groups, each with its own field, that cross.
+/// Returns two crossing groups, each with its own field.
 fn two() -> Fallible<(&'static str, Setting, WorldBox)> {
     let east =
         |place: Vec3, _: f64| Vec3::new(1.2, 0.5 * (0.3 * place.x).sin(), 0.0) * (-(place.y / 4.0).powi(2)).exp();

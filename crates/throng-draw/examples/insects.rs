@@ -1,16 +1,17 @@
-//! Draws a made-up swarm round a lamp at moments a second apart: `cargo run --release --example insects -- [FOLDER [WIDTHxHEIGHT]]`.
+//! Draws a generated swarm around a lamp at moments one second apart: `cargo run --release --example insects -- [FOLDER
+//! [WIDTHxHEIGHT]]`.
 
 use glam::{DVec2, DVec3, Vec2};
 use std::path::PathBuf;
 use throng::motion::Basis;
 use throng::{Obstacle, Status};
-use throng_draw::{Form, Painter, Projection, Style, Theme, sink::write_png};
+use throng_draw::{AgentShape, Painter, Projection, Style, Theme, sink::write_png};
 use throng_record::{Body, Frame, Setting};
 
-/// Pictures a second.
+/// Pictures per second.
 const RATE: u32 = 25;
 
-/// Where one of the swarm is: on an orbit of its own round the lamp.
+/// Returns the position of an insect; each has its own orbit around the lamp.
 fn place(number: u32, time: f64) -> DVec3 {
     let part = |k: f64| (f64::from(number) * k).fract();
     let (out, turn) = (0.5 + 2.6 * part(0.618_034).powf(0.7), std::f64::consts::TAU * part(0.754_878));
@@ -34,7 +35,7 @@ fn moment(count: u32, time: f64) -> Frame {
             position: here.truncate(),
             velocity: velocity.truncate(),
             altitude: here.z as f32,
-            climb: velocity.z,
+            vertical_velocity: velocity.z,
             heading: velocity.truncate().to_angle(),
             basis: Some(Basis::facing(velocity)),
             radius: 0.02,
@@ -70,7 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             width: width.parse()?,
             height: height.parse()?,
             projection: Some(projection),
-            forms: vec![Form::Insect; 2],
+            forms: vec![AgentShape::Insect; 2],
             theme,
             ..Style::default()
         };

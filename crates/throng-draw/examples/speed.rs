@@ -6,7 +6,7 @@ mod clock;
 use clock::{now, report};
 use glam::{DVec2, Vec2};
 use throng::Status;
-use throng_draw::{Form, Painter, Projection, Style, sink::sink};
+use throng_draw::{AgentShape, Painter, Projection, Style, sink::sink};
 use throng_record::{Body, Frame, Setting};
 
 fn moment(agents: u32, k: u32) -> Frame {
@@ -14,7 +14,7 @@ fn moment(agents: u32, k: u32) -> Frame {
     let side = (f64::from(agents) * 2.0).sqrt();
     let bodies = (0..agents)
         .map(|n| {
-            // A disc of people who walk in circles, all at 1.3 m/s.
+            // A disc of people that walk in circles at 1.3 m/s.
             let distance = side * 0.5 * (f64::from(n + 1) / f64::from(agents)).sqrt();
             let angle = f64::from(n) * 2.399963 + 1.3 / distance * time;
             Body {
@@ -24,7 +24,7 @@ fn moment(agents: u32, k: u32) -> Frame {
                 position: DVec2::new(angle.cos(), angle.sin()) * distance,
                 velocity: Vec2::ONE,
                 altitude: 0.0,
-                climb: 0.0,
+                vertical_velocity: 0.0,
                 heading: angle as f32 + 1.57,
                 basis: None,
                 radius: 0.25,
@@ -37,7 +37,7 @@ fn moment(agents: u32, k: u32) -> Frame {
     Frame { time, bodies, total: agents as usize, ..Frame::default() }
 }
 
-/// The same bodies as insects in the air.
+/// Returns the same bodies as flying insects.
 fn swarm(setting: &Setting, frames: &[Frame]) -> (Setting, Vec<Frame>) {
     let mut frames = frames.to_vec();
     for body in frames.iter_mut().flat_map(|frame| &mut frame.bodies) {
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     for projection in [Projection::Plan, Projection::Perspective] {
         let (setting, frames) = swarm(&setting, &frames);
-        let (forms, projection) = (vec![Form::Insect; 4], Some(projection));
+        let (forms, projection) = (vec![AgentShape::Insect; 4], Some(projection));
         let style = Style { width: 1280, height: 720, forms, projection, ..Style::default() };
         let mut painter = Painter::new(&setting, &style, &frames[0])?;
         let start = now();

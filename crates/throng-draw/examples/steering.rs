@@ -1,4 +1,4 @@
-//! Makes a film of a world whose agents steer: `cargo run --release --example steering -- flock film.mp4`.
+//! Makes a film of a world with steered agents: `cargo run --release --example steering -- flock film.mp4`.
 
 use glam::{DVec2, DVec3, Vec3};
 use std::sync::Arc;
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "chase" => chase()?,
         _ => return Err(format!("unknown world: {name}").into()),
     };
-    world.ask(style.annotations.asked());
+    world.request_traces(style.annotations.asked());
     let mut film = Film::create(path, &Setting::of(&world, name), &style, 30.0)?.still(Still::Last);
     for _ in 0..(seconds / STEP) as usize {
         world.step();
@@ -67,7 +67,7 @@ fn agent(at: DVec3, group: GroupId, vehicle: &Vehicle) -> Agent {
     }
 }
 
-/// Birds that keep to a point 60 m high.
+/// Returns a flock of birds that stays around a point 60 m high.
 fn flock(count: u32) -> Result<World, Error> {
     let mut world = world()?;
     let vehicle = Vehicle { locomotion: Locomotion::Banking, max_speed: 9.0, max_force: 27.0, ..Vehicle::default() };
@@ -84,7 +84,7 @@ fn flock(count: u32) -> Result<World, Error> {
     Ok(world)
 }
 
-/// Two flocks among towers, low above the ground.
+/// Returns two flocks among towers, low above the ground.
 fn towers() -> Result<World, Error> {
     let mut world = world()?;
     let vehicle = Vehicle { locomotion: Locomotion::Banking, max_speed: 6.0, max_force: 18.0, ..Vehicle::default() };
@@ -107,7 +107,7 @@ fn towers() -> Result<World, Error> {
     Ok(world)
 }
 
-/// People who pursue others, who evade them; and who walk past each other in between.
+/// Returns pairs of pursuers and evaders that also avoid each other.
 fn chase() -> Result<World, Error> {
     let mut world = world()?;
     let (slow, fast) = (Vehicle::default(), Vehicle { max_speed: 2.4, ..Vehicle::default() });

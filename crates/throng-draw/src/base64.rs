@@ -1,9 +1,9 @@
-//! Bytes as text.
+//! Base64 encoding.
 
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Bytes as text, for what is embedded in documents: three bytes in four digits; what is missing of the last three is filled up
-/// (RFC 4648, section 4).
+/// Encodes bytes as base64 (RFC 4648, section 4), for binary data in documents. Every three bytes become four digits;
+/// the last group is padded.
 ///
 /// ```
 /// assert_eq!(throng_draw::base64(b"throng"), "dGhyb25n");

@@ -1,13 +1,13 @@
-//! From metres to pixels.
+//! The projection from metres to pixels in plan view.
 
 use glam::{DMat4, DVec2, DVec3, Vec2};
 use throng::Obstacle;
 use throng_record::{Frame, Setting};
 
-/// How far people stray from where they start and where they go, over their radius, where nothing bounds the ground.
+/// The distance that people stray from their starts and goals, in radii, on unbounded ground.
 const GIVING_WAY: f64 = 3.0;
 
-/// What is higher or lower than this has no place in clip coordinates, metres.
+/// Greater heights and depths are outside the clip coordinates, metres.
 const HEIGHT: f64 = 1e5;
 
 /// A rectangle of the world, metres.
@@ -20,11 +20,11 @@ pub struct WorldBox {
 }
 
 impl WorldBox {
-    /// Holds nothing, and can [grow](Self::add).
+    /// The empty box, which can [grow](Self::add).
     pub(crate) const NOTHING: Self = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
 
-    /// The smallest box that holds the place and everybody in `frame`, with a little room round it where nothing
-    /// bounds the ground, because people give way; `None` if there is nothing.
+    /// Returns the smallest box that holds the place and all bodies in `frame`; `None` if there is nothing. On
+    /// unbounded ground it has a margin, because people give way to each other.
     pub fn of(setting: &Setting, frame: &Frame) -> Option<Self> {
         let mut all = Self::NOTHING;
         setting.walkable.iter().flat_map(|w| &w.outer).for_each(|&p| all.add(p, 0.0));
@@ -49,23 +49,23 @@ impl WorldBox {
                 None => goal.corners().into_iter().flatten().for_each(|&p| all.add(p, 0.0)),
             }
         }
-        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.shape().bound())));
+        frame.bodies.iter().for_each(|b| all.add(b.position, f64::from(b.shape().bounding_radius())));
         if setting.walkable.is_empty() {
-            let radii = frame.bodies.iter().map(|b| f64::from(b.shape().bound())).filter(|r| r.is_finite());
+            let radii = frame.bodies.iter().map(|b| f64::from(b.shape().bounding_radius())).filter(|r| r.is_finite());
             let room = GIVING_WAY * radii.fold(0.0, f64::max);
             (all.min, all.max) = (all.min - room, all.max + room);
         }
         (all.min.cmple(all.max).all()).then_some(all)
     }
 
-    /// This, or a box round its middle, with sides of at least `side` metres.
+    /// Returns this box, enlarged around its middle to sides of at least `side` metres.
     pub(crate) fn at_least(self, side: f64) -> Self {
         let half = (self.max - self.min).max(DVec2::splat(side)) * 0.5;
         let center = (self.min + self.max) * 0.5;
         Self { min: center - half, max: center + half }
     }
 
-    /// Grows to hold a disc; what is not finite is left out.
+    /// Grows the box to hold a disc. Ignores discs that are not finite.
     pub(crate) fn add(&mut self, point: DVec2, radius: f64) {
         if point.is_finite() && radius.is_finite() {
             self.min = self.min.min(point - radius);
@@ -74,19 +74,20 @@ impl WorldBox {
     }
 }
 
-/// Where the picture looks: the middle, the scale, and the part of the picture that shows it.
+/// A camera in plan view: a point of the world, its pixel, and the scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The point of the world shown at `anchor`.
     pub center: DVec2,
     /// The pixel that shows `center`.
     pub anchor: Vec2,
-    /// Pixels a metre.
+    /// Pixels per metre.
     pub scale: f64,
 }
 
 impl Camera {
-    /// Shows all of `view` inside the pixels from `low` to `high`, as large as it fits. The aspect is kept.
+    /// Returns the camera that shows all of `view` inside the pixels from `low` to `high`, as large as possible, with
+    /// the same aspect ratio.
     pub fn fit(view: WorldBox, low: Vec2, high: Vec2) -> Self {
         let extent = (view.max - view.min).abs().max(DVec2::splat(1e-3));
         let room = (high - low).max(Vec2::ONE).as_dvec2();
@@ -94,20 +95,20 @@ impl Camera {
         Self { center: (view.min + view.max) * 0.5, anchor: (low + high) * 0.5, scale }
     }
 
-    /// The pixel of a point of the world; x to the right, y down, whole numbers at the corners of pixels.
+    /// Returns the pixel of a point of the world: x to the right, y down, whole numbers at the corners of pixels.
     pub fn pixel(&self, point: DVec2) -> Vec2 {
         let offset = (point - self.center) * self.scale;
         self.anchor + Vec2::new(offset.x as f32, -offset.y as f32)
     }
 
-    /// The point of the world that a pixel shows.
+    /// Returns the point of the world at a pixel.
     pub fn point(&self, pixel: Vec2) -> DVec2 {
         let offset = (pixel - self.anchor).as_dvec2() / self.scale;
         self.center + DVec2::new(offset.x, -offset.y)
     }
 
-    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels:
-    /// what is higher is nearer.
+    /// Returns the matrix from points relative to `origin` to clip coordinates of OpenGL, for a picture of `size`
+    /// pixels. Higher points are nearer.
     pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
         let scale = DVec2::splat(2.0 * self.scale) / size.as_dvec2();
         let middle = (2.0 * self.anchor / size - 1.0).as_dvec2() * DVec2::new(1.0, -1.0);
@@ -115,7 +116,7 @@ impl Camera {
         DMat4::from_translation(shift.extend(0.0)) * DMat4::from_scale(scale.extend(-HEIGHT.recip()))
     }
 
-    /// A length in pixels.
+    /// Converts a length to pixels.
     pub fn length(&self, metres: f64) -> f32 {
         (metres * self.scale) as f32
     }

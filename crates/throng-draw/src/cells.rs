@@ -1,25 +1,25 @@
-//! Who is near, by cells on the ground.
+//! Counts points near a position by means of a grid on the ground.
 
 use glam::{DVec2, Vec2};
 
-/// Cells at most, for each point.
+/// The maximum number of cells per point.
 const MOST: f64 = 4.0;
 
-/// Points on the ground, sorted by the square cells that they lie in.
+/// A uniform grid over points on the ground, in square cells.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
     low: DVec2,
     cell: f64,
     columns: usize,
     rows: usize,
-    /// Where the points of each cell begin, and where those of the last end.
+    /// The index of the first point of each cell, followed by the number of points.
     starts: Vec<u32>,
-    /// From the corner with the least coordinates.
+    /// The points relative to the corner with the least coordinates.
     points: Vec<Vec2>,
 }
 
 impl Cells {
-    /// Points in cells at least `reach` metres wide.
+    /// Sorts points into cells at least `reach` metres wide.
     pub fn new(points: impl Iterator<Item = DVec2> + Clone, reach: f64) -> Self {
         let points = points.filter(|point| point.is_finite());
         let (low, high) =
@@ -28,7 +28,7 @@ impl Cells {
         if count == 0 {
             return Self::default();
         }
-        // some may be far away: then cells are as wide as it takes for all to have room
+        // Distant points make cells wider, so that the number of cells stays limited.
         let room = (high - low).max_element() / (MOST * count as f64).sqrt();
         let cell = reach.max(room);
         let [columns, rows] = ((high - low) / cell).to_array().map(|cells| cells as usize + 1);
@@ -56,11 +56,11 @@ impl Cells {
         row * self.columns + column
     }
 
-    /// How many are within `reach` metres of a place, at most the one the cells were made for.
+    /// Returns the number of points within `reach` metres of a position. `reach` must not exceed that of `new`.
     pub fn count(&self, at: DVec2, reach: f64) -> usize {
         let place = at - self.low;
         let range = |x: f64, count: usize| {
-            // a cast takes what is below zero to zero
+            // The cast maps negative numbers to 0.
             let [first, last] = [x - reach, x + reach].map(|x| x / self.cell);
             (first as usize).min(count)..if last < 0.0 { 0 } else { (last as usize).min(count - 1) + 1 }
         };
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_is_near_is_counted() {
+    fn counts_equal_brute_force() {
         let place = |k: i32| DVec2::new(-1800.0 + f64::from(k * 37 % 101) * 0.13, f64::from(k * 53 % 89) * 0.11);
         for far in [None, Some(DVec2::splat(4e5)), Some(DVec2::NAN)] {
             let points: Vec<DVec2> = (0..200).map(place).chain(far).collect();

@@ -1,8 +1,8 @@
-//! Colours, and the palette that groups are told apart by.
+//! Colours, and the palette of groups.
 
 use throng_record::color;
 
-/// A colour, 8 bits a channel, sRGB, alpha not multiplied in.
+/// A colour with 8 bits per channel, sRGB, alpha not premultiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Color {
     /// Red.
@@ -11,12 +11,12 @@ pub struct Color {
     pub g: u8,
     /// Blue.
     pub b: u8,
-    /// Opacity, 255 is opaque.
+    /// Opacity; 255 is opaque.
     pub a: u8,
 }
 
 impl Color {
-    /// An opaque colour from `0xRRGGBB`.
+    /// Returns an opaque colour from `0xRRGGBB`.
     pub const fn rgb(hex: u32) -> Self {
         Self { r: (hex >> 16) as u8, g: (hex >> 8) as u8, b: hex as u8, a: 255 }
     }
@@ -25,25 +25,25 @@ impl Color {
         Self { r, g, b, a: 255 }
     }
 
-    /// The same colour with an opacity of `alpha`, 0 to 1.
+    /// Returns the same colour with an opacity of `alpha`, 0 to 1.
     pub fn alpha(self, alpha: f32) -> Self {
         Self { a: (alpha.clamp(0.0, 1.0) * 255.0).round() as u8, ..self }
     }
 
-    /// The colour a part `t` of the way to `other`, 0 to 1.
+    /// Interpolates to `other`; `t` is 0 to 1.
     pub fn mix(self, other: Self, t: f32) -> Self {
         let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t.clamp(0.0, 1.0) + 0.5) as u8;
         Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b), a: mix(self.a, other.a) }
     }
 
-    /// `#rrggbb`, without the opacity.
+    /// Returns `#rrggbb`, without the opacity.
     pub fn hex(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.r, self.g, self.b)
     }
 }
 
-/// The colours of groups and goals, in order ([`throng_record::color::PALETTE`]); a test holds them apart for the three kinds
-/// of colour-blindness.
+/// The colours of groups and goals, in order ([`throng_record::color::PALETTE`]). A test checks that they are
+/// distinguishable for the three kinds of colour blindness.
 pub const PALETTE: [Color; 8] = {
     let mut colors = [Color::rgb(0); 8];
     let mut k = 0;
@@ -54,24 +54,24 @@ pub const PALETTE: [Color; 8] = {
     colors
 };
 
-/// The colour of the group or goal `index`: the palette, then the palette again in paler rounds.
+/// Returns the colour of the group or goal `index`: the palette, repeated in paler rounds.
 pub fn palette(index: usize) -> Color {
     Color::of(color::palette(index))
 }
 
-/// The stops of the ramp for speeds, slow to fast; lightness rises all the way.
+/// The stops of the ramp for speeds, slow to fast, with rising lightness.
 const RAMP: [Color; 5] =
     [Color::rgb(0x2d3a6b), Color::rgb(0x35719a), Color::rgb(0x3fa38f), Color::rgb(0x8fbd59), Color::rgb(0xecb93c)];
 
-/// The colour of a quantity `t` between 0 (least) and 1 (most).
+/// Returns the colour of a quantity `t` between 0 (least) and 1 (most).
 pub fn ramp(t: f32) -> Color {
     let t = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.0 } * (RAMP.len() - 1) as f32;
     let k = (t as usize).min(RAMP.len() - 2);
     RAMP[k].mix(RAMP[k + 1], t - k as f32)
 }
 
-/// The colour of a direction, a fraction of a turn; it comes round without a jump. Lightness goes up and down once,
-/// so that opposite directions differ for everybody.
+/// Returns the colour of a direction, given as a fraction of a turn, without a jump at a full turn. Lightness rises and
+/// falls once, so that opposite directions differ for colour-blind people too.
 pub fn wheel(turn: f32) -> Color {
     const STOPS: [Color; 6] = [
         Color::rgb(0x2f74a8),
@@ -90,13 +90,14 @@ pub fn wheel(turn: f32) -> Color {
 mod tests {
     use super::*;
 
-    /// Linear light of one channel.
+    /// Returns the linear light of one channel.
     fn linear(c: u8) -> f64 {
         let c = f64::from(c) / 255.0;
         if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
     }
 
-    /// What a colour-blind eye makes of a colour in linear light: Machado, Oliveira and Fernandes (2009), severity 1.
+    /// How colour-blind people see a colour, as matrices in linear light: Machado, Oliveira and Fernandes (2009),
+    /// severity 1. The first is normal vision.
     const EYES: [[[f64; 3]; 3]; 4] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -104,7 +105,7 @@ mod tests {
         [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
     ];
 
-    /// CIE L*a*b* of linear sRGB, D65.
+    /// Returns CIE L*a*b* of linear sRGB, D65.
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let dot = |w: [f64; 3]| w[0] * rgb[0] + w[1] * rgb[1] + w[2] * rgb[2];
         let f = |t: f64| if t > 0.008856 { t.cbrt() } else { 7.787 * t + 16.0 / 116.0 };
@@ -124,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn everybody_can_tell_the_first_groups_apart() {
+    fn the_palette_is_distinguishable_for_colour_blind_people() {
         for (n, eye) in EYES.iter().enumerate() {
             for (i, &a) in PALETTE.iter().enumerate() {
                 for (j, &b) in PALETTE[..i].iter().enumerate() {

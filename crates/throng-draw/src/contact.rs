@@ -1,8 +1,8 @@
-//! A contact sheet: stills of many recordings on one picture, each with its name, section by section.
+//! A contact sheet: stills of many recordings in one picture, each with its name, in sections.
 
 use crate::image::Image;
-use crate::mark::{Anchor, Mark, Stroke};
 use crate::picture::Picture;
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::sink::Kind;
 use crate::text::{Type, Typeface};
 use crate::{Color, Error, Painter, Theme, raster, svg};
@@ -10,15 +10,15 @@ use glam::Vec2;
 use std::path::Path;
 use throng_record::{Frame, Output};
 
-/// What the panels lie on.
+/// The background of the sheet.
 const PAPER: Color = Color::rgb(0xfdfcfa);
-/// Panels are this wide in units of [`Contact::unit`]; type and gaps have the sizes that suit it.
+/// The width of panels, the margin and the gap between panels, in units of [`Contact::unit`].
 const PANEL: f32 = 250.0;
 const MARGIN: f32 = 18.0;
 const GAP: f32 = 12.0;
-/// Between the top of a row that has headings and its panels.
+/// The height above the panels of a row with headings.
 const HEADING: f32 = 34.0;
-/// Below a panel.
+/// The height below a panel.
 const CAPTION: f32 = 30.0;
 
 /// A heading and the names of the panels under it.
@@ -26,12 +26,12 @@ const CAPTION: f32 = 30.0;
 pub struct Section {
     /// The heading; empty for none.
     pub heading: String,
-    /// The names of its panels.
+    /// The names of the panels.
     pub names: Vec<String>,
 }
 
-/// A contact sheet on its way to a file: [`create`](Self::create) says how large its panels are,
-/// [`finish`](Self::finish) takes a painter of that size for each, and what it is to paint.
+/// A contact sheet under construction. [`create`](Self::create) determines the size of its panels;
+/// [`finish`](Self::finish) takes a painter of that size and a frame for each panel.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -53,20 +53,20 @@ pub struct Contact {
     output: Output,
     size: (u32, u32),
     panel: (u32, u32),
-    /// Everything scales with this: 1 for panels [`PANEL`] pixels wide.
+    /// The scale of everything: 1 for panels [`PANEL`] pixels wide.
     unit: f32,
-    /// Name and upper left corner of each panel.
+    /// The name and the upper left corner of each panel.
     places: Vec<(String, (u32, u32))>,
-    /// Headings, and where their type begins.
+    /// The headings, and the starts of their baselines.
     headings: Vec<(String, Vec2)>,
 }
 
 impl Contact {
-    /// Begins `path`, a `.png` or `.svg` `width` pixels wide with `columns` panels side by side. A section begins a row
-    /// of its own, unless all of it fits into what the section before leaves of one.
+    /// Creates `path`, a `.png` or `.svg` `width` pixels wide with `columns` panels side by side. A section starts a
+    /// new row, unless all of it fits into the rest of the row before.
     ///
     /// # Errors
-    /// The ending of the name is another, the folder is missing or cannot be written to, or panels or the sheet are too
+    /// The name has another ending, the folder does not exist or is not writable, or the panels or the sheet are too
     /// small or too large.
     pub fn create(path: impl AsRef<Path>, sections: &[Section], width: u32, columns: usize) -> Result<Self, Error> {
         let path = path.as_ref();
@@ -96,7 +96,7 @@ impl Contact {
         Ok(Self { kind, output: Output::create(path)?, size, panel, unit, places, headings })
     }
 
-    /// Width and height of a panel, pixels.
+    /// Returns width and height of a panel, pixels.
     pub fn panel(&self) -> (u32, u32) {
         self.panel
     }
@@ -104,10 +104,10 @@ impl Contact {
     /// Draws the panels, in the order of their names, and completes the file.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The file cannot be written.
     ///
     /// # Panics
-    /// There are not as many as there are names.
+    /// The number of stills differs from the number of names.
     pub fn finish(self, mut stills: Vec<(Painter, Frame)>) -> Result<(), Error> {
         assert_eq!(stills.len(), self.places.len(), "a still for each name");
         let mut typeface = Type::of(&Typeface::default());
@@ -129,19 +129,19 @@ impl Contact {
         picture.write(self.output)
     }
 
-    /// The type, and a line round each panel.
-    fn marks(&self, stills: &[(Painter, Frame)], typeface: &Type) -> Vec<Mark> {
+    /// Returns the type and a line around each panel.
+    fn marks(&self, stills: &[(Painter, Frame)], typeface: &Type) -> Vec<Primitive> {
         let theme = Theme::light();
         let (unit, (width, height)) = (self.unit, (self.panel.0 as f32, self.panel.1 as f32));
-        let text = |text, at, anchor, size: f32, color| Mark::Text { text, at, anchor, size: size * unit, color };
+        let text = |text, at, anchor, size: f32, color| Primitive::Text { text, at, anchor, size: size * unit, color };
         let heading = |(heading, at): &(String, Vec2)| text(heading.clone(), *at, Anchor::Start, 19.0, theme.quiet);
-        let mut marks: Vec<Mark> = self.headings.iter().map(heading).collect();
+        let mut marks: Vec<Primitive> = self.headings.iter().map(heading).collect();
         for ((name, (x, y)), (_, frame)) in self.places.iter().zip(stills) {
             let (low, high) = (Vec2::new(*x as f32, *y as f32), Vec2::new(*x as f32 + width, *y as f32 + height));
             let (a, b) = (low - 0.5, high + 0.5);
             let points = vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
             let stroke = Stroke::plain(1.0, theme.outside);
-            marks.push(Mark::Line { points, closed: true, stroke });
+            marks.push(Primitive::Line { points, closed: true, stroke });
             let (time, baseline) = (format!("{:.0} s", frame.time), high.y + 19.0 * unit);
             let room = width - typeface.width(&time, 13.0 * unit) - 8.0 * unit;
             let name = typeface.clip(name, 15.0 * unit, room);
@@ -152,7 +152,7 @@ impl Contact {
     }
 }
 
-/// Row and column of each panel of each section.
+/// Returns row and column of each panel of each section.
 fn cells(sections: &[Section], columns: usize) -> Vec<Vec<(usize, usize)>> {
     let mut next = 0;
     let place = |section: &Section| {
@@ -166,8 +166,8 @@ fn cells(sections: &[Section], columns: usize) -> Vec<Vec<(usize, usize)>> {
     sections.iter().map(place).collect()
 }
 
-/// Where the panels of each row begin, and at the end the height of everything; `scale` is the height of a panel and
-/// the unit of the rest.
+/// Returns the top of the panels of each row, followed by the height of everything; `scale` is the height of a panel
+/// and the unit of other lengths.
 fn tops(sections: &[Section], cells: &[Vec<(usize, usize)>], scale: (f32, f32)) -> Vec<f32> {
     let (height, unit) = scale;
     let rows = cells.iter().flatten().map(|(row, _)| row + 1).max().unwrap_or(0);

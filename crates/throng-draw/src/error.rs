@@ -1,26 +1,26 @@
-//! What can go wrong with pictures and video.
+//! Errors of pictures and video.
 
 use std::path::{Path, PathBuf};
 use throng_record::OutputError;
 
-/// Why a picture or video could not be made.
+/// An error that prevents a picture or video.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// The size of the picture is out of its limits.
+    /// The size of the picture is outside its limits.
     #[error("the picture is {width} by {height} pixels, but must be {limit}")]
     Size {
-        /// Its width.
+        /// The width.
         width: u32,
-        /// Its height.
+        /// The height.
         height: u32,
-        /// What it may be.
+        /// The limits, in words.
         limit: &'static str,
     },
-    /// A picture has another size than the one before it.
+    /// A picture has another size than the previous one.
     #[error("{}: a picture of {width} by {height} pixels follows one of another size", path.display())]
     SizeChanged {
         /// The file.
@@ -30,10 +30,10 @@ pub enum Error {
         /// The new height.
         height: u32,
     },
-    /// The rate is not a number of frames a second.
-    #[error("the rate is {0} frames a second, but must be between 0.001 and 1000")]
+    /// The rate is not a valid number of frames per second.
+    #[error("the rate is {0} frames per second, but must be between 0.001 and 1000")]
     Rate(f64),
-    /// The name of the file does not say what it should be.
+    /// The kind of file does not follow from the name.
     #[error(
         "{}: cannot tell what to write from this name; end it in .mp4, .gif, .png, .svg, .avi, .mkv, .webm or .mov, \
          or in / for a folder of PNG files", path.display()
@@ -42,28 +42,28 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
-    /// It is no font.
-    #[error("{name}: this is no TrueType or OpenType font")]
+    /// The data is not a font.
+    #[error("{name}: this is not a TrueType or OpenType font")]
     Typeface {
-        /// What it is called.
+        /// The name of the font.
         name: String,
     },
-    /// The name of the file is none of a single picture.
+    /// The name of the file does not end like a single picture.
     #[error("{}: a figure is one picture; end the name in .png or .svg", path.display())]
     Still {
         /// The file.
         path: PathBuf,
     },
-    /// Nothing was pushed.
+    /// No frame was pushed.
     #[error("{}: there is no frame to write", path.display())]
     Empty {
         /// The file.
         path: PathBuf,
     },
-    /// An error has ended the film before.
+    /// The film has ended with an earlier error.
     #[error("nothing more can be written after an error")]
     Ended,
-    /// The program ffmpeg, which this kind of file needs, is not there.
+    /// The program ffmpeg, which this kind of file needs, was not found.
     #[error(
         "cannot write {}: this kind of video needs the program ffmpeg, which was not found; install it, or write \
          .mp4 or .gif, which need nothing", path.display()
@@ -77,9 +77,9 @@ pub enum Error {
     Encoder {
         /// The file.
         path: PathBuf,
-        /// Which encoder.
+        /// The encoder.
         encoder: &'static str,
-        /// What it says.
+        /// The encoder's message.
         message: String,
     },
 }

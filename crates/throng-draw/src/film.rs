@@ -1,4 +1,4 @@
-//! From moments to a finished file: a painter and a sink in one.
+//! Films: a painter and a sink in one.
 
 use crate::picture::Picture;
 use crate::sheet::SheetPainter;
@@ -7,19 +7,19 @@ use crate::{Error, Sheet, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output};
 
-/// Which moment a single picture (`.png`, `.svg`) shows.
+/// The moment that a single picture (`.png`, `.svg`) shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Still {
-    /// The last.
+    /// The last moment.
     #[default]
     Last,
-    /// The one with this index, from 0; the last if there are not that many.
+    /// The moment with this index, from 0; the last if there are fewer.
     Index(usize),
-    /// The first at or after this time, seconds; the last if there is none.
+    /// The first moment at or after this time, seconds; the last if there is none.
     Time(f64),
 }
 
-/// Makes a picture or a video of a recording, of the kind the name of the file says ([`Kind`]).
+/// Makes a picture or a video of a recording; the name of the file determines its kind ([`Kind`]).
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -44,20 +44,20 @@ pub struct Film {
 }
 
 enum Target {
-    /// Every moment is painted.
+    /// All moments are painted.
     Moving(Box<dyn FrameSink>),
     /// One moment is painted.
     Still { which: Still, kind: Kind, picture: Option<Picture>, last: Vec<Frame>, output: Output },
 }
 
 impl Film {
-    /// Begins `path`, at `rate` moments a second. The view is fitted to the first moment that is pushed, unless the
-    /// style names one. Of a single picture, the last moment is shown; see [`still`](Self::still). `sheet` is a
-    /// [`Sheet`] of several recordings, or the setting of one.
+    /// Creates `path` with `rate` moments per second. The view is fitted to the first pushed moment, unless the style
+    /// has one. A single picture shows the last moment; see [`still`](Self::still). `sheet` is a [`Sheet`] of several
+    /// recordings, or the setting of one recording.
     ///
     /// # Errors
-    /// The ending of the name is unknown, the folder is missing or cannot be written to, the rate or the size of the
-    /// picture is out of its limits, or ffmpeg is needed and not there.
+    /// The ending of the name is unknown, the folder does not exist or is not writable, the rate or the size of the
+    /// picture is outside its limits, or ffmpeg is needed and not found.
     pub fn create(path: impl AsRef<Path>, sheet: impl Into<Sheet>, style: &Style, rate: f64) -> Result<Self, Error> {
         let path = path.as_ref();
         Error::check_size(style.width, style.height)?;
@@ -70,10 +70,10 @@ impl Film {
         Ok(Self { path: path.into(), sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }
 
-    /// Begins a film that goes into a sink; `path` is what messages call it.
+    /// Creates a film that writes to a sink; messages name it `path`.
     ///
     /// # Errors
-    /// The size of the picture is out of its limits.
+    /// The size of the picture is outside its limits.
     pub fn new(
         path: impl AsRef<Path>,
         sink: Box<dyn FrameSink>,
@@ -86,7 +86,7 @@ impl Film {
         Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }
 
-    /// Chooses the moment that a single picture shows. It does nothing to a video.
+    /// Chooses the moment that a single picture shows. Has no effect on a video.
     #[must_use]
     pub fn still(mut self, moment: Still) -> Self {
         if let Target::Still { which, .. } = &mut self.target {
@@ -95,12 +95,12 @@ impl Film {
         self
     }
 
-    /// How many moments were pushed.
+    /// Returns the number of pushed moments.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Appends a moment of the one recording.
+    /// Appends a moment of a single recording.
     ///
     /// # Errors
     /// Those of [`push_all`](Self::push_all).
@@ -108,11 +108,11 @@ impl Film {
         self.push_all(&[frame])
     }
 
-    /// Appends a moment of each panel, in their order. The time of the picture is the latest of them: a recording that
-    /// has ended is given its last moment again.
+    /// Appends a moment of each panel, in their order. The time of the picture is the latest of the frames: for a
+    /// recording that has ended, pass its last frame again.
     ///
     /// # Errors
-    /// It cannot be written or encoded.
+    /// The moment cannot be written or encoded.
     pub fn push_all(&mut self, frames: &[&Frame]) -> Result<(), Error> {
         let painter = match &mut self.painter {
             Some(painter) => painter,
@@ -141,10 +141,10 @@ impl Film {
         }
     }
 
-    /// Completes the file and gives it its name.
+    /// Completes the file and renames it to its final name.
     ///
     /// # Errors
-    /// It cannot be written, or nothing was pushed.
+    /// The file cannot be written, or no moment was pushed.
     pub fn finish(self) -> Result<(), Error> {
         let Some(mut painter) = self.painter else { return Err(Error::Empty { path: self.path }) };
         let (kind, picture, last, output) = match self.target {

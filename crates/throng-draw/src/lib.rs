@@ -1,11 +1,10 @@
 //! Pictures and video of worlds.
 //!
-//! [`Film`] turns the moments of a recording into a file of the kind its name says: MP4 or GIF, PNG or SVG, a folder of
-//! PNG files, or any other video that an installed ffmpeg writes; a [`Sheet`] shows several recordings side by side, and a
-//! [`Contact`] sheet a still of each of many.
-//! [`Painter`] paints single moments into memory, with the look that [`Style`] describes; [`Figure`] draws why one
-//! agent goes where it goes; [`sink`] holds the kinds of output for pictures of any origin, [`record`]
-//! writes all files of a run while it goes on.
+//! [`Film`] turns the moments of a recording into a file; the name determines its kind: MP4 or GIF, PNG or SVG, a
+//! folder of PNG files, or any other video that an installed ffmpeg writes. A [`Sheet`] shows several recordings side
+//! by side, and a [`Contact`] sheet shows a still of each of many recordings. [`Painter`] paints single moments into
+//! memory, in the look that [`Style`] describes. [`Figure`] draws why one agent chooses its velocity. [`sink`] holds
+//! the kinds of output for pictures of any origin. [`record`] writes all files of a run while it proceeds.
 
 mod annotate;
 mod base64;
@@ -17,21 +16,21 @@ mod error;
 mod figure;
 mod film;
 mod flow;
+mod from_scene;
 mod image;
 mod insect;
 mod legend;
 mod look;
-mod mark;
 mod painter;
 mod picture;
 mod place;
 mod plan;
+mod primitive;
 mod projector;
 mod raster;
 pub mod record;
 mod ribbon;
 mod rounded;
-mod said;
 mod shape;
 mod sheet;
 pub mod sink;
@@ -52,14 +51,14 @@ pub use film::{Film, Still};
 pub use flow::{FlowLayer, FlowMarks, FlowStyle};
 pub use image::Image;
 pub use look::{Coat, Look};
-pub use mark::{Anchor, Mark, Stroke};
 pub use painter::Painter;
 pub use place::points_to_go;
+pub use primitive::{Anchor, Primitive, Stroke};
 pub use projector::Projector;
 pub use shape::{Shape, Vertex};
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
 pub use space::{Chase, Followed, Following, Lens, Sight, Viewpoint};
-pub use style::{ColorBy, Form, Projection, Style, Theme};
+pub use style::{AgentShape, ColorBy, Projection, Style, Theme};
 pub use text::Typeface;
-pub use trail::{Track, Trails};
+pub use trail::{AgentTrail, Trails};

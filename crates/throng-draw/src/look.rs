@@ -1,15 +1,15 @@
-//! What each agent looks like: the colour that says its group, speed or goal, and what its status makes of it.
+//! The look of agents: colours by group, speed or goal, modified by status.
 
 use crate::cells::Cells;
 use crate::color::{PALETTE, palette, ramp, wheel};
-use crate::{Color, ColorBy, Form, Shape, Style};
+use crate::{AgentShape, Color, ColorBy, Shape, Style};
 use glam::DVec2;
 use throng::{Goal, Status};
 use throng_record::{Body, Frame, Setting};
 
-/// Who is nearer than this counts for the density, metres.
+/// The radius within which agents count for the density, metres.
 const NEAR: f64 = 1.5;
-/// The density at the end of the ramp: one hardly moves any more, people a square metre.
+/// The density at the end of the ramp, people per square metre; people hardly move at this density.
 const DENSE: f32 = 4.0;
 
 /// The colours of agents.
@@ -17,33 +17,33 @@ const DENSE: f32 = 4.0;
 pub struct Look {
     by: ColorBy,
     ground: Color,
-    /// What edges go towards: dark on light ground, light on dark.
+    /// The colour that edges are mixed with: dark on light ground, light on dark.
     rim: Color,
     fastest: f32,
     highest: f32,
     /// The colours of groups that have their own.
     groups: Vec<Option<Color>>,
-    /// What those of groups look like, where that is said.
-    forms: Vec<Form>,
-    /// The colour of each goal, and where it is.
+    /// The forms of groups.
+    forms: Vec<AgentShape>,
+    /// The colour and the position of each goal.
     goals: Vec<(Color, DVec2)>,
-    /// The longest way at first, seconds.
+    /// The longest time to a goal at the first moment, seconds.
     longest: f32,
-    /// Who was where at the moment that was seen, where that is asked for.
+    /// The positions at the current moment; only used for colours by density.
     cells: Cells,
 }
 
 /// The colours of one agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coat {
-    /// Of the inside.
+    /// The colour of the inside.
     pub fill: Color,
-    /// Of the edge.
+    /// The colour of the edge.
     pub rim: Color,
 }
 
 impl Look {
-    /// The colours that a style asks for, of a recording that begins with `first`.
+    /// Returns the look in a style, for a recording that begins with `first`.
     pub fn new(setting: &Setting, style: &Style, first: &Frame) -> Self {
         let preferred = first.bodies.iter().map(|b| b.preferred_speed).filter(|s| s.is_finite()).fold(0.0, f32::max);
         let fastest = match style.color_by {
@@ -73,54 +73,54 @@ impl Look {
         look
     }
 
-    /// Looks at a moment, for the colours that say how dense it is.
+    /// Updates the density for a moment.
     pub fn see(&mut self, frame: &Frame) {
         if self.by == ColorBy::Density {
             self.cells = Cells::new(frame.bodies.iter().map(|body| body.position), NEAR);
         }
     }
 
-    /// How many there are round a place at the moment that was seen, people a square metre.
+    /// Returns the density around a position, people per square metre.
     fn density(&self, at: DVec2) -> f32 {
         (self.cells.count(at, NEAR) as f64 / (std::f64::consts::PI * NEAR * NEAR)) as f32
     }
 
-    /// How long it would take on a straight line, seconds.
+    /// Returns the time to the goal on a straight line at the preferred speed, seconds.
     fn time_to_goal(&self, body: &Body) -> Option<f32> {
         let (_, goal) = self.goals.get(body.goal? as usize)?;
         let time = goal.distance(body.position) / f64::from(body.preferred_speed).max(0.05);
         Some(time as f32).filter(|time| time.is_finite())
     }
 
-    /// What somebody looks like.
-    pub fn form(&self, body: &Body) -> Form {
+    /// Returns the form of an agent.
+    pub fn form(&self, body: &Body) -> AgentShape {
         self.forms.get(body.group as usize).copied().unwrap_or_default()
     }
 
-    /// Whether there are some that look so.
-    pub(crate) fn has(&self, form: Form) -> bool {
+    /// Whether any group has this form.
+    pub(crate) fn has(&self, form: AgentShape) -> bool {
         self.forms.contains(&form)
     }
 
-    /// The shape of somebody, where it has one.
+    /// Returns the shape of an agent, if it has one.
     pub(crate) fn shape(&self, body: &Body) -> Option<Shape> {
         match self.form(body) {
-            Form::Shaped(shape) => Some(shape),
+            AgentShape::Shaped(shape) => Some(shape),
             _ => None,
         }
     }
 
-    /// Whether there are some that have shapes.
+    /// Whether any group has a shape.
     pub(crate) fn has_shapes(&self) -> bool {
-        self.forms.iter().any(|form| matches!(form, Form::Shaped(_)))
+        self.forms.iter().any(|form| matches!(form, AgentShape::Shaped(_)))
     }
 
-    /// The colour of a group.
+    /// Returns the colour of a group.
     pub fn group(&self, index: usize) -> Color {
         self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
     }
 
-    /// What the end of the ramp says, where there is one, and its unit.
+    /// Returns the value at the end of the ramp and its unit, if colours are a ramp.
     pub fn most(&self) -> Option<(f32, &'static str)> {
         match self.by {
             ColorBy::Speed { .. } => Some((self.fastest, "m/s")),
@@ -131,7 +131,7 @@ impl Look {
         }
     }
 
-    /// The colour that says what [`ColorBy`] asks for.
+    /// Returns the colour of an agent by the style's [`ColorBy`].
     pub fn color(&self, body: &Body) -> Color {
         match self.by {
             ColorBy::Group => self.group(body.group as usize),
@@ -146,12 +146,13 @@ impl Look {
         }
     }
 
-    /// The colours of an agent: those who have arrived step back, those who cannot reach their goal are hollow.
+    /// Returns the colours of an agent. Agents that have arrived are pale; agents that cannot reach their goals are
+    /// hollow.
     pub fn coat(&self, body: &Body) -> Coat {
         self.coat_of(self.color(body), body.status)
     }
 
-    /// The colours of an agent whose colour says something else than the style asks for.
+    /// Returns the colours of an agent for a given colour and status.
     pub fn coat_of(&self, color: Color, status: Status) -> Coat {
         let rim = color.mix(self.rim, 0.42);
         match status {
@@ -162,7 +163,8 @@ impl Look {
     }
 }
 
-/// A colour for each goal; more goals than the palette holds are coloured by their direction from the middle.
+/// Returns a colour for each goal. If the palette has too few colours, goals are coloured by their direction from the
+/// middle.
 fn goal_colors(goals: &[Goal]) -> Vec<Color> {
     if goals.len() <= PALETTE.len() {
         return (0..goals.len()).map(palette).collect();

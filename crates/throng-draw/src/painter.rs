@@ -1,38 +1,40 @@
-//! Pictures of moments.
+//! Paints pictures of moments.
 
 use crate::flow::Sheets;
 use crate::insect::{self, Crowd};
 use crate::legend::{Layout, Scale};
 use crate::look::Look;
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::projector::Projector;
 use crate::shape::Strides;
-use crate::space::Stage;
+use crate::space::SpaceScene;
 use crate::text::Type;
-use crate::trail::{Brush, Track, Trail, Trails};
-use crate::{Annotation, Camera, Color, Error, Form, Image, Projection, Style, WorldBox, annotate, place, raster};
+use crate::trail::{AgentTrail, Brush, Trail, Trails};
+use crate::{
+    AgentShape, Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, annotate, place, raster,
+};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
 use throng_record::{Body, Frame, Setting};
 
-/// Points of a trail are this far apart, pixels.
+/// The distance between points of a trail, pixels.
 const TRAIL_SPACING: f32 = 4.5;
-/// How long the trails of those who are annotated are, seconds.
+/// The length of the trails of annotated agents, seconds.
 const WAYS: f64 = 10.0;
 
-/// How the world is seen.
+/// The view of the world.
 #[derive(Debug)]
-enum View {
-    /// From straight above.
+enum Perspective {
+    /// Plan view.
     Plan(Camera),
     /// In perspective.
-    Space(Box<Stage>),
+    Space(Box<SpaceScene>),
 }
 
-/// Paints the moments of one recording, one after the other.
+/// Paints the moments of one recording in order.
 ///
-/// It keeps what does not change as a finished picture, and remembers where agents have been, for their trails:
-/// [`paint`](Self::paint) or [`follow`](Self::follow) every frame in order.
+/// It keeps everything constant as a finished picture, and keeps the positions of agents for their trails: call
+/// [`paint`](Self::paint) or [`follow`](Self::follow) for every frame in order.
 ///
 /// ```
 /// use throng_draw::{Painter, Style};
@@ -47,37 +49,38 @@ enum View {
 pub struct Painter {
     pub(crate) style: Style,
     base: Color,
-    view: View,
+    view: Perspective,
     pub(crate) layout: Layout,
     pub(crate) look: Look,
     typeface: Type,
     trails: Trails,
-    /// Where insects have been while the shutter was open.
+    /// The positions of insects while the shutter was open.
     blur: Trails,
-    /// How far those have walked that have shapes.
+    /// The walked distances of agents with shapes.
     pub(crate) strides: Strides,
-    /// Where those who are annotated have been.
+    /// The trails of annotated agents.
     pub(crate) ways: Trails,
-    /// The annotations that there was something of.
+    /// The annotations that have been visible so far.
     seen: BTreeSet<Annotation>,
-    /// What places that agents tell are relative to.
+    /// The origin of the positions in traces.
     pub(crate) origin: DVec2,
-    /// What stays, below the agents: the ground; and obstacles and goals.
-    pub(crate) floor: Vec<Mark>,
-    pub(crate) place: Vec<Mark>,
-    /// Between the two: the fields that are to be seen.
+    /// The constant parts below the agents: the ground; obstacles and goals.
+    pub(crate) floor: Vec<Primitive>,
+    pub(crate) place: Vec<Primitive>,
+    /// The fields, between these two parts.
     pub(crate) flows: Option<Sheets>,
-    /// What the legend always says, above the agents.
-    legend: Vec<Mark>,
+    /// The constant part of the legend, above the agents.
+    legend: Vec<Primitive>,
     background: Image,
     image: Image,
 }
 
 impl Painter {
-    /// A painter for a recording that begins with `first`, which the view is fitted to if the style names none.
+    /// Creates a painter for a recording that begins with `first`. If the style has no view, the view is fitted to that
+    /// moment.
     ///
     /// # Errors
-    /// [`Error::Size`] if the style's width or height is out of its limits.
+    /// [`Error::Size`] if the style's width or height is outside its limits.
     pub fn new(setting: &Setting, style: &Style, first: &Frame) -> Result<Self, Error> {
         let (width, height) = (style.width, style.height);
         Error::check_size(width, height)?;
@@ -85,7 +88,7 @@ impl Painter {
         let (low, high) = layout.room(style.legend);
         let everything = WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) };
         let view = style.view.or_else(|| WorldBox::of(setting, first)).unwrap_or(everything);
-        // A single agent is not blown up to fill the picture.
+        // A single agent is not enlarged to fill the picture.
         let view = if style.view.is_some() { view } else { view.at_least(4.0) };
         let look = Look::new(setting, style, first);
         let mut typeface = Type::of(&style.typeface);
@@ -98,12 +101,12 @@ impl Painter {
                 let floor = place::floor(setting, &style.theme, &camera, layout.unit);
                 let place = place::marks(setting, style, &camera, layout.unit, first);
                 flows = Sheets::new(setting, style, camera, &layout, &look);
-                (View::Plan(camera), floor, place, Scale::Bar(camera.scale))
+                (Perspective::Plan(camera), floor, place, Scale::Bar(camera.scale))
             }
             Projection::Perspective => {
-                let stage = Stage::new(setting, style, layout.unit, view, first, (low, high));
+                let stage = SpaceScene::new(setting, style, layout.unit, view, first, (low, high));
                 let (place, scale) = (stage.ground(), Scale::Grid(stage.cell()));
-                (View::Space(Box::new(stage)), Vec::new(), place, scale)
+                (Perspective::Space(Box::new(stage)), Vec::new(), place, scale)
             }
         };
         let legend = if style.legend { layout.fixed(setting, style, &look, scale, &typeface) } else { Vec::new() };
@@ -132,31 +135,31 @@ impl Painter {
         })
     }
 
-    /// The pixel that shows a point of the world, from the upper left corner, as the eye stands now; `None` if it is
-    /// behind the eye.
+    /// Returns the pixel of a point of the world from the current viewpoint, counted from the upper left corner; `None`
+    /// if the point is behind the viewpoint.
     pub fn pixel(&self, point: DVec3) -> Option<Vec2> {
         self.projector().pixel(point)
     }
 
-    /// From the world to the picture.
+    /// Returns the projection from the world to the picture.
     pub(crate) fn projector(&self) -> Projector {
         match &self.view {
-            View::Plan(camera) => Projector::Plan(*camera),
-            View::Space(stage) => Projector::Perspective(stage.lens),
+            Perspective::Plan(camera) => Projector::Plan(*camera),
+            Perspective::Space(stage) => Projector::Perspective(stage.lens),
         }
     }
 
-    /// The colour under everything.
+    /// Returns the background colour.
     pub(crate) fn base(&self) -> Color {
         self.base
     }
 
-    /// Remembers where everybody is without painting, for trails in later pictures.
+    /// Adds the positions of a moment to the trails of later pictures, without painting.
     pub fn follow(&mut self, frame: &Frame) {
         let spacing = f64::from(TRAIL_SPACING * self.layout.unit);
         let spacing = match &mut self.view {
-            View::Plan(camera) => spacing / camera.scale,
-            View::Space(stage) => {
+            Perspective::Plan(camera) => spacing / camera.scale,
+            Perspective::Space(stage) => {
                 stage.turn(frame);
                 spacing / stage.scale()
             }
@@ -164,9 +167,9 @@ impl Painter {
         self.look.see(frame);
         let (look, wanted) = (&self.look, &self.style.annotations);
         let color = |body: &Body| look.color(body);
-        let insect = |is: bool| move |body: &Body| ((look.form(body) == Form::Insect) == is).then(|| color(body));
+        let insect = |is: bool| move |body: &Body| ((look.form(body) == AgentShape::Insect) == is).then(|| color(body));
         self.trails.follow(frame, f64::from(self.style.trails), spacing, insect(false));
-        if look.has(Form::Insect) {
+        if look.has(AgentShape::Insect) {
             self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, insect(true));
         }
         if look.has_shapes() {
@@ -178,7 +181,7 @@ impl Painter {
         self.seen.extend(wanted.in_frame(frame));
     }
 
-    /// Looks at the fields as they are at a moment, where they are to be seen.
+    /// Updates the visible fields to a moment.
     pub(crate) fn settle(&mut self, frame: &Frame) {
         let Some(flows) = &mut self.flows else { return };
         if flows.turn(frame.time) {
@@ -200,16 +203,16 @@ impl Painter {
         &self.image
     }
 
-    /// What was painted last.
+    /// Returns the last painted picture.
     pub(crate) fn image(&self) -> &Image {
         &self.image
     }
 
-    /// Everything above the place that stays, at a moment, in parts with names.
-    pub(crate) fn moment(&self, frame: &Frame) -> Vec<(&'static str, Vec<Mark>)> {
+    /// Returns everything above the constant place at a moment, in named parts.
+    pub(crate) fn moment(&self, frame: &Frame) -> Vec<(&'static str, Vec<Primitive>)> {
         let mut parts = match &self.view {
-            View::Plan(camera) => self.plan(camera, frame),
-            View::Space(stage) => self.scene(stage, frame),
+            Perspective::Plan(camera) => self.plan(camera, frame),
+            Perspective::Space(stage) => self.scene(stage, frame),
         };
         parts.push(("annotations", self.annotations(frame)));
         let mut legend = self.legend.clone();
@@ -224,17 +227,17 @@ impl Painter {
         parts
     }
 
-    /// How much room a moment's insects have.
+    /// Returns how a moment's insects are drawn.
     pub(crate) fn crowd(&self, frame: &Frame) -> Crowd {
-        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == AgentShape::Insect);
         Crowd::of(insects.count(), self.layout.unit)
     }
 
-    /// The streaks of insects.
+    /// Returns the streaks of insects.
     pub(crate) fn streaks(&self, frame: &Frame, crowd: Crowd) -> Vec<Trail> {
         let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
-        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == Form::Insect);
-        // what is no number opens no shutter either
+        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == AgentShape::Insect);
+        // Without exposure time (0 or NaN) there are no streaks.
         if seconds.is_nan() || seconds <= 0.0 {
             return Vec::new();
         }
@@ -245,10 +248,10 @@ impl Painter {
         insects.filter_map(streak).collect()
     }
 
-    /// The trails as they fade.
+    /// Returns the trails at a time.
     pub(crate) fn trails(&self, now: f64) -> Vec<Trail> {
         let brush = Brush { projector: self.projector(), seconds: f64::from(self.style.trails) };
-        let color = |track: &Track| track.color.unwrap_or(self.style.theme.goal);
+        let color = |track: &AgentTrail| track.color.unwrap_or(self.style.theme.goal);
         self.trails.tracks.values().flat_map(|track| brush.trails(track, color(track), now)).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! A finished still, and its file.
+//! A finished still and its file.
 
 use crate::sink::encode_png;
 use crate::{Error, Image};
@@ -11,7 +11,7 @@ pub(crate) enum Picture {
 }
 
 impl Picture {
-    /// Writes it and completes the file.
+    /// Writes the still and completes the file.
     pub(crate) fn write(self, mut output: Output) -> Result<(), Error> {
         match self {
             Self::Pixels(image) => encode_png(output, &image),

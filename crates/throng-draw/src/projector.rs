@@ -1,20 +1,20 @@
-//! From the world to the picture, whichever way it is projected.
+//! The projection from the world to the picture.
 
 use crate::Camera;
 use crate::space::Lens;
 use glam::{DMat4, DVec3, Vec2};
 
-/// How points of the world become pixels.
+/// A projection from the world to pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projector {
-    /// Seen from straight above, from infinitely far.
+    /// Plan view: an orthographic projection from above.
     Plan(Camera),
-    /// Seen by an eye.
+    /// A perspective view.
     Perspective(Lens),
 }
 
 impl Projector {
-    /// The pixel that shows a point; `None` behind the eye.
+    /// Returns the pixel of a point; `None` behind the viewpoint.
     pub fn pixel(&self, point: DVec3) -> Option<Vec2> {
         match self {
             Self::Plan(camera) => Some(camera.pixel(point.truncate())),
@@ -22,7 +22,8 @@ impl Projector {
         }
     }
 
-    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels.
+    /// Returns the matrix from points relative to `origin` to clip coordinates of OpenGL, for a picture of `size`
+    /// pixels.
     pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
         match self {
             Self::Plan(camera) => camera.clip(origin, size),
@@ -30,7 +31,7 @@ impl Projector {
         }
     }
 
-    /// The pixels that show a line; `None` if all of it is behind the eye.
+    /// Returns the pixels of a line; `None` if all of it is behind the viewpoint.
     pub(crate) fn line(&self, from: DVec3, to: DVec3) -> Option<[Vec2; 2]> {
         match self {
             Self::Plan(camera) => Some([from, to].map(|point| camera.pixel(point.truncate()))),
@@ -38,7 +39,7 @@ impl Projector {
         }
     }
 
-    /// Pixels a metre at a point.
+    /// Returns pixels per metre at a point.
     pub fn scale(&self, point: DVec3) -> f64 {
         match self {
             Self::Plan(camera) => camera.scale,
@@ -46,7 +47,7 @@ impl Projector {
         }
     }
 
-    /// The direction from a point to the eye.
+    /// Returns the direction from a point to the viewpoint.
     pub(crate) fn sight(&self, point: DVec3) -> DVec3 {
         match self {
             Self::Plan(_) => DVec3::Z,
@@ -54,7 +55,7 @@ impl Projector {
         }
     }
 
-    /// How far from the eye a point is along the ground.
+    /// Returns the horizontal distance of a point from the viewpoint; 0 in plan view.
     pub(crate) fn away(&self, point: DVec3) -> f64 {
         match self {
             Self::Plan(_) => 0.0,
@@ -62,7 +63,7 @@ impl Projector {
         }
     }
 
-    /// How much of its colour a point loses to the air before it: 0 to 1.
+    /// Returns the share of its colour that a point loses to haze, 0 to 1.
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         match self {
             Self::Plan(_) => 0.0,

@@ -1,9 +1,9 @@
-//! Marks onto pictures, by tiny-skia.
+//! Draws primitives on pictures by tiny-skia.
 
 use crate::Color;
 use crate::image::Image;
 use crate::insect;
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use crate::text::Type;
 use crate::trail::TrailLayer;
 use glam::Vec2;
@@ -11,37 +11,37 @@ use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, PixmapMut, Stroke as SkiaStroke, StrokeDash, Transform,
 };
 
-/// Draws `marks` in order.
-pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Mark]) {
+/// Draws primitives in order.
+pub(crate) fn draw(image: &mut Image, typeface: &mut Type, marks: &[Primitive]) {
     for mark in marks {
         match mark {
-            Mark::Area { rings, fill } => {
+            Primitive::Area { rings, fill } => {
                 let mut path = PathBuilder::new();
                 rings.iter().for_each(|ring| trace(&mut path, ring, true));
                 fill_path(image, path.finish(), *fill);
             }
-            Mark::Line { points, closed, stroke } => {
+            Primitive::Line { points, closed, stroke } => {
                 let mut path = PathBuilder::new();
                 trace(&mut path, points, *closed);
                 stroke_path(image, path.finish(), *stroke);
             }
-            Mark::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
-            Mark::Agent(disc) => disc.draw(image),
-            Mark::Insect(insect) => insect.draw(image),
-            Mark::Streaks(streaks) => insect::lay(streaks, image),
-            Mark::Trails(trails) => {
+            Primitive::Disc { center, radius, fill } => fill_path(image, circle(*center, *radius), *fill),
+            Primitive::Agent(disc) => disc.draw(image),
+            Primitive::Insect(insect) => insect.draw(image),
+            Primitive::Streaks(streaks) => insect::lay(streaks, image),
+            Primitive::Trails(trails) => {
                 let mut layer = TrailLayer::new(image.width(), image.height());
                 trails.iter().for_each(|trail| layer.draw(trail));
                 layer.lay(image);
             }
-            Mark::Ring { center, radius, stroke } => stroke_path(image, circle(*center, *radius), *stroke),
-            Mark::Within { low, high, marks } => {
+            Primitive::Ring { center, radius, stroke } => stroke_path(image, circle(*center, *radius), *stroke),
+            Primitive::Within { low, high, marks } => {
                 let mut whole = image.clone();
                 draw(&mut whole, typeface, marks);
                 image.copy_within(&whole, *low, *high);
             }
-            Mark::Pixels(layer) => image.lay_over(layer),
-            Mark::Text { text, at, anchor, size, color } => {
+            Primitive::Pixels(layer) => image.lay_over(layer),
+            Primitive::Text { text, at, anchor, size, color } => {
                 let shift = Vec2::new(typeface.width(text, *size) * anchor.part(), 0.0);
                 typeface.draw(image, text, *at - shift, *size, *color);
             }
@@ -74,7 +74,7 @@ fn paint(color: Color) -> Paint<'static> {
 
 fn pixels(image: &mut Image) -> PixmapMut<'_> {
     let (width, height) = (image.width(), image.height());
-    PixmapMut::from_bytes(image.data_mut(), width, height).expect("an image has as many bytes as its size says")
+    PixmapMut::from_bytes(image.data_mut(), width, height).expect("the number of bytes matches the size of the image")
 }
 
 fn fill_path(image: &mut Image, path: Option<Path>, color: Color) {

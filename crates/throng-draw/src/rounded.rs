@@ -1,58 +1,58 @@
-//! Agents: antialiased discs and rounded rectangles with a notch, laid straight onto the picture.
+//! Agents: antialiased discs and rounded rectangles with a notch, drawn directly on the picture.
 //!
-//! A pixel is covered by the clamped distance of its centre to the edge, which is right to a fraction of a percent of
-//! the disc's area; thousands of discs cost less than one filled path each would.
+//! The coverage of a pixel is the clamped distance of its centre to the edge; the total is the disc's area to a
+//! fraction of a percent. Thousands of discs are cheaper this way than by filled paths.
 
 use crate::Color;
 use crate::image::{Image, blend};
 use glam::Vec2;
 
-/// One body, in pixels: everything within a radius of a rectangle; of a point, a disc.
+/// A body, in pixels: all points within a radius of a rectangle. A rectangle of size zero gives a disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounded {
     pub center: Vec2,
-    /// Half extents of the rectangle, along and across `along`; zero for a disc.
+    /// The half extents of the rectangle, along and across `along`; zero for a disc.
     pub core: Vec2,
-    /// Unit vector along its length.
+    /// The unit vector along the body's length.
     pub along: Vec2,
     pub radius: f32,
     pub fill: Color,
-    /// The edge is drawn in this colour.
+    /// The colour of the edge.
     pub rim: Color,
-    /// Width of the edge, inside.
+    /// The width of the edge, which lies inside.
     pub rim_width: f32,
-    /// Colour of the notch, which lies at the end of its length.
+    /// The colour of the notch, which marks the front end.
     pub notch: Option<Color>,
 }
 
-/// The notch runs from here ...
+/// The start of the notch, in radii.
 pub(crate) const NOTCH_FROM: f32 = 0.36;
-/// ... to here, in radii ...
+/// The end of the notch, in radii.
 pub(crate) const NOTCH_TO: f32 = 0.82;
-/// ... and is this wide, half of it, in radii.
+/// Half the width of the notch, in radii.
 pub(crate) const NOTCH_HALF_WIDTH: f32 = 0.14;
-/// Discs smaller than this have no notch, pixels.
+/// The least radius of discs with a notch, pixels.
 pub(crate) const NOTCH_LEAST_RADIUS: f32 = 3.5;
 
 impl Rounded {
-    /// A disc in one colour.
+    /// Creates a disc in one colour.
     pub fn spot(center: Vec2, radius: f32, fill: Color) -> Self {
         Self { center, core: Vec2::ZERO, along: Vec2::X, radius, fill, rim: fill, rim_width: 0.0, notch: None }
     }
 
-    /// Half of its narrower side.
-    pub fn girth(&self) -> f32 {
+    /// Returns half the narrower side.
+    pub fn clearance_radius(&self) -> f32 {
         self.radius + self.core.min_element()
     }
 
-    /// Centre of the disc that fills its front end.
+    /// Returns the centre of the disc that fills the front end.
     pub fn front(&self) -> Vec2 {
         self.center + self.along * (self.core.x - self.core.min_element())
     }
 
-    /// Lays it over the picture.
+    /// Draws the body on a picture.
     pub(crate) fn draw(&self, image: &mut Image) {
-        // The linear ramp at the edge adds pi / 12 to the area of the disc; a slightly smaller disc makes up for it.
+        // The linear ramp at the edge adds pi / 12 to the area of the disc; a slightly smaller disc compensates.
         let is_disc = self.core == Vec2::ZERO;
         let r = if is_disc { (self.radius * self.radius - 1.0 / 12.0).max(0.01).sqrt() } else { self.radius };
         let reach = r + self.core.length() + 0.5;
@@ -80,7 +80,7 @@ impl Rounded {
         }
     }
 
-    /// Distance of a pixel from the rectangle, negative inside.
+    /// Returns the distance of a pixel from the rectangle, negative inside.
     fn beyond(&self, offset: Vec2) -> f32 {
         let local = Vec2::new(offset.dot(self.along), self.along.perp_dot(offset));
         let beyond = local.abs() - self.core;

@@ -1,32 +1,32 @@
-//! Several recordings side by side in one picture, on one clock; one recording is a sheet of one panel.
+//! Several recordings side by side in one picture, on one clock. A single recording is a sheet of one panel.
 
-use crate::mark::{Anchor, Mark};
+use crate::primitive::{Anchor, Primitive};
 use crate::text::Type;
 use crate::{Color, Error, Image, Painter, Style, raster};
 use glam::Vec2;
 use throng_record::{Frame, Setting};
 
-/// What a sheet shows.
+/// The contents of a sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
     /// A title over all panels; empty for none.
     pub title: String,
     /// The place and the title of each panel, row by row.
     pub panels: Vec<Setting>,
-    /// How many panels stand side by side, at least 1; see [`columns`].
+    /// The number of panels side by side, at least 1; see [`columns`].
     pub columns: usize,
 }
 
 impl From<&Setting> for Sheet {
-    /// One recording fills the picture.
+    /// Creates a sheet with one recording that fills the picture.
     fn from(setting: &Setting) -> Self {
         Self { title: String::new(), panels: vec![setting.clone()], columns: 1 }
     }
 }
 
-/// How many of `count` panels, each `panel` times as wide as high, stand side by side so that they are as large as can
-/// be in a picture `picture` times as wide as high; of arrangements with panels of one size, the one with the fewest
-/// empty places.
+/// Returns the number of columns for `count` panels with the aspect ratio `panel` in a picture with the aspect ratio
+/// `picture`, so that panels are as large as possible. Of arrangements with panels of the same size, the one with the
+/// fewest empty places wins.
 ///
 /// ```
 /// let side_by_side: Vec<usize> = (1..=9).map(|count| throng_draw::columns(count, 4.0 / 3.0, 2.0)).collect();
@@ -46,17 +46,17 @@ pub fn columns(count: usize, panel: f64, picture: f64) -> usize {
     (1..=count).reduce(better).unwrap_or(1)
 }
 
-/// The height of the title, pixels, of a sheet this wide.
+/// Returns the height of the title for a sheet of this width, pixels.
 pub fn title_height(width: u32) -> u32 {
     (34.0 * unit(width)) as u32 / 2 * 2
 }
 
-/// Everything about the title scales with this.
+/// Returns the scale of the title.
 fn unit(width: u32) -> f32 {
     (width as f32 / 1280.0).clamp(0.6, 4.0)
 }
 
-/// Pixels between panels.
+/// The gap between panels, pixels.
 const GAP: u32 = 2;
 
 /// Paints the moments of all panels of a sheet.
@@ -65,22 +65,23 @@ pub(crate) struct SheetPainter {
     size: (u32, u32),
     panels: Vec<Panel>,
     paper: Color,
-    title: Vec<Mark>,
-    /// Whether one panel is all of the picture.
+    title: Vec<Primitive>,
+    /// Whether one panel fills the picture.
     whole: bool,
-    /// Every panel at its place.
+    /// All panels in place.
     image: Image,
 }
 
 #[derive(Debug)]
 struct Panel {
     painter: Painter,
-    /// Column and row of its first pixel.
+    /// The column and row of its first pixel.
     corner: (u32, u32),
 }
 
 impl SheetPainter {
-    /// A painter for recordings that begin with `firsts`. The style's width and height are those of the sheet.
+    /// Creates a painter for recordings that begin with `firsts`. The style's width and height are the size of the
+    /// sheet.
     pub(crate) fn new(sheet: &Sheet, style: &Style, firsts: &[&Frame]) -> Result<Self, Error> {
         let (width, height) = (style.width, style.height);
         let strip = if sheet.title.is_empty() { 0 } else { title_height(width) };
@@ -96,17 +97,18 @@ impl SheetPainter {
         }
         let (paper, size) = (style.theme.outside, 17.0 * unit(width));
         let at = Vec2::new(14.0 * unit(width), strip as f32 * 0.5 + 0.36 * size);
-        let text = |text: String| Mark::Text { text, at, anchor: Anchor::Start, size, color: style.theme.text };
+        let text = |text: String| Primitive::Text { text, at, anchor: Anchor::Start, size, color: style.theme.text };
         let mut typeface = Type::of(&style.typeface);
         let room = width as f32 - 2.0 * at.x;
-        let title: Vec<Mark> = (strip > 0).then(|| text(typeface.clip(&sheet.title, size, room))).into_iter().collect();
+        let title: Vec<Primitive> =
+            (strip > 0).then(|| text(typeface.clip(&sheet.title, size, room))).into_iter().collect();
         let whole = title.is_empty() && panels.len() == 1;
         let mut image = if whole { Image::new(0, 0, paper) } else { Image::new(width, height, paper) };
         raster::draw(&mut image, &mut typeface, &title);
         Ok(Self { size: (width, height), panels, paper, title, whole, image })
     }
 
-    /// Remembers where everybody is without painting.
+    /// Adds the positions of a moment to the trails, without painting.
     pub(crate) fn follow(&mut self, frames: &[&Frame]) {
         self.panels.iter_mut().zip(frames).for_each(|(panel, frame)| panel.painter.follow(frame));
     }
@@ -125,7 +127,7 @@ impl SheetPainter {
         }
     }
 
-    /// A moment of each panel as an SVG document.
+    /// Returns a moment of each panel as an SVG document.
     pub(crate) fn svg(&mut self, frames: &[&Frame]) -> String {
         self.follow(frames);
         self.panels.iter_mut().zip(frames).for_each(|(panel, frame)| panel.painter.settle(frame));
@@ -146,8 +148,8 @@ mod tests {
         let panels: Vec<Setting> = (0..5).map(|k| Setting { title: format!("{k}"), ..Setting::default() }).collect();
         let sheet = Sheet { title: "All".into(), panels, columns: 3 };
         let style = Style { width: 400, height: 301, ..Style::default() };
-        let nobody = Frame::default();
-        let painter = SheetPainter::new(&sheet, &style, &[&nobody; 5]).unwrap();
+        let empty = Frame::default();
+        let painter = SheetPainter::new(&sheet, &style, &[&empty; 5]).unwrap();
         let (w, h) = ((400 - 4) / 3, (301 - title_height(400) - 2) / 2);
         let corners: Vec<_> = painter.panels.iter().map(|panel| panel.corner).collect();
         let top = title_height(400);

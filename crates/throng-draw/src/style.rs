@@ -1,48 +1,48 @@
-//! How a picture should look.
+//! The style of pictures.
 
 use crate::{Annotations, Color, FlowStyle, Shape, Typeface, Viewpoint, WorldBox};
 use glam::DVec2;
 
-/// How a picture should look. The default is a calm light picture of 640 by 480 pixels.
+/// The style of pictures. The default is a light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
-    /// Width of the picture, pixels, 16 to 16384.
+    /// The width of the picture, pixels, 16 to 16384.
     pub width: u32,
-    /// Height of the picture, pixels, 16 to 16384.
+    /// The height of the picture, pixels, 16 to 16384.
     pub height: u32,
-    /// The part of the world to show; `None`: everything the setting and the first frame hold. In perspective, what must
-    /// be seen of the ground, if the eye has no place of its own.
+    /// The part of the world to show; `None` for everything in the setting and the first frame. In perspective, the
+    /// part of the ground that a viewpoint without position shows.
     pub view: Option<WorldBox>,
-    /// Whether it is seen from straight above or in perspective; `None`: in perspective where somebody flies.
+    /// The projection; `None` for perspective if agents fly, and for plan view otherwise.
     pub projection: Option<Projection>,
-    /// From where it is seen in perspective.
+    /// The viewpoint in perspective.
     pub viewpoint: Viewpoint,
-    /// How long a trail is, seconds; 0 for none.
+    /// The length of trails, seconds; 0 for none.
     pub trails: f32,
-    /// What the colour of an agent says.
+    /// The quantity that colours of agents show.
     pub color_by: ColorBy,
-    /// The colours of groups, by index; where there is none, the palette's.
+    /// The colours of groups, by index; the palette applies to groups without one.
     pub groups: Vec<Option<Color>>,
-    /// What agents of groups look like, by index; where there is nothing said, as their bodies are.
-    pub forms: Vec<Form>,
-    /// How long the shutter is open while a picture of insects is taken, seconds: the streak that each leaves is its way in that time;
-    /// 0 for none.
+    /// The forms of agents, by group; [`AgentShape::Body`] applies to groups without one.
+    pub forms: Vec<AgentShape>,
+    /// The exposure time of pictures of insects, seconds. The streak of an insect is its way in this time; 0 for no
+    /// streaks.
     pub shutter: f32,
-    /// What is drawn beside agents of what they have in mind.
+    /// The annotations of agents.
     pub annotations: Annotations,
-    /// How the fields that lead groups are drawn on the ground, from straight above; `None`: not.
+    /// The style of the fields that lead groups, in plan view; `None` hides them.
     pub flow: Option<FlowStyle>,
-    /// Whether agents have a notch that shows their heading.
+    /// Whether agents have a notch that marks their heading.
     pub headings: bool,
     /// Whether goals are drawn.
     pub goals: bool,
-    /// Whether title, time, counts, the key of the colours and a scale bar are drawn.
+    /// Whether title, time, counts, the key of colours and a scale bar are drawn.
     pub legend: bool,
-    /// Lines on the ground: the markings of a field, lanes. World coordinates.
+    /// Lines on the ground, in world coordinates, such as the markings of a field.
     pub lines: Vec<Vec<DVec2>>,
-    /// The colours of everything but the agents.
+    /// The colours of everything except agents.
     pub theme: Theme,
-    /// The face of titles, counts and keys.
+    /// The typeface of titles, counts and keys.
     pub typeface: Typeface,
 }
 
@@ -71,57 +71,58 @@ impl Default for Style {
     }
 }
 
-/// What an agent looks like.
+/// The form of an agent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Form {
-    /// As its body is: from above a disc or an oblong, in perspective a ball, a block or, if it flies as a vehicle, a dart.
+pub enum AgentShape {
+    /// By its body: in plan view a disc or an oblong; in perspective a ball, a block or, if it flies as a vehicle, a
+    /// dart.
     #[default]
     Body,
-    /// An insect: a thin body with two wings that beat. It leaves a [streak](Style::shutter) in place of a
+    /// An insect: a thin body with two beating wings. It leaves a [streak](Style::shutter) instead of a
     /// [trail](Style::trails).
     Insect,
-    /// A shape of flat faces, such as a figure that walks, whatever its body is like.
+    /// A shape of flat faces, such as a walking figure, for any body.
     Shaped(Shape),
 }
 
-/// How the world is seen.
+/// The projections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
-    /// From straight above, true to scale.
+    /// Plan view: from straight above, true to scale.
     Plan,
-    /// By an eye: what is far away is small and pale.
+    /// From a viewpoint: distant objects are small and pale.
     Perspective,
 }
 
-/// What the colour of an agent says.
+/// The quantities that colours of agents show.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ColorBy {
     /// Its group.
     #[default]
     Group,
-    /// How fast it is, from standing to `max` m/s; `None`: to the greatest preferred speed of the first frame.
+    /// Its speed, from 0 to `max` m/s; `None` for the greatest preferred speed of the first frame.
     Speed {
         /// The speed at the end of the ramp, greater than 0.
         max: Option<f32>,
     },
-    /// How high above the ground it is, up to the greatest altitude of the first frame and of all goals.
+    /// Its altitude, up to the greatest altitude of the first frame and of all goals.
     Altitude,
-    /// How many there are within a metre and a half, over the area: up to 4 people a square metre.
+    /// The density within 1.5 m, up to 4 people per square metre.
     Density,
-    /// How long it has still to go on a straight line at its preferred speed, up to the longest way of the first frame.
+    /// The time to its goal on a straight line at its preferred speed, up to the longest of the first frame.
     TimeToGoal,
-    /// Where it is going: a colour for each goal, or, where there are more than the palette holds, for the direction
-    /// in which the goal lies from the middle of all goals.
+    /// Its goal: a colour for each goal. If there are more goals than the palette has colours, the direction of the
+    /// goal from the middle of all goals.
     Goal,
 }
 
-/// The colours of the place and the type.
+/// The colours of the place and of the type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theme {
-    /// Where nobody can walk.
+    /// Ground that is not walkable.
     pub outside: Color,
-    /// Where people walk.
+    /// Walkable ground.
     pub ground: Color,
     /// Obstacles.
     pub obstacle: Color,
@@ -131,14 +132,14 @@ pub struct Theme {
     pub goal: Color,
     /// Type.
     pub text: Color,
-    /// Type that steps back.
+    /// Secondary type.
     pub quiet: Color,
-    /// The notch that shows the heading.
+    /// The notch that marks the heading.
     pub notch: Color,
 }
 
 impl Theme {
-    /// Warm paper greys.
+    /// Returns a theme of warm greys.
     pub const fn light() -> Self {
         Self {
             outside: Color::rgb(0xe6e4df),
@@ -152,7 +153,7 @@ impl Theme {
         }
     }
 
-    /// Blue-black, for a dark room.
+    /// Returns a theme of dark blues.
     pub const fn dark() -> Self {
         Self {
             outside: Color::rgb(0x14171c),

@@ -1,8 +1,8 @@
-//! A moment as a vector picture.
+//! Moments as vector pictures.
 
 use crate::base64;
 use crate::insect::Insect;
-use crate::mark::{Anchor, Mark, Stroke};
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::sink::png_bytes;
 use crate::trail::Trail;
@@ -12,7 +12,7 @@ use std::fmt::{self, Write};
 use throng_record::Frame;
 
 impl Painter {
-    /// The moment as an SVG document, with the look of [`paint`](Self::paint).
+    /// Returns the moment as an SVG document, with the look of [`paint`](Self::paint).
     pub fn svg(&mut self, frame: &Frame) -> String {
         self.follow(frame);
         self.settle(frame);
@@ -20,7 +20,7 @@ impl Painter {
         document(size, self.base(), |out| self.write_content(out, frame, ""))
     }
 
-    /// What is inside the document; `tag` is added to the names of its parts.
+    /// Writes the content of the document; `tag` is appended to the names of its parts.
     fn write_content(&self, out: &mut String, frame: &Frame, tag: &str) -> fmt::Result {
         match &self.flows {
             Some(flows) => {
@@ -52,16 +52,16 @@ fn write_trails(out: &mut String, trails: &[Trail]) -> fmt::Result {
     writeln!(out, "</g>")
 }
 
-/// Marks as an SVG document.
-pub(crate) fn picture(size: (u32, u32), base: Color, marks: &[Mark]) -> String {
+/// Returns primitives as an SVG document.
+pub(crate) fn picture(size: (u32, u32), base: Color, marks: &[Primitive]) -> String {
     document(size, base, |out| write_marks(out, marks))
 }
 
-/// Pictures at their places on one sheet, `(x, y)` of their upper left corners.
+/// Returns pictures on a sheet; `(x, y)` are their upper left corners.
 pub(crate) fn sheet<'a>(
     size: (u32, u32),
     paper: Color,
-    title: &[Mark],
+    title: &[Primitive],
     pictures: impl Iterator<Item = (&'a Painter, &'a Frame, (u32, u32))>,
 ) -> String {
     document(size, paper, |out| {
@@ -94,7 +94,7 @@ fn document(size: (u32, u32), base: Color, content: impl FnOnce(&mut String) -> 
     out
 }
 
-/// The colour under everything.
+/// Writes the background.
 fn write_base(out: &mut String, (w, h): (u32, u32), base: Color) -> fmt::Result {
     writeln!(out, r#"<rect width="{w}" height="{h}" {}/>"#, fill(base))
 }
@@ -105,7 +105,7 @@ fn group(out: &mut String, id: &str, tag: &str, content: impl FnOnce(&mut String
     writeln!(out, "</g>")
 }
 
-fn write_marks(out: &mut String, marks: &[Mark]) -> fmt::Result {
+fn write_marks(out: &mut String, marks: &[Primitive]) -> fmt::Result {
     marks.iter().try_for_each(|mark| write_mark(out, mark))
 }
 
@@ -125,7 +125,7 @@ fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
         writeln!(out, r#"transform="translate({x} {y}) rotate({turn})" {} {rim}/>"#, fill(body.fill))?;
     }
     if let Some(color) = body.notch {
-        let (c, r) = (body.front(), body.girth());
+        let (c, r) = (body.front(), body.clearance_radius());
         let (a, b) = (c + body.along * (NOTCH_FROM * r), c + body.along * (NOTCH_TO * r));
         let notch = stroke(Stroke::plain((2.0 * NOTCH_HALF_WIDTH * r).max(1.2), color));
         write!(out, r#"<path d="M{} {}L{} {}" "#, n(a.x), n(a.y), n(b.x), n(b.y))?;
@@ -137,7 +137,7 @@ fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
 fn write_insect(out: &mut String, insect: &Insect) -> fmt::Result {
     let root = insect.root;
     for (tip, chord) in insect.tips.into_iter().zip(insect.chords) {
-        // a leaf: two curves from root to tip
+        // A leaf: two curves from root to tip.
         let (middle, side) = (root.lerp(tip, 0.7), (tip - root).perp().normalize_or_zero() * (1.7 * chord));
         let (a, b) = (middle + side, middle - side);
         write!(out, r#"<path d="M{} {}Q{} {} {} {}"#, n(root.x), n(root.y), n(a.x), n(a.y), n(tip.x), n(tip.y))?;
@@ -149,41 +149,41 @@ fn write_insect(out: &mut String, insect: &Insect) -> fmt::Result {
     writeln!(out, r#"stroke-linecap="round" {body}/>"#)
 }
 
-fn write_mark(out: &mut String, mark: &Mark) -> fmt::Result {
+fn write_mark(out: &mut String, mark: &Primitive) -> fmt::Result {
     match mark {
-        Mark::Area { rings, fill: color } => {
+        Primitive::Area { rings, fill: color } => {
             let path: String = rings.iter().map(|ring| path(ring, true)).collect();
             writeln!(out, r#"<path d="{path}" fill-rule="evenodd" {}/>"#, fill(*color))
         }
-        Mark::Line { points, closed, stroke: line } => {
+        Primitive::Line { points, closed, stroke: line } => {
             let cap = if line.dash.is_some() { "butt" } else { "round" };
             let ends = format!(r#"fill="none" stroke-linejoin="round" stroke-linecap="{cap}""#);
             writeln!(out, r#"<path d="{}" {ends} {}/>"#, path(points, *closed), stroke(*line))
         }
-        Mark::Disc { center, radius, fill: color } => {
+        Primitive::Disc { center, radius, fill: color } => {
             writeln!(out, r#"<circle cx="{}" cy="{}" r="{}" {}/>"#, n(center.x), n(center.y), n(*radius), fill(*color))
         }
-        Mark::Agent(disc) => write_body(out, disc),
-        Mark::Insect(insect) => write_insect(out, insect),
-        Mark::Trails(trails) | Mark::Streaks(trails) => write_trails(out, trails),
-        Mark::Ring { center, radius, stroke: line } => {
+        Primitive::Agent(disc) => write_body(out, disc),
+        Primitive::Insect(insect) => write_insect(out, insect),
+        Primitive::Trails(trails) | Primitive::Streaks(trails) => write_trails(out, trails),
+        Primitive::Ring { center, radius, stroke: line } => {
             let (x, y, r) = (n(center.x), n(center.y), n(*radius));
             writeln!(out, r#"<circle cx="{x}" cy="{y}" r="{r}" fill="none" {}/>"#, stroke(*line))
         }
-        Mark::Within { low, high, marks } => {
-            // a document within the document shows what is within its view
+        Primitive::Within { low, high, marks } => {
+            // A nested document clips to its view box.
             let size = *high - *low;
             let (x, y, w, h) = (n(low.x), n(low.y), n(size.x), n(size.y));
             writeln!(out, r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}">"#)?;
             write_marks(out, marks)?;
             writeln!(out, "</svg>")
         }
-        Mark::Pixels(image) => {
+        Primitive::Pixels(image) => {
             let (w, h) = (image.width(), image.height());
             let bytes = base64(&png_bytes(image));
             writeln!(out, r#"<image width="{w}" height="{h}" href="data:image/png;base64,{bytes}"/>"#)
         }
-        Mark::Text { text, at, anchor, size, color } => {
+        Primitive::Text { text, at, anchor, size, color } => {
             let anchor = match anchor {
                 Anchor::Start => "start",
                 Anchor::Middle => "middle",
@@ -208,7 +208,7 @@ fn path(points: &[Vec2], closed: bool) -> String {
     path
 }
 
-/// A number with two digits after the point and no more of them than it needs.
+/// Rounds a number to two digits after the point.
 fn n(value: f32) -> f32 {
     let rounded = (value * 100.0).round() / 100.0;
     if rounded.is_finite() { rounded + 0.0 } else { 0.0 }
@@ -232,7 +232,7 @@ fn stroke(stroke: Stroke) -> String {
     text
 }
 
-/// Text as it may stand in XML.
+/// Escapes text for XML.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Type: a font, drawn glyph by glyph from a cache.
+//! Type: a font, drawn from cached glyphs.
 
 use crate::Color;
 use crate::Error;
@@ -9,14 +9,14 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-/// Glyphs are drawn at a quarter of a pixel.
+/// The number of horizontal glyph positions per pixel.
 const STEPS: f32 = 4.0;
 
-/// A glyph, size and quarter of a pixel.
+/// The key of a glyph: its id, size and fraction of a pixel.
 type Key = (u16, u32, u8);
 
-/// The face that pictures are lettered in. Two of the same name are equal. The default is that which the library brings along, Ubuntu
-/// Light; none, and no lettering, without its feature `typeface`.
+/// The typeface of pictures. Typefaces with the same name are equal. The default is Ubuntu Light, which the library
+/// includes; without the feature `typeface`, there is no default and no lettering.
 ///
 /// ```
 /// use throng_draw::{Style, Typeface};
@@ -31,10 +31,10 @@ pub struct Typeface {
 }
 
 impl Typeface {
-    /// A TrueType or OpenType font, with its name.
+    /// Creates a typeface from a TrueType or OpenType font.
     ///
     /// # Errors
-    /// [`Error::Typeface`]: it is no font.
+    /// [`Error::Typeface`] if the bytes are not a font.
     pub fn new(name: &str, bytes: Vec<u8>) -> Result<Self, Error> {
         let font = FontArc::try_from_vec(bytes).map_err(|_| Error::Typeface { name: name.into() })?;
         Ok(Self { name: name.into(), font: Some(font) })
@@ -63,7 +63,7 @@ impl fmt::Debug for Typeface {
     }
 }
 
-/// A typeface, and the glyphs it has been asked for.
+/// A typeface with its cached glyphs.
 #[derive(Debug)]
 pub(crate) struct Type {
     font: Option<FontArc>,
@@ -72,7 +72,7 @@ pub(crate) struct Type {
 
 #[derive(Debug, Default)]
 struct Bitmap {
-    /// Of its top left corner from the pen.
+    /// The offset of its upper left corner from the pen.
     left: i32,
     top: i32,
     width: usize,
@@ -84,12 +84,12 @@ impl Type {
         Self { font: typeface.font.clone(), glyphs: BTreeMap::new() }
     }
 
-    /// Width of a line of text, pixels; `size` is that of an em.
+    /// Returns the width of a line of text, pixels; `size` is the size of an em.
     pub(crate) fn width(&self, text: &str, size: f32) -> f32 {
         self.pens(text, size).1
     }
 
-    /// `text`, cut off with an ellipsis where it is wider than `room`.
+    /// Returns `text`, shortened with an ellipsis if it is wider than `room`.
     pub(crate) fn clip(&self, text: &str, size: f32, room: f32) -> String {
         let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         if self.width(&line, size) <= room {
@@ -105,12 +105,12 @@ impl Type {
         cut
     }
 
-    /// The font's own measure of size, from line to line, for a size of an em in pixels.
+    /// Returns the font's own measure of size (from line to line) for an em size in pixels.
     fn scale(font: &FontArc, size: f32) -> f32 {
         size * font.height_unscaled() / font.units_per_em().unwrap_or(1000.0)
     }
 
-    /// Where each glyph goes, and the width of the line.
+    /// Returns the position of each glyph, and the width of the line.
     fn pens(&self, text: &str, size: f32) -> (Vec<(GlyphId, f32)>, f32) {
         let Some(font) = &self.font else { return (Vec::new(), 0.0) };
         let font = font.as_scaled(Self::scale(font, size));
@@ -127,7 +127,7 @@ impl Type {
         (pens, x)
     }
 
-    /// Draws a line of text whose baseline begins at `at`.
+    /// Draws a line of text. Its baseline begins at `at`.
     pub(crate) fn draw(&mut self, image: &mut Image, text: &str, at: Vec2, size: f32, color: Color) {
         let (width, height) = (image.width() as i32, image.height() as i32);
         let y = at.y.round() as i32;

@@ -1,4 +1,4 @@
-//! Where agents have been: the last seconds of each, and the layer they are drawn on.
+//! Trails: the last seconds of each agent, and the layer they are drawn in.
 
 use crate::Color;
 use crate::image::{Image, blend};
@@ -7,36 +7,36 @@ use glam::{DVec3, Vec2};
 use std::collections::{BTreeMap, VecDeque};
 use throng_record::{Body, Frame};
 
-/// An agent that is further away than this from where it just was has been moved, metres.
+/// The distance between two moments above which an agent counts as relocated, metres.
 const JUMP: f64 = 3.0;
 
-/// Opacity of a trail where it leaves the agent.
+/// The opacity of a trail at the agent.
 const OPACITY: f32 = 0.5;
-/// Half the width of a trail there, in radii of the body.
+/// Half the width of a trail at the agent, in radii of the body.
 const HALF_WIDTH: f32 = 0.42;
 
-/// The last seconds of one agent.
+/// The last seconds of an agent.
 #[derive(Clone, Debug, Default)]
-pub struct Track {
-    /// When and where, oldest first.
+pub struct AgentTrail {
+    /// Times and positions, oldest first.
     pub points: VecDeque<(f64, DVec3)>,
-    /// Its colour when it was last seen.
+    /// The colour at the last moment.
     pub color: Option<Color>,
-    /// Its radius, metres.
+    /// The radius, metres.
     pub radius: f32,
 }
 
-/// The last seconds of everybody, by number.
+/// The last seconds of all agents, by number.
 #[derive(Clone, Debug, Default)]
 pub struct Trails {
-    /// The last seconds of each.
-    pub tracks: BTreeMap<u32, Track>,
+    /// The tracks of the agents.
+    pub tracks: BTreeMap<u32, AgentTrail>,
     last: f64,
 }
 
 impl Trails {
-    /// Remembers where everybody is who has a colour. Points nearer together than `spacing` metres are one; what is older than
-    /// `seconds` is forgotten. Time that runs backwards starts anew.
+    /// Adds the positions of a moment, for agents with a colour. Points nearer together than `spacing` metres are
+    /// merged; points older than `seconds` are dropped. If time runs backwards, all trails are cleared.
     pub fn follow(&mut self, frame: &Frame, seconds: f64, spacing: f64, colors: impl Fn(&Body) -> Option<Color>) {
         if frame.time < self.last {
             self.tracks.clear();
@@ -49,12 +49,12 @@ impl Trails {
             let Some(color) = colors(body) else { continue };
             let place = body.center();
             let track = self.tracks.entry(body.number).or_default();
-            (track.color, track.radius) = (Some(color), body.shape().girth());
+            (track.color, track.radius) = (Some(color), body.shape().clearance_radius());
             let points = &mut track.points;
             if points.back().is_some_and(|p| p.1.distance(place) > JUMP.max(10.0 * spacing)) {
                 points.clear();
             }
-            // The newest point moves along until it is far enough from the one before it.
+            // The newest point moves along until it is far enough from the previous one.
             let n = points.len();
             if n >= 2 && points[n - 2].1.distance(place) < spacing {
                 points[n - 1] = (frame.time, place);
@@ -73,9 +73,9 @@ impl Trails {
     }
 }
 
-impl Track {
-    /// How it looks to somebody who sees it at `now`, where it fades within `seconds`: places from the oldest to the newest, half
-    /// the width there, metres, and the opacity.
+impl AgentTrail {
+    /// Returns the trail as it looks at `now` if it fades within `seconds`: positions from the oldest to the newest,
+    /// half the width (metres), and the opacity.
     pub fn fading(&self, now: f64, seconds: f64) -> impl Iterator<Item = (DVec3, f32, f32)> {
         self.points.iter().map(move |&(time, place)| {
             let fresh = freshness(now - time, seconds);
@@ -84,13 +84,13 @@ impl Track {
     }
 }
 
-/// How far along its fading a point of age `age` is: 1 new, 0 gone.
+/// Returns the remaining strength of a point of age `age`: 1 for a new point, 0 for a faded one.
 fn freshness(age: f64, seconds: f64) -> f32 {
     let left = (1.0 - age / seconds).clamp(0.0, 1.0) as f32;
     left * left.sqrt()
 }
 
-/// What it takes to draw a trail.
+/// The settings for drawing trails.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Brush {
     pub projector: Projector,
@@ -98,8 +98,8 @@ pub(crate) struct Brush {
 }
 
 impl Brush {
-    /// A trail, oldest end first; in parts, where some of it is behind the eye.
-    pub(crate) fn trails(&self, track: &Track, color: Color, now: f64) -> Vec<Trail> {
+    /// Returns the trail, oldest end first; several parts if some of it is behind the viewpoint.
+    pub(crate) fn trails(&self, track: &AgentTrail, color: Color, now: f64) -> Vec<Trail> {
         let end = |&(time, point): &(f64, DVec3)| {
             let half = ((f64::from(track.radius) * self.projector.scale(point)) as f32 * HALF_WIDTH).max(0.6);
             let fresh = freshness(now - time, self.seconds);
@@ -111,21 +111,21 @@ impl Brush {
     }
 }
 
-/// A layer that keeps, for each pixel, the strongest trail over it: crossings and joints do not add up.
+/// A layer that keeps the strongest trail over each pixel, so that crossings and joints do not add up.
 #[derive(Clone, Debug)]
 pub(crate) struct TrailLayer {
     width: usize,
     height: usize,
-    /// 0 to 1.
+    /// Opacity, 0 to 1.
     opacity: Vec<f32>,
     color: Vec<u32>,
     /// The middle of each column.
     middles: Vec<f32>,
-    /// Rows that something was drawn on.
+    /// The rows with any drawing.
     rows: std::ops::Range<usize>,
 }
 
-/// A trail to be drawn, from end to end of its pieces.
+/// A trail as a sequence of ends of its segments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trail {
     pub ends: Vec<End>,
@@ -133,7 +133,7 @@ pub struct Trail {
 }
 
 impl Trail {
-    /// A trail in parts, where some of its ends cannot be seen.
+    /// Splits a trail at its invisible ends.
     pub(crate) fn parts(ends: impl IntoIterator<Item = Option<End>>, color: Color) -> Vec<Self> {
         let ends: Vec<Option<End>> = ends.into_iter().collect();
         let parts = ends.split(|end| end.is_none()).filter(|part| part.len() > 1);
@@ -141,16 +141,16 @@ impl Trail {
     }
 }
 
-/// The end of a piece of a trail.
+/// An end of a segment of a trail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// Pixel.
+    /// The position, pixels.
     pub at: Vec2,
-    /// Half the width there, pixels.
+    /// Half the width, pixels.
     pub half: f32,
-    /// Opacity there, 0 to 1.
+    /// The opacity, 0 to 1.
     pub opacity: f32,
-    /// How far it is from the eye along the ground.
+    /// The horizontal distance from the viewpoint.
     pub away: f64,
 }
 
@@ -167,7 +167,7 @@ impl TrailLayer {
         }
     }
 
-    /// Draws all pieces of a trail.
+    /// Draws all segments of a trail.
     pub(crate) fn draw(&mut self, trail: &Trail) {
         trail.ends.windows(2).for_each(|ends| self.piece(ends[0], ends[1], trail.color));
     }
@@ -181,7 +181,7 @@ impl TrailLayer {
             return;
         }
         let span = |low: f32, high: f32, end: usize| {
-            // A cast takes what is below zero to zero.
+            // The cast maps negative numbers to 0.
             ((low - 0.5).ceil() as usize)..((high + 0.5).floor().max(0.0) as usize).min(end)
         };
         let (rows, columns) = (span(low.y, high.y, self.height), span(low.x, high.x, self.width));
@@ -201,7 +201,7 @@ impl TrailLayer {
             let (first, last) = (y * self.width + columns.start, y * self.width + columns.end);
             let opacities = &mut self.opacity[first..last];
             let colors = &mut self.color[first..last];
-            // No branches: the compiler makes vectors of it.
+            // Without branches, so that the compiler vectorises the loop.
             for ((opacity, color), middle) in opacities.iter_mut().zip(colors).zip(&self.middles[columns.clone()]) {
                 let dx = middle - a.at.x;
                 let t = (dx * unit.x + dy * unit.y).clamp(0.0, 1.0);
@@ -216,7 +216,7 @@ impl TrailLayer {
         }
     }
 
-    /// Lays the layer over the picture and clears it.
+    /// Draws the layer on a picture and clears it.
     pub(crate) fn lay(&mut self, image: &mut Image) {
         let span = self.rows.start * self.width..self.rows.end * self.width;
         let under = &mut image.data_mut()[span.start * 4..span.end * 4];
@@ -249,7 +249,7 @@ mod tests {
             velocity: Vec2::ZERO,
             altitude: 0.0,
             basis: None,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             heading: 0.0,
             radius: 0.2,
             core: Vec2::ZERO,
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn trails_are_forgotten_after_their_time_even_of_those_who_left() {
+    fn trails_of_absent_agents_are_dropped_after_their_time() {
         let mut trails = Trails::default();
         for k in 0..50 {
             let time = f64::from(k) * 0.1;
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn time_that_runs_backwards_starts_anew() {
+    fn backward_time_clears_the_trails() {
         let mut trails = Trails::default();
         trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
         trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| Some(INK));
@@ -291,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_that_overlap_are_no_darker_than_one() {
+    fn overlapping_segments_are_no_darker_than_one() {
         let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5, away: 0.0 };
         let mut layer = TrailLayer::new(40, 20);
         let mut image = Image::new(40, 20, PAPER);

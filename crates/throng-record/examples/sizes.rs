@@ -1,7 +1,7 @@
-//! How many bytes each kind of file takes for one agent at one moment, and how long it takes to write them.
+//! Measures the bytes per agent and frame of each file format, and the time of writing.
 //!
-//! `cargo run --release -p throng-record --example sizes [SCENE [SECONDS [FOLDER]]]`: a scene of the gallery, every step of it. Files
-//! stay where a folder is named.
+//! `cargo run --release -p throng-record --example sizes [SCENE [SECONDS [FOLDER]]]`: every step of a gallery scene.
+//! Files stay if a folder is named.
 #![allow(clippy::print_stdout)]
 
 use std::path::PathBuf;
@@ -41,13 +41,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         world.step();
         stepping += start.elapsed();
     }
-    println!("{name}: {moments} moments, {rows} agent-frames, {:.0} ms of stepping", 1e3 * stepping.as_secs_f64());
+    println!("{name}: {moments} frames, {rows} agent-frames, {:.0} ms of stepping", 1e3 * stepping.as_secs_f64());
     for (format, path, writer, spent) in files {
         let start = Instant::now();
         writer.finish()?;
         let (size, end) = (std::fs::metadata(path)?.len(), start.elapsed());
         println!(
-            "  .{:8} {:6.2} bytes an agent-frame, {:6.0} ns for one, {:6.0} ms at the end",
+            "  .{:8} {:6.2} bytes and {:6.0} ns per agent-frame, {:6.0} ms at the end",
             format.ending,
             size as f64 / rows as f64,
             spent.as_secs_f64() * 1e9 / rows as f64,

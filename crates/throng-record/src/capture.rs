@@ -1,19 +1,19 @@
-//! From a world to its setting and its moments.
+//! The setting and the frames of a world.
 
 use crate::{Body, Flow, Frame, Setting};
 use throng::motion::Locomotion;
 use throng::{Group, World};
 
 impl Setting {
-    /// The place, the groups with the fields that govern them, and the goals of a world as they are now. What its behaviours
-    /// steer by it does not know.
+    /// Returns the place, the groups with the fields that govern them, and the goals of a world as they are now. The
+    /// geometry that only steering behaviours hold (shells and paths) is missing.
     ///
     /// ```
     /// use throng::{Settings, World};
     /// use throng_record::{Frame, Setting};
     /// let world = World::new(Settings::default())?;
-    /// let (setting, frame) = (Setting::of(&world, "Nobody"), Frame::of(&world));
-    /// assert_eq!((setting.title.as_str(), frame.bodies.len()), ("Nobody", 0));
+    /// let (setting, frame) = (Setting::of(&world, "Empty"), Frame::of(&world));
+    /// assert_eq!((setting.title.as_str(), frame.bodies.len()), ("Empty", 0));
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn of(world: &World, title: impl Into<String>) -> Self {
@@ -33,23 +33,23 @@ impl Setting {
 }
 
 impl Frame {
-    /// Everybody in a world now.
+    /// Returns the agents of a world now.
     pub fn of(world: &World) -> Self {
         let mut frame = Self::default();
         frame.capture(world);
         frame
     }
 
-    /// Becomes the frame of `world` now; the memory for the bodies is used again.
+    /// Sets the frame to `world` now and reuses the memory of the bodies.
     pub fn capture(&mut self, world: &World) {
-        let (agents, origin) = (world.agents(), world.settings().origin);
+        let (agents, origin) = (world.relative_columns(), world.settings().origin);
         let counts = world.counts();
         self.time = world.time();
         self.arrived = counts.arrived;
         self.total = counts.agents;
         self.standing = world.standing();
         self.accounts.clear();
-        self.accounts.extend_from_slice(world.accounts());
+        self.accounts.extend_from_slice(world.traces());
         let body = |row: usize| Body {
             number: agents.number[row],
             group: agents.group[row].index() as u32,
@@ -57,7 +57,7 @@ impl Frame {
             position: agents.position[row].as_dvec2() + origin,
             altitude: agents.altitude[row],
             velocity: agents.velocity[row],
-            climb: agents.climb[row],
+            vertical_velocity: agents.vertical_velocity[row],
             heading: agents.heading[row],
             basis: flies(&world.groups()[agents.group[row].index()]).then(|| agents.attitude[row].basis),
             radius: agents.radius[row],
@@ -76,10 +76,10 @@ impl Frame {
     }
 }
 
-/// At which place each row comes when they go by their numbers. Rows lie in memory as the agents do in space: to read them one after
-/// the other and to write them where they belong takes half the time of the other way round.
+/// Returns the position of each row in the order of agent numbers. Rows lie in memory as the agents lie in space:
+/// reading rows in order and writing to scattered places takes half the time of the opposite.
 fn places(numbers: &[u32]) -> Vec<u32> {
-    // packed, so that nothing is looked up while they are compared
+    // number and row are packed, so that comparisons need no look-up
     let mut order: Vec<u64> = numbers.iter().zip(0..).map(|(&number, row)| u64::from(number) << 32 | row).collect();
     order.sort_unstable();
     let mut places = vec![0; numbers.len()];
@@ -89,7 +89,7 @@ fn places(numbers: &[u32]) -> Vec<u32> {
     places
 }
 
-/// Whether those of a group fly as vehicles.
+/// Whether the agents of a group fly as vehicles.
 fn flies(group: &Group) -> bool {
     group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground
 }
@@ -101,7 +101,7 @@ mod tests {
     use throng::{Agent, Goal, Journey, Settings, Stop};
 
     #[test]
-    fn a_frame_holds_everybody_by_number_in_world_coordinates() {
+    fn a_frame_holds_all_agents_by_number_in_world_coordinates() {
         let origin = DVec2::new(1000.0, -500.0);
         let mut world = World::new(Settings { origin, ..Settings::default() }).unwrap();
         let goal = world.add_goal(Goal::Point { at: origin, tolerance: 0.1 }).unwrap();

@@ -1,37 +1,37 @@
-//! Which part of what happens is written.
+//! Selects the part of a recording that is written.
 
 use crate::formats::{Column, Format, Writer};
 use crate::resample::{Beat, Resampled, SLACK};
 use crate::{Frame, Output, OutputError, Setting};
 use std::ops::RangeInclusive;
 
-/// Which part of what happens is written; by default, all of it.
+/// The part of a recording that is written; by default, all of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// The first moment, seconds.
+    /// Time of the first frame, seconds.
     pub from: f64,
-    /// The last moment, seconds.
+    /// Time of the last frame, seconds.
     pub to: f64,
-    /// Moments a second, the first of them at [`from`](Self::from), or at a multiple of the time between two: between steps
-    /// everybody goes straight on. `None`: every step.
+    /// Frames per second, the first at [`from`](Self::from), or else at a multiple of the interval. Positions between
+    /// steps are interpolated linearly. `None`: every step.
     pub rate: Option<f64>,
-    /// The numbers of those who are written; empty: everybody.
+    /// The numbers of the agents that are written; empty: all agents.
     pub agents: Vec<RangeInclusive<u32>>,
-    /// The names of the groups that are written; empty: all of them. A group without a name is called by its index.
+    /// The names of the groups that are written; empty: all groups. The name of a group without a name is its index.
     pub groups: Vec<String>,
-    /// The columns of a table, in this order; empty: those that its kind has.
+    /// The columns of a table, in this order; empty: those of the format.
     pub columns: Vec<Column>,
 }
 
-/// Why a choice cannot be made.
+/// An error of a choice.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ChoiceError {
     /// There is no group of this name.
-    #[error("there is no group `{name}`\n  hint: there is: {}", groups.join(", "))]
+    #[error("there is no group `{name}`\n  hint: the groups are: {}", groups.join(", "))]
     Group {
         /// The name.
         name: String,
-        /// Those that there are.
+        /// The names of all groups.
         groups: Vec<String>,
     },
     /// A column is named twice.
@@ -40,10 +40,10 @@ pub enum ChoiceError {
         /// The column.
         column: Column,
     },
-    /// The kind of file has no columns to choose.
-    #[error("the columns of .{ending} cannot be chosen\n  hint: those of a table can: {}", tables())]
+    /// The format has no columns to choose.
+    #[error("the columns of .{ending} cannot be chosen\n  hint: only tables have columns to choose: {}", tables())]
     Columns {
-        /// Of its names.
+        /// The ending of its names.
         ending: &'static str,
     },
 }
@@ -62,7 +62,7 @@ impl Default for Choice {
 }
 
 impl Choice {
-    /// That what is chosen is there.
+    /// Checks that the chosen groups and columns exist.
     ///
     /// ```
     /// use throng_record::{Choice, Format, Setting};
@@ -73,7 +73,7 @@ impl Choice {
     /// ```
     ///
     /// # Errors
-    /// A group is not there, a column comes twice, or one of the kinds of files has no columns to choose.
+    /// A group does not exist, a column occurs twice, or one of the formats has no columns to choose.
     pub fn check<'a>(&self, setting: &Setting, kinds: impl IntoIterator<Item = &'a Format>) -> Result<(), ChoiceError> {
         if let Some(name) = self.groups.iter().find(|name| !names(setting).any(|own| own == **name)) {
             return Err(ChoiceError::Group { name: name.clone(), groups: names(setting).collect() });
@@ -86,7 +86,7 @@ impl Choice {
         fixed.map_or(Ok(()), |kind| Err(ChoiceError::Columns { ending: kind.ending }))
     }
 
-    /// The numbers of agents as people write them: one, or the first and the last of a range.
+    /// Parses agent numbers as users write them: a number, or the first and the last of a range.
     ///
     /// ```
     /// use throng_record::Choice;
@@ -95,18 +95,18 @@ impl Choice {
     /// ```
     ///
     /// # Errors
-    /// It is neither; what to write.
+    /// The text is neither; the error says what to write.
     pub fn numbers(text: &str) -> Result<RangeInclusive<u32>, String> {
         let (first, last) = text.split_once('-').unwrap_or((text, text));
         let range = first.trim().parse().ok().zip(last.trim().parse().ok()).map(|(first, last)| first..=last);
         range.filter(|range| !range.is_empty()).ok_or_else(|| "write numbers and ranges, such as 1,5,10-20".into())
     }
 
-    /// Begins a file of a kind that is [written](Format::is_written), in which only what is chosen comes; `None` if it is not.
-    /// Moments between two steps are left out as soon as `stop` returns true.
+    /// Starts a file that receives only the chosen part; `None` if the format cannot be [written](Format::is_written).
+    /// Interpolated frames are skipped as soon as `stop` returns true.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn create(
         &self,
         format: &Format,
@@ -124,7 +124,7 @@ impl Choice {
         }))
     }
 
-    /// Whether a moment is needed, which comes at `time` seconds between two others.
+    /// Whether the frame at `time` is needed, where `before` and `after` are the times of its neighbours, seconds.
     pub fn needs(&self, before: f64, time: f64, after: f64) -> bool {
         match self.beat() {
             Some(beat) => beat.needs(before, after),
@@ -136,7 +136,7 @@ impl Choice {
         self.rate.map(|rate| Beat { from: self.from, to: self.to, rate })
     }
 
-    /// A writer that takes only those who are chosen.
+    /// Returns a writer that writes only the chosen agents.
     fn members(&self, writer: Box<dyn Writer>, setting: &Setting) -> Box<dyn Writer> {
         if self.agents.is_empty() && self.groups.is_empty() {
             return writer;
@@ -146,13 +146,13 @@ impl Choice {
     }
 }
 
-/// Writes some of those who are there.
+/// Writes some of the agents.
 struct Members {
     writer: Box<dyn Writer>,
     agents: Vec<RangeInclusive<u32>>,
     /// Whether a group is chosen, by index.
     groups: Vec<bool>,
-    /// Those of the moment who are.
+    /// The chosen agents of the frame.
     frame: Frame,
 }
 
@@ -173,12 +173,12 @@ impl Writer for Members {
     }
 }
 
-/// What the groups are called.
+/// Returns the names of the groups.
 fn names(setting: &Setting) -> impl Iterator<Item = String> + '_ {
     (0..setting.groups.len() as u32).map(|group| setting.group_name(group).into_owned())
 }
 
-/// How the names of tables end.
+/// Returns the endings of table formats.
 fn tables() -> String {
     let tables = crate::formats::FORMATS.iter().filter(|format| format.has_columns());
     tables.map(|format| format!(".{}", format.ending)).collect::<Vec<_>>().join(", ")

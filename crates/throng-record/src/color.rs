@@ -1,7 +1,8 @@
-//! Colours that groups are told apart by, in pictures and in files.
+//! Colours that distinguish groups in pictures and in files.
 
-/// The colours of groups and goals, in order, red, green and blue, sRGB. Their hues follow Okabe and Ito (2008), "Color universal
-/// design", muted and moved apart in lightness, so that the colour-blind tell them apart.
+/// The colours of groups and goals, in order: red, green and blue, sRGB. Their hues follow Okabe and Ito (2008), "Color
+/// universal design". They are less saturated and spread in lightness, so that colour-blind viewers can distinguish
+/// them.
 pub const PALETTE: [[u8; 3]; 8] = [
     [0x38, 0x66, 0xb6], // blue
     [0xe3, 0x8c, 0x2e], // orange
@@ -13,13 +14,13 @@ pub const PALETTE: [[u8; 3]; 8] = [
     [0xb6, 0x4c, 0x23], // vermilion
 ];
 
-/// The colour of the group or goal `index`: the palette, then the palette again in paler rounds.
+/// Returns the colour of the group or goal `index`: the palette, then the palette again in three paler rounds.
 pub fn palette(index: usize) -> [u8; 3] {
     let pale = 0.25 * (index / PALETTE.len()).min(3) as f32;
     PALETTE[index % PALETTE.len()].map(|c| (f32::from(c) + (255.0 - f32::from(c)) * pale + 0.5) as u8)
 }
 
-/// The same as linear light, 0 to 1, which is what materials are made of.
+/// Returns the same colour as linear light, 0 to 1, the unit of materials.
 #[cfg(any(feature = "glb", feature = "usda"))]
 pub(crate) fn linear(index: usize) -> [f32; 3] {
     palette(index).map(|c| {

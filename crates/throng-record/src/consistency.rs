@@ -1,22 +1,23 @@
-//! Whether the velocities that a file states agree with its places and times.
+//! Checks whether the velocities that a file states agree with its positions and times.
 
 use crate::formats::Reading;
 use crate::pedestrian::median;
-use crate::tracks::Spot;
+use crate::trajectories::Sample;
 use std::collections::BTreeMap;
 
-/// Stated velocities and displacements that differ by more than this part contradict each other.
+/// Greatest relative difference of stated velocities and displacements that agree.
 const TOLERANCE: f64 = 0.2;
-/// Slower motion is noise, and so are velocities that change by more than this part from row to row.
+/// Speeds below this count as noise, m/s. `STEADY` is the greatest relative change of a velocity from row to row.
 const SLOWEST: f32 = 0.2;
 const STEADY: f32 = 0.2;
-/// Fewer pairs of rows than this say nothing.
+/// Least number of pairs of rows for a statement.
 const FEWEST: usize = 10;
 
-/// The median ratio of the speed that a file states to that of the displacement, over all pairs of consecutive rows of one agent that moves
-/// steadily; `None` where there are too few of them. `spots` are by time. Where times count frames, it is frames a second.
-pub(crate) fn stated_over_displaced(spots: &[Spot]) -> Option<f64> {
-    let mut last: BTreeMap<u32, &Spot> = BTreeMap::new();
+/// Returns the median ratio of the speed that a file states to that of the displacement, over all pairs of consecutive
+/// rows of an agent that moves steadily. Returns `None` for too few pairs. `spots` are sorted by time. If times are
+/// frame numbers, the ratio is the frame rate, frames per second.
+pub(crate) fn stated_over_displaced(spots: &[Sample]) -> Option<f64> {
+    let mut last: BTreeMap<u32, &Sample> = BTreeMap::new();
     let mut ratios = Vec::new();
     for spot in spots {
         let Some(before) = last.insert(spot.number, spot) else { continue };
@@ -30,8 +31,8 @@ pub(crate) fn stated_over_displaced(spots: &[Spot]) -> Option<f64> {
     (ratios.len() >= FEWEST).then(|| median(ratios))
 }
 
-/// What to tell of a file whose velocities contradict its places and times by more than a fifth.
-pub(crate) fn contradiction(spots: &[Spot], reading: &Reading) -> Option<String> {
+/// Returns a message if the velocities of a file contradict its positions and times by more than a fifth.
+pub(crate) fn contradiction(spots: &[Sample], reading: &Reading) -> Option<String> {
     let ratio = stated_over_displaced(spots)?;
     if ratio.max(1.0 / ratio) <= 1.0 + TOLERANCE {
         return None;
@@ -43,7 +44,7 @@ pub(crate) fn contradiction(spots: &[Spot], reading: &Reading) -> Option<String>
     })
 }
 
-/// A rate to the next half frame a second.
+/// Rounds a rate to the nearest half frame per second.
 pub(crate) fn rounded(rate: f64) -> f64 {
     0.5 * (2.0 * rate).round()
 }

@@ -1,6 +1,6 @@
-//! Numbers for tests.
+//! Random numbers for tests.
 
-/// Numbers from 0 to 1 that look random, the same for the same seed.
+/// Returns a generator of pseudorandom numbers from 0 to 1, determined by the seed.
 pub(crate) fn draws(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {

@@ -1,11 +1,11 @@
-//! Fields that lead groups, to be seen.
+//! Fields that guide groups, for display.
 
 use std::fmt;
 use std::sync::Arc;
 use throng::field::{Anchor, Field};
 use throng::{Group, World};
 
-/// A field that leads one group or several, and what there is to tell of it.
+/// A field that guides groups, with its anchors.
 ///
 /// ```
 /// use glam::Vec3;
@@ -17,23 +17,24 @@ use throng::{Group, World};
 /// ```
 #[derive(Clone)]
 pub struct Flow {
-    /// The field; places are relative to [`Setting::origin`](crate::Setting::origin).
+    /// The field; positions are relative to [`Setting::origin`](crate::Setting::origin).
     pub field: Arc<dyn Field>,
-    /// What it was sketched by, relative to the same origin.
+    /// The anchors of a sketched field, relative to the same origin.
     pub anchors: Vec<Anchor>,
-    /// Whom it leads: indices into [`Setting::groups`](crate::Setting::groups).
+    /// The groups that the field guides: indices into [`Setting::groups`](crate::Setting::groups).
     pub groups: Vec<u32>,
-    /// Whether it is the same at all times: it need not be looked at again at every moment. Who does not know leaves it `false`.
+    /// Whether the field is constant in time, so that a viewer need not sample it again at every frame. `false` if
+    /// unknown.
     pub still: bool,
 }
 
 impl Flow {
-    /// A field that nothing else is known of.
+    /// Returns a field without groups and anchors.
     pub fn of(field: Arc<dyn Field>) -> Self {
         Self { field, anchors: Vec::new(), groups: Vec::new(), still: false }
     }
 
-    /// The fields that govern the groups of a world ([`Group::field`]), each once.
+    /// Returns the fields that govern the groups of a world ([`Group::field`]), each once.
     pub fn all(world: &World) -> Vec<Self> {
         let mut flows: Vec<Self> = Vec::new();
         let governed = |(index, group): (u32, &Group)| Some((index, group.field.as_ref()?.field.clone()));
@@ -47,7 +48,7 @@ impl Flow {
     }
 }
 
-/// The same field, not one that is alike, and the same beside it.
+/// Equal flows share the same field object, not an equal one; all else is compared by value.
 impl PartialEq for Flow {
     fn eq(&self, other: &Self) -> bool {
         let beside = |flow: &Self| (flow.still, flow.groups.clone(), flow.anchors.clone());
@@ -79,7 +80,7 @@ mod tests {
             world.add_group(Group { field, ..Group::default() }).unwrap();
         }
         let flows = Flow::all(&world);
-        // the first group is the one that every world has
+        // every world has a first group
         assert_eq!(flows.iter().map(|flow| flow.groups.clone()).collect::<Vec<_>>(), [vec![1, 4], vec![3]]);
         assert!(flows[0] == flows[0].clone() && flows[0] != flows[1]);
     }

@@ -1,11 +1,12 @@
-//! What happened in a world: its moments ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
+//! Recordings of a world: its frames ([`Setting`], [`Frame`], [`Body`]) and the files that hold them.
 //!
-//! [`series`] makes figures over time of them, [`swarm`] those of a swarm, [`pedestrian`] those of people, which [`validate`] compares with experiments; [`formats`] are the files of
-//! trajectories, [`Tracks`] what is read back, and [`Moments`] the same moment by moment; a [`Choice`] says what of it all is written;
-//! [`moment`] makes moments of the world of a scene; [`color`] tells groups apart. Every file is written through
-//! [`Output`], under a temporary name until it is complete. [`Behind`] lets another thread write them.
+//! [`series`] computes figures over time, [`swarm`] those of a swarm, [`pedestrian`] those of pedestrians, which
+//! [`validate`] compares with experiments. [`formats`] are the formats of trajectory files, [`Trajectories`] the trajectories
+//! of a file, and [`Moments`] the same grouped by time. A [`Choice`] selects what is written. [`moment`] makes frames
+//! of a scene's world. [`color`] distinguishes groups. Every file is written through [`Output`], under a temporary name
+//! until it is complete. [`BackgroundWriter`] writes in the background.
 
-mod behind;
+mod background;
 mod capture;
 mod choice;
 pub mod color;
@@ -25,16 +26,16 @@ mod resample;
 pub mod series;
 pub mod swarm;
 mod table;
-mod tracks;
+mod trajectories;
 pub mod validate;
 
-pub use behind::{Behind, Pool};
+pub use background::{BackgroundWriter, Pool};
 pub use choice::{Choice, ChoiceError};
 pub use flow::Flow;
-pub use formats::{Column, Flaw, Format, Reading, Writer, csv};
+pub use formats::{Column, Format, FormatFlaw, Reading, Writer, csv};
 pub use frame::{Body, Frame, Setting, Shell};
 pub use map::map;
 pub use moments::Moments;
 pub use output::{Hand, Output, OutputError};
 pub use table::Table;
-pub use tracks::{Spot, Tracks, TracksError};
+pub use trajectories::{Sample, Trajectories, TrajectoriesError};

@@ -1,32 +1,33 @@
-//! Limits of the numbers in files of trajectories: what comes after reading relies on them.
+//! Limits of the numbers in trajectory files: code that uses them relies on these.
 
-use crate::formats::Flaw;
-use crate::tracks::{Spot, Tracks};
+use crate::formats::FormatFlaw;
+use crate::trajectories::{Sample, Trajectories};
 use glam::DVec2;
+use std::ops::RangeInclusive;
 use throng::Obstacle;
 use throng_scene::MAX_COORDINATE;
 
-/// Greatest time, seconds: 317 years, so seconds since 1970 fit.
+/// Greatest absolute time, seconds: 317 years, so seconds since 1970 fit.
 const MAX_TIME: f64 = 1e10;
 
-/// Greatest velocity, m/s: more than any two places within the limits are apart, over a microsecond.
+/// Greatest velocity, m/s: exceeds the distance of any two positions within the limits over a microsecond.
 const MAX_VELOCITY: f64 = 1e15;
 
-/// Greatest heading, radians: an `f32` of this size has still hundredths.
+/// Greatest heading, radians: an `f32` of this size resolves hundredths.
 const MAX_HEADING: f64 = 1e5;
 
 /// Greatest radius of a body, metres, as in scenes.
 const MAX_RADIUS: f64 = 1000.0;
 
-const HINT: &str = "correct or remove the row; --unit (`Reading::unit`) says the unit of length, --frame-rate \
-                    (`Reading::rate`) how many frames a second has";
+const HINT: &str = "correct or remove the row; --unit (`Reading::unit`) states the unit of length, --frame-rate \
+                    (`Reading::rate`) the frame rate";
 
-/// Checks one row.
+/// Checks a sample.
 ///
 /// # Errors
 /// A number is not finite or out of its limits.
-pub(crate) fn row(spot: &Spot) -> Result<(), Flaw> {
-    let Spot { number, time, place, velocity, heading, radius, .. } = *spot;
+pub(crate) fn row(spot: &Sample) -> Result<(), FormatFlaw> {
+    let Sample { number, time, place, velocity, heading, radius, .. } = *spot;
     let values = [
         ("the time", time, MAX_TIME),
         ("x", place.x, MAX_COORDINATE),
@@ -36,24 +37,22 @@ pub(crate) fn row(spot: &Spot) -> Result<(), Flaw> {
         ("the velocity along y", velocity.y.into(), MAX_VELOCITY),
         ("the velocity along z", velocity.z.into(), MAX_VELOCITY),
         ("the heading", heading.into(), MAX_HEADING),
-        ("the radius", radius.into(), MAX_RADIUS),
     ];
-    values
-        .into_iter()
-        .try_for_each(|(name, value, most)| within(value, most, || format!("{name} of agent {number} at {time} s")))
+    let of = |name: &str| format!("{name} of agent {number} at {time} s");
+    values.into_iter().try_for_each(|(name, value, most)| within(value, -most..=most, || of(name)))?;
+    within(radius.into(), 0.0..=MAX_RADIUS, || of("the radius"))
 }
 
-/// Checks all rows, and the place.
+/// Checks all samples and the place.
 ///
 /// # Errors
 /// A number is not finite or out of its limits.
-pub(crate) fn tracks(tracks: &Tracks) -> Result<(), Flaw> {
+pub(crate) fn tracks(tracks: &Trajectories) -> Result<(), FormatFlaw> {
     let setting = &tracks.setting;
     let point = |what: &str, p: &DVec2| {
-        ["x", "y"]
-            .iter()
-            .zip(p.to_array())
-            .try_for_each(|(name, value)| within(value, MAX_COORDINATE, || format!("{name} of a corner of {what}")))
+        ["x", "y"].iter().zip(p.to_array()).try_for_each(|(name, value)| {
+            within(value, -MAX_COORDINATE..=MAX_COORDINATE, || format!("{name} of a corner of {what}"))
+        })
     };
     for area in &setting.walkable {
         area.holes.iter().flatten().chain(&area.outer).try_for_each(|p| point("the walkable area", p))?;
@@ -69,14 +68,15 @@ pub(crate) fn tracks(tracks: &Tracks) -> Result<(), Flaw> {
     tracks.spots.iter().try_for_each(row)
 }
 
-/// Checks one number. `name` says of what it is.
-fn within(value: f64, most: f64, name: impl Fn() -> String) -> Result<(), Flaw> {
-    if value.abs() <= most {
+/// Checks a number; `name` names it in the error.
+fn within(value: f64, limits: RangeInclusive<f64>, name: impl Fn() -> String) -> Result<(), FormatFlaw> {
+    if limits.contains(&value) {
         return Ok(());
     }
-    Err(Flaw {
+    let (least, most) = limits.into_inner();
+    Err(FormatFlaw {
         line: None,
-        why: format!("{} is {value:?}, but must be from -{most} to {most}", name()),
+        why: format!("{} is {value:?}, but must be from {least} to {most}", name()),
         hint: Some(HINT),
     })
 }

@@ -1,15 +1,16 @@
-//! Maps of data sets: the walls of UCY's and ETH's, as OpenTraj has them in `map.xml`.
+//! Maps of data sets: the walls of UCY's and ETH's data, in OpenTraj's `map.xml`.
 
-use crate::formats::Flaw;
+use crate::formats::FormatFlaw;
 use glam::DVec2;
 use roxmltree::{Document, Node, ParsingOptions};
 use throng::Obstacle;
 
 const HINT: &str = "such a map has <Line x1=\"..\" y1=\"..\" x2=\"..\" y2=\"..\"/> below <obstacles>, metres";
-/// The most elements: a map has some dozens.
+/// Greatest number of XML nodes; a map has some dozens.
 const MOST: u32 = 1_000_000;
 
-/// The walls of a map: thin ones, each as long as lines go on where the one before ends. What else is in it does not count.
+/// Returns the walls of a map. They are thin. A line that starts where the line before it ends continues its wall.
+/// Other elements are ignored.
 ///
 /// ```
 /// let text = "<Trial><obstacles><Lines>
@@ -18,17 +19,18 @@ const MOST: u32 = 1_000_000;
 /// let walls = throng_record::map(text.as_bytes())?;
 /// let corners = [(6.0, 2.0), (0.0, 2.0), (0.0, 0.0)].map(glam::DVec2::from).to_vec();
 /// assert_eq!(walls, [throng::Obstacle::Wall { points: corners }]);
-/// # Ok::<(), throng_record::Flaw>(())
+/// # Ok::<(), throng_record::FormatFlaw>(())
 /// ```
 ///
 /// # Errors
-/// With its line: what is no XML, a line without an end, a coordinate that is no number; and a map without walls.
-pub fn map(bytes: &[u8]) -> Result<Vec<Obstacle>, Flaw> {
-    let flaw = |line, why: String| Flaw { line, why, hint: Some(HINT) };
-    let text = std::str::from_utf8(bytes).map_err(|_| flaw(None, "it is no text".into()))?;
+/// The text is not XML, a line has no length, a coordinate is not a number (all with the line in the file), or the map
+/// has no walls.
+pub fn map(bytes: &[u8]) -> Result<Vec<Obstacle>, FormatFlaw> {
+    let flaw = |line, why: String| FormatFlaw { line, why, hint: Some(HINT) };
+    let text = std::str::from_utf8(bytes).map_err(|_| flaw(None, "the file is not text".into()))?;
     let options = ParsingOptions { nodes_limit: MOST, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options)
-        .map_err(|error| flaw(Some(error.pos().row as usize), format!("this is no XML: {error}")))?;
+        .map_err(|error| flaw(Some(error.pos().row as usize), format!("the file is not XML: {error}")))?;
     let place = |node: Node| document.text_pos_at(node.range().start).row as usize;
     let end = |node: Node, x: &str, y: &str| {
         let coordinate = |name: &str| {
@@ -52,7 +54,7 @@ pub fn map(bytes: &[u8]) -> Result<Vec<Obstacle>, Flaw> {
         }
     }
     if walls.is_empty() {
-        return Err(flaw(None, "there are no walls in it".into()));
+        return Err(flaw(None, "the file has no walls".into()));
     }
     Ok(walls.into_iter().map(|points| Obstacle::Wall { points }).collect())
 }
@@ -92,7 +94,7 @@ mod tests {
         assert_eq!(wrong(r#"y2="0""#, "").why, "a line has no y2");
         assert_eq!(wrong(r#"x2="0" y2="0""#, r#"x2="0" y2="2""#).line, Some(6));
         assert_eq!(wrong("</Lines>", "").line, Some(10));
-        assert_eq!(wrong("Line ", "Lime ").why, "there are no walls in it");
+        assert_eq!(wrong("Line ", "Lime ").why, "the file has no walls");
         assert!(map(b"").is_err() && map(b"\xff\xfe").is_err());
     }
 
@@ -130,7 +132,7 @@ mod tests {
                 Ok(walls) => assert!(walls.len() < bytes.len()),
                 Err(flaw) => assert!(flaw.line.is_none_or(|line| line <= 2 + bytes.len())),
             }
-            // the same of groups: they are words
+            // the same text as a list of groups
             let _ = crate::pedestrian::groups(&bytes);
         }
         let deep = "<a>".repeat(100_000);

@@ -1,4 +1,4 @@
-//! The world of a scene as files and pictures show it.
+//! The setting and the frames of a scene's world, as files and pictures show them.
 
 use crate::{Flow, Frame, Setting, Shell};
 use glam::DVec2;
@@ -7,7 +7,8 @@ use throng::World;
 use throng::space::surface::{Barrier, Bounds, Surface};
 use throng_scene::Built;
 
-/// The place and the names. The group every world has from the start is left out: no scene puts anybody into it.
+/// Returns the place and the names. The group that every world has from the start is left out: no scene puts agents
+/// into it.
 pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     let mut setting = Setting::of(world, title);
     setting.groups.remove(0);
@@ -18,7 +19,8 @@ pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     setting
 }
 
-/// The fields that govern groups, with what they were sketched by; where none does, those of the scene, which behaviours may follow.
+/// Returns the fields that govern groups, with their anchors. If no group is governed, returns the fields of the scene,
+/// which behaviours may follow.
 fn flows(world: &World, built: &Built) -> Vec<Flow> {
     let mut flows = Flow::all(world);
     flows.iter_mut().flat_map(|flow| &mut flow.groups).for_each(|group| *group = group.saturating_sub(1));
@@ -32,22 +34,22 @@ fn flows(world: &World, built: &Built) -> Vec<Flow> {
     flows
 }
 
-/// In which part of space surfaces without end are shown: round everything else, as high as that is wide.
+/// Returns the box in which unbounded surfaces are shown: the bounds of the scene, as high as they are wide.
 fn room(built: &Built, origin: DVec2) -> Bounds {
     let [low, high] = built.bounds.map(|corner| (corner - origin).as_vec2());
     let side = (high - low).max_element().max(10.0);
     Bounds { low: low.extend(-side), high: high.extend(side) }
 }
 
-/// In which part of space a surface is shown: all of it, or, if it is too large for that, the room.
+/// Returns the box in which a surface is shown: its bounds, or the room if they are too large.
 fn shown(surface: &Barrier<Arc<dyn Surface>>, room: &Bounds) -> Bounds {
     let (bounds, most) = (surface.surface.bounds(), (room.high - room.low).max_element());
     let fits = bounds.is_finite() && (bounds.high - bounds.low).max_element() <= most;
-    // by rounding nothing is cut off
+    // the margin keeps edges that rounding would cut off
     if fits { bounds.grown(0.01 * most) } else { *room }
 }
 
-/// Makes `frame` show the world as it is now; groups are counted as in [`setting`].
+/// Sets `frame` to the world as it is now; groups are numbered as in [`setting`].
 pub fn capture(world: &World, frame: &mut Frame) {
     frame.capture(world);
     for body in &mut frame.bodies {

@@ -1,49 +1,49 @@
-//! Trajectories that were read, moment by moment, to be shown or written again.
+//! Trajectories read from a file, grouped by time, to be shown or written again.
 
-use crate::tracks::{Spot, Tracks};
+use crate::trajectories::{Sample, Trajectories};
 use crate::{Body, Frame, Setting};
 use glam::DVec2;
 use std::collections::HashSet;
 use std::ops::Range;
 use throng::Status;
 
-/// Tracks, moment by moment.
+/// Trajectories grouped by time: one moment for each time.
 #[derive(Clone, Debug, Default)]
 pub struct Moments {
     /// The place, as far as it is known, and the names of the groups.
     pub setting: Setting,
-    spots: Vec<Spot>,
+    spots: Vec<Sample>,
     moments: Vec<Moment>,
-    /// How many there are in all.
+    /// Number of agents in all moments.
     total: usize,
     fastest: f32,
 }
 
-/// One moment.
+/// The samples of one time.
 #[derive(Clone, Debug)]
 struct Moment {
     spots: Range<usize>,
-    /// How many had come and gone, or had arrived.
+    /// Number of agents that have left or arrived by this time.
     arrived: usize,
 }
 
 impl Moments {
-    /// The moments of tracks. Who is not there any more counts as arrived.
+    /// Groups the samples of trajectories by time. An agent without further samples counts as arrived.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
     /// # let path = folder.path().join("run.csv");
-    /// use throng_record::{Frame, Moments, Tracks};
+    /// use throng_record::{Frame, Moments, Trajectories};
     /// std::fs::write(&path, "time,number,x,y\n0,7,1.5,2\n0.1,7,1.6,2\n0.1,8,3,3\n")?;
-    /// let moments = Moments::of(Tracks::read(&path)?);
+    /// let moments = Moments::of(Trajectories::read(&path)?);
     /// assert_eq!((moments.count(), moments.time(1), moments.period()), (2, 0.1, 0.1));
     /// let mut frame = Frame::default();
     /// moments.capture(1, &mut frame);
     /// assert_eq!(frame.bodies.len(), 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(tracks: Tracks) -> Self {
-        let Tracks { mut setting, spots, .. } = tracks;
+    pub fn of(tracks: Trajectories) -> Self {
+        let Trajectories { mut setting, spots, .. } = tracks;
         setting.in_space |= spots.iter().any(|spot| spot.place.z != 0.0);
         if setting.origin == DVec2::ZERO {
             setting.origin = spots.first().map_or(DVec2::ZERO, |spot| spot.place.truncate().round());
@@ -51,7 +51,7 @@ impl Moments {
         let (mut come, mut moments, mut start) = (HashSet::new(), Vec::new(), 0);
         for at in spots.chunk_by(|a, b| a.time == b.time) {
             come.extend(at.iter().map(|spot| spot.number));
-            // who is not in the file any more has gone through an exit
+            // an agent without a sample at this time has left through an exit
             let there = at.iter().filter(|spot| spot.status != Status::Arrived).count();
             moments.push(Moment { spots: start..start + at.len(), arrived: come.len().saturating_sub(there) });
             start += at.len();
@@ -61,51 +61,54 @@ impl Moments {
         Self { setting, moments, total: come.len(), fastest, spots }
     }
 
-    /// How many there are.
+    /// Returns the number of moments.
     pub fn count(&self) -> usize {
         self.moments.len()
     }
 
-    /// How many people there are in all.
+    /// Returns the number of agents in all moments.
     pub fn total(&self) -> usize {
         self.total
     }
 
-    /// How many had come and gone, or had arrived, by a moment.
+    /// Returns the number of agents that have left or arrived by a moment. After the last moment, the last moment
+    /// counts.
     pub fn arrived(&self, moment: usize) -> usize {
         self.at(moment).map_or(0, |moment| moment.arrived)
     }
 
-    /// Everybody of all moments, by time, then by number.
-    pub fn spots(&self) -> &[Spot] {
+    /// Returns the samples of all moments, by time, then by agent number.
+    pub fn spots(&self) -> &[Sample] {
         &self.spots
     }
 
-    /// Which of [`spots`](Self::spots) are of a moment; of those after the last, the last.
+    /// Returns the range of a moment in [`spots`](Self::spots). After the last moment, returns the range of the last
+    /// moment.
     pub fn range(&self, moment: usize) -> Range<usize> {
         self.at(moment).map_or(0..0, |moment| moment.spots.clone())
     }
 
-    /// When a moment was, seconds; of those after the last, when that was.
+    /// Returns the time of a moment, seconds. After the last moment, returns the time of the last moment.
     pub fn time(&self, moment: usize) -> f64 {
         self.at(moment).map_or(0.0, |moment| self.spots[moment.spots.start].time)
     }
 
-    /// Median of the seconds between moments, of an even number the lower one; 0.04 where there are not two.
+    /// Returns the median interval between moments, seconds: the lower median of an even number of intervals. Returns
+    /// 0.04 for fewer than two moments.
     pub fn period(&self) -> f64 {
         let mut periods: Vec<f64> = (1..self.count()).map(|k| self.time(k) - self.time(k - 1)).collect();
         periods.sort_by(f64::total_cmp);
         periods.get(periods.len().saturating_sub(1) / 2).copied().filter(|period| *period > 0.0).unwrap_or(0.04)
     }
 
-    /// Makes `frame` show a moment; of those after the last, the last.
+    /// Writes a moment into `frame`. After the last moment, writes the last moment.
     pub fn capture(&self, moment: usize, frame: &mut Frame) {
         self.show(self.range(moment), frame);
         (frame.time, frame.arrived) = (self.time(moment), self.arrived(moment));
     }
 
-    /// A frame with everybody at every moment, of which one sees how much room all that takes.
-    pub fn everybody(&self) -> Frame {
+    /// Returns a frame with the samples of all moments. Its extent is the space that the trajectories take.
+    pub fn all_bodies(&self) -> Frame {
         let mut frame = Frame::default();
         self.show(0..self.spots.len(), &mut frame);
         frame
@@ -122,7 +125,7 @@ impl Moments {
         self.moments.get(moment).or(self.moments.last())
     }
 
-    fn body(&self, spot: &Spot) -> Body {
+    fn body(&self, spot: &Sample) -> Body {
         Body {
             number: spot.number,
             group: spot.group,
@@ -130,7 +133,7 @@ impl Moments {
             position: spot.place.truncate(),
             altitude: spot.place.z as f32,
             velocity: spot.velocity.truncate(),
-            climb: spot.velocity.z,
+            vertical_velocity: spot.velocity.z,
             heading: spot.heading,
             basis: None,
             radius: spot.radius,
@@ -146,8 +149,8 @@ mod tests {
     use super::*;
     use glam::{DVec3, Vec3};
 
-    fn tracks(rows: &[(f64, u32, u32)], groups: &[&str]) -> Tracks {
-        let spot = |&(time, number, group): &(f64, u32, u32)| Spot {
+    fn tracks(rows: &[(f64, u32, u32)], groups: &[&str]) -> Trajectories {
+        let spot = |&(time, number, group): &(f64, u32, u32)| Sample {
             number,
             group,
             time,
@@ -158,15 +161,15 @@ mod tests {
             status: Status::Walking,
         };
         let groups = groups.iter().map(|&name| name.to_owned()).collect();
-        Tracks {
+        Trajectories {
             setting: Setting { groups, ..Setting::default() },
             spots: rows.iter().map(spot).collect(),
-            ..Tracks::default()
+            ..Trajectories::default()
         }
     }
 
     #[test]
-    fn people_come_and_go() {
+    fn agents_come_and_go() {
         let moments = Moments::of(tracks(&[(0.0, 1, 0), (0.0, 2, 0), (0.5, 2, 0), (1.0, 2, 0), (1.0, 3, 0)], &["all"]));
         assert_eq!((moments.count(), moments.total(), moments.period()), (3, 3, 0.5));
         assert_eq!((0..3).map(|k| moments.arrived(k)).collect::<Vec<_>>(), [0, 1, 1]);
@@ -177,21 +180,21 @@ mod tests {
         };
         assert_eq!(seen(0), (0.0, vec![1, 2]));
         assert_eq!(seen(2), (1.0, vec![2, 3]));
-        assert_eq!(seen(9), (1.0, vec![2, 3]), "after the last, the last");
-        assert_eq!(moments.everybody().bodies.len(), 5);
+        assert_eq!(seen(9), (1.0, vec![2, 3]), "the last moment stands for later ones");
+        assert_eq!(moments.all_bodies().bodies.len(), 5);
         assert_eq!(moments.setting.origin, DVec2::new(1000.0, 1.0));
     }
 
     #[test]
-    fn nobody_has_no_moments() {
-        let moments = Moments::of(Tracks::default());
+    fn no_samples_give_no_moments() {
+        let moments = Moments::of(Trajectories::default());
         let mut frame = Frame::default();
         moments.capture(0, &mut frame);
         assert_eq!((moments.count(), moments.period(), frame), (0, 0.04, Frame::default()));
     }
 
     #[test]
-    fn a_place_has_the_groups_or_is_not_theirs() {
+    fn a_place_is_accepted_only_if_it_has_the_groups() {
         let place = Setting { groups: vec!["left".into(), String::new(), "right".into()], ..Setting::default() };
         let mut found = tracks(&[(0.0, 1, 0), (0.0, 2, 1)], &["right", "1"]);
         assert!(found.put_into(&place));

@@ -1,24 +1,24 @@
-//! Moments at an even rate, whatever the rate of those that come.
+//! Resamples frames to an even rate.
 
 use crate::formats::Writer;
 use crate::{Frame, OutputError};
 
-/// How much later or earlier than due a moment may be to be taken as it is, seconds.
+/// Greatest difference, seconds, between a frame's time and a due time at which the frame is used unchanged.
 pub(crate) const SLACK: f64 = 1e-6;
 
-/// Moments that are due: one at the first time, and one every so often after it, to the last.
+/// Due times at a constant rate, from the first to the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Beat {
-    /// The first, seconds; where it is not finite, every multiple of the interval is.
+    /// The first due time, seconds; if it is not finite, every multiple of the interval is due.
     pub from: f64,
-    /// The last, seconds.
+    /// The last due time, seconds.
     pub to: f64,
-    /// How many there are a second.
+    /// Due times per second.
     pub rate: f64,
 }
 
 impl Beat {
-    /// The first that is due at a time or after it, seconds.
+    /// Returns the first due time at or after a time, seconds.
     pub fn at_or_after(&self, time: f64) -> Option<f64> {
         let (start, least) = if self.from.is_finite() { (self.from, 0.0) } else { (0.0, f64::NEG_INFINITY) };
         let index = ((time - SLACK - start) * self.rate).ceil().max(least);
@@ -26,21 +26,21 @@ impl Beat {
         (due <= self.to + SLACK).then_some(due)
     }
 
-    /// Whether a moment is needed for one that is due, which comes between two others.
+    /// Whether a frame between the times `before` and `after` is needed for a due time.
     pub fn needs(&self, before: f64, after: f64) -> bool {
         self.at_or_after(before + 2.0 * SLACK).is_some_and(|due| due < after - SLACK)
     }
 }
 
-/// Writes moments that are due; between two of those that come everybody who is at both goes straight on.
+/// Writes frames at due times. Between two incoming frames, agents in both are interpolated linearly.
 pub(crate) struct Resampled {
     writer: Box<dyn Writer>,
     beat: Beat,
-    /// Whether to leave out the rest of the moments between two that come.
+    /// Whether to skip the rest of the due times between two incoming frames.
     stop: fn() -> bool,
-    /// The moment that came last.
+    /// The previous incoming frame.
     last: Option<Frame>,
-    /// What lies between.
+    /// Memory for an interpolated frame.
     between: Frame,
 }
 
@@ -76,14 +76,14 @@ impl Writer for Resampled {
     }
 }
 
-/// Makes `to` the moment of a time between two.
+/// Sets `to` to the interpolation of two frames at a time.
 fn between(before: &Frame, after: &Frame, time: f64, to: &mut Frame) {
     let share = (time - before.time) / (after.time - before.time);
     to.time = time;
     to.bodies.clear();
     let mut rest = after.bodies.as_slice();
     to.bodies.extend(before.bodies.iter().filter_map(|body| {
-        // both are by number
+        // both are sorted by number
         let next = rest.iter().position(|other| other.number >= body.number).unwrap_or(rest.len());
         rest = &rest[next..];
         let other = rest.first().filter(|other| other.number == body.number)?;
@@ -99,7 +99,7 @@ mod tests {
     use proptest::prelude::*;
     use std::sync::{Arc, Mutex};
 
-    /// Keeps what it is told to write.
+    /// Keeps the frames that are pushed.
     struct Kept(Arc<Mutex<Vec<Frame>>>);
 
     impl Writer for Kept {
@@ -121,7 +121,7 @@ mod tests {
         Arc::into_inner(kept).unwrap().into_inner().unwrap()
     }
 
-    /// One who walks straight on at this velocity, from the origin, and one who is there from 1 s on.
+    /// An agent that walks straight on from the origin at this velocity, and an agent that is present from 1 s on.
     fn walk(times: impl IntoIterator<Item = f64>, velocity: DVec2) -> Vec<Frame> {
         let frame = |time: f64| {
             let one = Body { velocity: velocity.as_vec2(), ..Body::walking(3, velocity * time) };
@@ -143,11 +143,11 @@ mod tests {
     }
 
     #[test]
-    fn who_comes_or_goes_is_there_while_both_moments_know_of_them() {
+    fn an_agent_is_present_between_two_frames_that_hold_it() {
         let found = resampled(&walk([0.04, 0.98, 1.02, 1.5], DVec2::X), ALL);
         let count: Vec<usize> = found.iter().map(|frame| frame.bodies.len()).collect();
         assert_eq!(count, [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2], "{found:?}");
-        assert!((found[0].time - 0.1).abs() < 1e-12, "the first multiple of the interval that is known");
+        assert!((found[0].time - 0.1).abs() < 1e-12, "the first multiple of the interval within the frames");
     }
 
     #[test]
@@ -162,7 +162,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whoever walks straight on is where that leads, at every moment that is due and at no other.
+        /// At every due time, and at no other, an agent that walks straight on is where its velocity leads.
         #[test]
         fn straight_ways_stay_straight(
             steps in proptest::collection::vec(0.01..0.7f64, 1..40),
@@ -184,7 +184,7 @@ mod tests {
                 prop_assert!((since - since.round()).abs() < 1e-4 * rate.max(1.0), "{since}");
                 prop_assert!(k == 0 || (frame.time - found[k - 1].time - 1.0 / rate).abs() < 3e-6);
             }
-            // as many as fit, by the definition
+            // the definition gives the number of due times
             let start = from.unwrap_or(0.0);
             let due = (-1000..2000).map(|k| start + f64::from(k) / rate);
             let due = due.filter(|due| *due >= first && *due <= last && (from.is_none() || *due >= start)).count();
@@ -192,7 +192,7 @@ mod tests {
             prop_assert!(found.iter().all(|frame| frame.bodies[0].velocity != Vec2::NAN));
         }
 
-        /// Leaving out the moments that are not needed changes nothing.
+        /// Leaving out frames that are not needed changes nothing.
         #[test]
         fn what_is_not_needed_is_not_missed(step in 0.01..0.2f64, rate in 0.5..40.0f64, count in 2..200i32) {
             let frames = walk((0..count).map(|k| f64::from(k) * step), DVec2::new(1.0, -0.5));

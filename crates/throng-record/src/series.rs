@@ -1,15 +1,15 @@
-//! Figures over time: how a run goes, moment by moment.
+//! Figures of a run over time.
 //!
 //! | figure | what | unit |
 //! |---|---|---|
-//! | `arrived` | agents at the end of their journeys, those removed by exits included | agents |
-//! | `separation` | least distance of two centres (of cores, for bodies that are no discs) over the sum of their radii, of all pairs present; 1: they touch | |
-//! | `speed` | mean speed of those who walk | m/s |
-//! | `turning` | mean change of heading, either way, of those who walk, since the moment before | °/s |
-//! | `swing` | mean of how far velocities went there and back over the last two moments, of those who walk (see [`swing`]) | m/s |
+//! | `arrived` | agents at the end of their journeys, including agents removed by exits | agents |
+//! | `separation` | least distance of two centres (of two cores for bodies other than discs) over the sum of their radii, over all pairs; 1: two agents touch | |
+//! | `speed` | mean speed of walking agents | m/s |
+//! | `turning` | mean absolute change of heading of walking agents since the previous frame | °/s |
+//! | `swing` | mean swing of the velocities of walking agents over the last three frames (see [`swing`]) | m/s |
 //!
-//! What is a mean over nobody is not a number. Moments are what is pushed, in the program every step: a summary,
-//! which looks at every sub-step, can know of a closer meeting.
+//! A mean over no agents is NaN. The figures are of the frames that are pushed; the program pushes one frame per step.
+//! A summary looks at every sub-step and may therefore report a smaller separation.
 
 use crate::{Body, Frame};
 use glam::Vec2;
@@ -17,24 +17,24 @@ use std::f32::consts::TAU;
 use throng::Status;
 use throng::space::Core;
 
-/// Figures of one moment.
+/// The figures of one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Seconds since the start.
+pub struct SeriesPoint {
+    /// Time since the start, seconds.
     pub time: f64,
-    /// Agents at the end of their journeys.
+    /// Number of agents at the end of their journeys.
     pub arrived: usize,
-    /// Least separation of two bodies; infinite for fewer than two.
+    /// Least separation of two bodies; infinite for fewer than two bodies.
     pub separation: f64,
     /// Mean speed, m/s.
     pub speed: f64,
-    /// Mean change of heading, degrees a second.
+    /// Mean change of heading, °/s.
     pub turning: f64,
     /// Mean swing of velocities, m/s.
     pub swing: f64,
 }
 
-/// Figures over time. See the [module](self) for what they are.
+/// Figures over time. The [module](self) defines them.
 ///
 /// ```
 /// use throng_record::{Frame, series::Series};
@@ -44,15 +44,15 @@ pub struct Point {
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    points: Vec<Point>,
-    /// The last two moments, the last one first.
+    points: Vec<SeriesPoint>,
+    /// The last two frames, latest first.
     before: [Frame; 2],
-    /// The consecutive moments of the greatest swing, and that swing.
+    /// The three consecutive frames of the greatest swing, and that swing.
     peak: Option<(f64, [Frame; 3])>,
 }
 
 impl Series {
-    /// Takes in the next moment.
+    /// Adds the figures of the next frame.
     pub fn push(&mut self, frame: &Frame) {
         let [last, older] = &self.before;
         let walks = |body: &&Body| body.status == Status::Walking;
@@ -67,7 +67,7 @@ impl Series {
         }
         let mut speed = Mean::default();
         frame.bodies.iter().filter(walks).for_each(|body| speed.add(f64::from(body.speed())));
-        self.points.push(Point {
+        self.points.push(SeriesPoint {
             time: frame.time,
             arrived: frame.arrived,
             separation: least_separation(&frame.bodies),
@@ -82,41 +82,42 @@ impl Series {
         self.before[0].clone_from(frame);
     }
 
-    /// The figures of every moment.
-    pub fn points(&self) -> &[Point] {
+    /// Returns the figures of every frame.
+    pub fn points(&self) -> &[SeriesPoint] {
         &self.points
     }
 
-    /// The three consecutive moments in which velocities swung most, summed over all who walk; `None` where nobody's
-    /// did.
+    /// Returns the three consecutive frames with the greatest swing, summed over all walking agents. Returns `None` if
+    /// no velocity swung.
     pub fn peak(&self) -> Option<&[Frame; 3]> {
         self.peak.as_ref().map(|(_, frames)| frames)
     }
 
-    /// At most `most` points: stretches of as many moments each become one, with the least separation, the means of
-    /// speed, turning and swing, and time and arrivals of the last.
-    pub fn thinned(&self, most: usize) -> Vec<Point> {
+    /// Returns at most `most` points. Each point summarises a run of consecutive points: the least separation, the
+    /// means of speed, turning and swing, and the time and the arrivals of the last point.
+    pub fn thinned(&self, most: usize) -> Vec<SeriesPoint> {
         let stretch = self.points.len().div_ceil(most.max(1)).max(1);
         self.points.chunks(stretch).map(summed_up).collect()
     }
 }
 
-/// How far a velocity goes there and back over three moments, m/s: the way from the first by the second to the third,
-/// less the way from the first to the third. 0 where it only turns or only changes its speed one way; twice the change
-/// for one that is back where it was.
+/// Returns the swing of three consecutive velocities, m/s: the distance from the first by way of the second to the
+/// third, less the distance from the first to the third. The swing is 0 where the velocity only turns on or changes its
+/// speed in one direction. It is twice the change where the third velocity equals the first.
 pub fn swing(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     (a.distance(b) + b.distance(c) - a.distance(c)).max(0.0)
 }
 
-/// Least distance of two centres, in space, over the sum of their radii; infinite for fewer than two. Of bodies that are no discs,
-/// what counts is the distance of their cores; where those overlap, the negative of the least shift that parts them.
+/// Returns the least distance of two centres, in space, over the sum of their radii; infinite for fewer than two
+/// bodies. Bodies other than discs are measured between their cores. For overlapping cores, the distance is the
+/// negative of the least shift that separates them.
 pub fn least_separation(bodies: &[Body]) -> f64 {
     let mut order: Vec<&Body> = bodies.iter().filter(|body| body.position.is_finite()).collect();
     order.sort_by(|a, b| a.position.x.total_cmp(&b.position.x));
     let largest = order.iter().map(|body| f64::from(body.radius)).fold(0.0, f64::max);
     let reach = |body: &Body| f64::from(body.core.length());
     let farthest = order.iter().map(|body| reach(body)).fold(0.0, f64::max);
-    // Neighbours in the order come first: what they find ends the search of the others early.
+    // Adjacent bodies of the order come first: a small distance found early shortens the search of all pairs.
     let mut least = order.windows(2).map(|pair| apart(pair[0], pair[1])).fold(f64::INFINITY, f64::min);
     for (k, a) in order.iter().enumerate() {
         for b in &order[k + 1..] {
@@ -130,7 +131,7 @@ pub fn least_separation(bodies: &[Body]) -> f64 {
     least
 }
 
-/// Distance of two bodies over the sum of their radii.
+/// Returns the distance of two bodies over the sum of their radii.
 fn apart(a: &Body, b: &Body) -> f64 {
     let discs = a.core == Vec2::ZERO && b.core == Vec2::ZERO;
     let core = |body: &Body| Core::new(body.position, body.heading, body.core);
@@ -138,25 +139,25 @@ fn apart(a: &Body, b: &Body) -> f64 {
     distance / (f64::from(a.radius) + f64::from(b.radius))
 }
 
-/// An agent by its number.
+/// Finds an agent by its number.
 fn find(frame: &Frame, number: u32) -> Option<&Body> {
     frame.bodies.binary_search_by_key(&number, |body| body.number).ok().map(|k| &frame.bodies[k])
 }
 
-/// The angle between two headings, radians.
+/// Returns the angle between two headings, radians.
 fn turn(from: f32, to: f32) -> f32 {
     let turned = (to - from).abs() % TAU;
     turned.min(TAU - turned)
 }
 
-fn summed_up(points: &[Point]) -> Point {
-    let mean = |figure: fn(&Point) -> f64| {
+fn summed_up(points: &[SeriesPoint]) -> SeriesPoint {
+    let mean = |figure: fn(&SeriesPoint) -> f64| {
         let mut mean = Mean::default();
         points.iter().map(figure).filter(|value| value.is_finite()).for_each(|value| mean.add(value));
         mean.value()
     };
     let last = points[points.len() - 1];
-    Point {
+    SeriesPoint {
         separation: points.iter().map(|point| point.separation).fold(f64::INFINITY, f64::min),
         speed: mean(|point| point.speed),
         turning: mean(|point| point.turning),
@@ -165,7 +166,7 @@ fn summed_up(points: &[Point]) -> Point {
     }
 }
 
-/// A mean while it is counted.
+/// The sum and the count of a mean.
 #[derive(Default)]
 struct Mean {
     sum: f64,
@@ -217,12 +218,12 @@ mod tests {
     }
 
     #[test]
-    fn one_who_swings_is_seen_and_the_moments_are_kept() {
+    fn an_agent_that_swings_is_found_and_its_frames_are_kept() {
         let mut series = Series::default();
         for k in 0..20u8 {
             let mut bodies =
                 vec![Body::walking(3, DVec2::ZERO), Body::walking(5, DVec2::X), Body::walking(9, DVec2::Y)];
-            // 3 leaves, 5 swings for a while, 9 has arrived and counts for nothing
+            // 3 leaves, 5 swings for a while, 9 has arrived and does not count
             if k > 4 {
                 bodies.remove(0);
             }

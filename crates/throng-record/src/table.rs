@@ -3,12 +3,12 @@
 use crate::{Output, OutputError};
 use std::io::Write;
 
-/// A table of numbers: columns with names, all of one length. What is not known is not a number, and no value in a file.
+/// A table of numbers: named columns of equal length. Unknown values are NaN, and empty in a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// What the columns are called.
+    /// The names of the columns.
     pub names: Vec<String>,
-    /// Their values.
+    /// The values of the columns.
     pub columns: Vec<Vec<f64>>,
 }
 
@@ -19,7 +19,7 @@ impl Table {
         self.columns.push(values);
     }
 
-    /// Writes it as comma-separated values under a line of names.
+    /// Writes the table as comma-separated values under a line of names.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -34,7 +34,7 @@ impl Table {
     /// ```
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn write_csv(&self, mut output: Output) -> Result<(), OutputError> {
         output.put((self.names.join(",") + "\n").as_bytes())?;
         for row in 0..self.columns.first().map_or(0, Vec::len) {

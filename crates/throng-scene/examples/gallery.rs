@@ -1,6 +1,6 @@
-//! Runs scenes of the gallery (all, or those named) and prints their figures and what came of their `[expect]`.
+//! Runs scenes of the gallery (all, or the named ones) and prints their figures and the outcome of their `[expect]`.
 #![allow(clippy::print_stdout)]
-use throng_scene::{Watch, gallery};
+use throng_scene::{Expectations, gallery};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
@@ -10,7 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         let scene = gallery::scene(name)?;
         let (mut world, built) = scene.build()?;
-        let mut watch = Watch::new(&scene.expect, &world, &built);
+        let mut watch = Expectations::new(&scene.expect, &world, &built);
         let start = std::time::Instant::now();
         while !scene.time.over(&world) {
             world.step();

@@ -1,6 +1,6 @@
-//! How good every local model is, over scenes and time steps: prints the Markdown tables of docs/quality.md.
-//! `cargo run --release -p throng-scene --example quality [-- [--models orca,rvo] NAME...]`: the scenes of these names,
-//! as in the first column of the tables, or all.
+//! Measures the quality of every local model over scenes and time steps: prints the Markdown tables of docs/quality.md.
+//! `cargo run --release -p throng-scene --example quality [-- [--models orca,rvo] NAME...]`: the scenes with these
+//! names, as in the first column of the tables, or all.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 use std::sync::Mutex;
@@ -10,10 +10,10 @@ use throng_scene::{Error, Model, Scene, gallery};
 
 const MODELS: &str = "orca,avo,hrvo,clearpath,rvo,vo,none,rvo-lab";
 const STEPS: [f64; 3] = [1.0 / 60.0, 1.0 / 25.0, 0.1];
-/// Seconds after which a run ends.
+/// Maximum duration of a run, seconds.
 const LIMIT: f64 = 200.0;
 
-/// Name, scene of the gallery, and what is changed in it.
+/// Name, scene of the gallery, and changes of the scene.
 type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
 
 const CASES: [Case; 17] = [
@@ -43,7 +43,7 @@ const CASES: [Case; 17] = [
     ("gathering of 200", "gathering", &[("time.limit", "60")]),
 ];
 
-/// Which case, model and step, and what came of it.
+/// The summary of a run, with its case, model and step.
 struct Run {
     case: usize,
     step: usize,
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let chosen = |case: &Case| names.is_empty() || names.iter().any(|name| case.0 == name);
     let cases: Vec<&Case> = CASES.iter().filter(|case| chosen(case)).collect();
 
-    // the longest first, so that no thread waits for the last
+    // the longest runs first, so that no thread waits for the last
     let jobs = (0..cases.len()).rev().flat_map(|case| (0..STEPS.len()).map(move |step| (case, step)));
     let jobs: Vec<(usize, usize, usize)> =
         jobs.flat_map(|(case, step)| (0..models.len()).map(move |model| (case, step, model))).collect();
@@ -122,7 +122,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
     };
-    table("Who arrives, and how long it takes", |s| match s.agents - s.arrived {
+    table("Arrivals and their duration", |s| match s.agents - s.arrived {
         0 => format!("{:.2} ({:.0} s)", s.time_ratio, s.time),
         missing => format!("**{missing} not**"),
     });

@@ -1,14 +1,14 @@
-//! Panics of code that a program brings along: caught, and told with the name of whose they are.
+//! Panics in code of plug-ins: caught, and reported with the plug-in's name.
 
 use std::any::Any;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-/// Runs code that may be somebody else's: a panic in it becomes what it says. What the code was changing may be left half
-/// changed. Where panics end the program, as in web pages, they do.
+/// Runs code of a plug-in and turns a panic in it into an error. Data that the code was changing may be left half
+/// changed. Where panics abort the program, as in web pages, this function cannot catch them.
 ///
 /// # Errors
-/// What the panic says.
+/// The message of the panic.
 ///
 /// ```
 /// assert_eq!(throng_scene::caught(|| 2 + 2), Ok(4));
@@ -22,11 +22,11 @@ pub fn caught<T>(code: impl FnOnce() -> T) -> Result<T, String> {
 }
 
 thread_local! {
-    /// How many [`caught`] are at work in this thread.
+    /// The number of [`caught`] calls that are active in this thread.
     static CATCHING: Cell<u32> = const { Cell::new(0) };
 }
 
-/// From now on panics that are [`caught`] say nothing on standard error: whoever caught them tells it.
+/// Keeps panics that [`caught`] catches off standard error from now on: the caller of [`caught`] reports them.
 pub fn hush() {
     let loud = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -36,7 +36,7 @@ pub fn hush() {
     }));
 }
 
-/// Runs code of a plug-in: a panic in it goes on as one that says whose it is.
+/// Runs code of a plug-in. A panic in it continues as a panic that names the plug-in.
 pub(crate) fn named<T>(kind: &str, name: &str, code: impl FnOnce() -> T) -> T {
     caught(code).unwrap_or_else(|says| resume_unwind(Box::new(format!("{kind} `{name}`: {says}"))))
 }

@@ -1,21 +1,22 @@
-//! What can be wrong with a scene, said so that it can be mended.
+//! Errors in a scene, with how to fix each.
 
+use std::borrow::Cow;
 use std::fmt;
 
-/// What can be wrong with a scene: where, what, and how to mend it.
+/// An error in a scene: where it is, what it is, and how to fix it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Error {
-    /// What kind of mistake.
+    /// The kind of mistake.
     pub kind: Kind,
-    /// What is wrong, one line.
+    /// What is wrong, in one line.
     pub message: String,
-    /// The file (or `--set key=value`) it is in, where known.
+    /// The file (or `--set key=value`) that has the mistake, if known.
     pub file: Option<Box<str>>,
-    /// Line and column, both from 1, columns in characters, where known.
+    /// Line and column, if known. Both count from 1; columns count characters.
     pub at: Option<(usize, usize)>,
-    /// The offending line, and how many of its characters from the column on are meant.
+    /// The offending line, and the number of its characters, from the column on, that are at fault.
     pub line: Option<(String, usize)>,
-    /// How to mend it.
+    /// How to fix it.
     pub hint: Option<Box<str>>,
 }
 
@@ -25,42 +26,42 @@ pub struct Error {
 pub enum Kind {
     /// Not TOML, WKT, OBJ, JSON or zip.
     Syntax,
-    /// A key, or a choice, that does not exist.
+    /// A key or a choice that does not exist.
     UnknownKey,
-    /// A key that must be there is not.
+    /// A required key that is missing.
     MissingKey,
-    /// A text where a number should be, and the like.
+    /// A value of the wrong type, such as a text in place of a number.
     WrongType,
     /// A number outside its limits.
     OutOfRange,
-    /// A file that is not there or cannot be read.
+    /// A file that does not exist or cannot be read.
     File,
     /// A polygon that crosses itself or has too few corners.
     Geometry,
-    /// Two agents at one place.
+    /// Two agents at the same place.
     Overlap,
     /// An agent in a wall or off the walkable ground.
     InWall,
-    /// A goal nobody can stand at.
+    /// A goal at which no agent can stand.
     GoalInWall,
     /// Not all agents fit.
     NoRoom,
     /// No agents, or too many.
     Count,
-    /// Things that do not go together.
+    /// Values that contradict each other.
     Conflict,
     /// No such scene in the gallery.
     UnknownScene,
     /// A kind of file that is not a scene.
     NotAScene,
-    /// The world refused something.
+    /// The world rejected a value.
     World,
-    /// Code that a program brought along panicked.
+    /// Code of a plug-in panicked.
     Panic,
 }
 
 impl Error {
-    /// An error without a place.
+    /// Returns an error without a place.
     pub(crate) fn new(kind: Kind, message: impl Into<String>) -> Self {
         Self { kind, message: message.into(), file: None, at: None, line: None, hint: None }
     }
@@ -80,7 +81,7 @@ impl Error {
         self
     }
 
-    /// Adds the place: bytes `span` of `text`.
+    /// Adds the place: the bytes `span` of `text`.
     pub(crate) fn place(mut self, text: &str, span: std::ops::Range<usize>) -> Self {
         let mut start = span.start.min(text.len());
         while !text.is_char_boundary(start) {
@@ -102,19 +103,19 @@ impl Error {
 impl std::error::Error for Error {}
 
 impl fmt::Display for Error {
-    /// `file:line:column: message`, the line with what is meant underlined, and the hint.
+    /// Writes `file:line:column: message`, the line with the offending part underlined, and the hint.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         if let Some(file) = &self.file {
-            write!(f, "{file}:")?;
+            write!(f, "{}:", abridged(file))?;
             if let Some((line, column)) = self.at {
                 write!(f, "{line}:{column}:")?;
             }
             write!(f, " ")?;
         }
-        f.write_str(&self.message)?;
+        f.write_str(&abridged(&self.message))?;
         if let (Some((line, column)), Some((text, length))) = (self.at, &self.line) {
             let gutter = line.to_string();
-            // A line may be a whole polygon: show the part round the place.
+            // A line may hold a whole polygon: show the part around the place.
             let skip = if column > 80 { column - 40 } else { 0 };
             let shown: String = text.chars().skip(skip).take(110).collect();
             let shown = shown.replace('\t', " ");
@@ -125,8 +126,41 @@ impl fmt::Display for Error {
             write!(f, "\n  {:gutter$} | {:indent$}{}", "", "", "^".repeat(marks), gutter = gutter.len())?;
         }
         if let Some(hint) = &self.hint {
-            write!(f, "\n  hint: {hint}")?;
+            write!(f, "\n  hint: {}", at_most(hint, LONGEST_HINT))?;
         }
         Ok(())
     }
+}
+
+/// The maximum number of characters of a message or a file name.
+const LONGEST: usize = 800;
+/// The maximum number of characters of a hint. A hint may list names that can be used, such as all scenes of the
+/// gallery.
+const LONGEST_HINT: usize = 2000;
+/// The number of characters kept from the end of a longer text.
+const END: usize = 200;
+
+/// Returns a text for a message, without its middle if it is longer than 800 characters: values in a file may have any
+/// length.
+///
+/// ```
+/// let long = format!("`{}` is no number", "x".repeat(100_000));
+/// let short = throng_scene::abridged(&long);
+/// assert_eq!(short.chars().count(), 800);
+/// assert!(short.starts_with("`xxx") && short.contains('…') && short.ends_with("x` is no number"));
+/// ```
+pub fn abridged(text: &str) -> Cow<'_, str> {
+    at_most(text, LONGEST)
+}
+
+/// Returns a text, without its middle if it is longer than `longest` characters.
+fn at_most(text: &str, longest: usize) -> Cow<'_, str> {
+    let place = |count: usize| text.char_indices().nth(count).map(|(at, _)| at);
+    // most texts are short and need no count
+    if text.len() <= longest || place(longest).is_none() {
+        return text.into();
+    }
+    let start = place(longest - END - 1).unwrap_or(text.len());
+    let end = text.char_indices().rev().nth(END - 1).map_or(0, |(at, _)| at);
+    format!("{}…{}", &text[..start], &text[end..]).into()
 }

@@ -1,21 +1,21 @@
-//! The scenes that come with the project: the files of the folder `scenes`, packed into the library.
+//! The scenes of the project: the files of the folder `scenes`, packed into the library.
 
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// Every group: its name, and its scenes.
+/// Every group: its name and its scenes.
 macro_rules! groups {
     ($($group:literal: $($name:literal),* ;)*) => { &[$(($group, &[$($name),*])),*] };
 }
 
-/// The texts of all files, each after its name, between zeros.
+/// The texts of all files, each after its name, separated by zero bytes.
 const PACKED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/scenes.deflate"));
 
-/// The texts by name, as they were packed.
+/// The unpacked texts by name.
 static TEXTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    // what the build has packed is what comes out
+    // The build script packed this text: unpacking cannot fail.
     let all = miniz_oxide::inflate::decompress_to_vec(PACKED).unwrap_or_default();
     let all = String::from_utf8(all).unwrap_or_default();
     let mut parts = all.split('\0').map(str::to_owned);
@@ -23,7 +23,7 @@ static TEXTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
 });
 
 const GROUPS: &[(&str, &[&str])] = groups! {
-    // the seed labs' four, and their algorithm
+    // the four scenes of the seed labs, and their algorithm
     "labs": "columns", "circle", "box", "pillars", "circle-lab";
     "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
     "air": "sphere", "drones";
@@ -36,46 +36,46 @@ const GROUPS: &[(&str, &[&str])] = groups! {
         "one-turning", "capture-the-flag", "soccer", "map-drive",
         "flock-pedestrians", "leader-pedestrians", "path-pedestrians", "context-steering", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
         "pedestrians", "walking-an-eight";
-    // crowds that vector fields lead
+    // crowds guided by vector fields
     "fields": "field-anchors", "field-strokes", "field-paint", "field-vortex", "field-crossing-groups", "field-keyframes", "field-goal", "field-jam",
         "interaction-field";
-    // insects, by noise
+    // insects with noise
     "swarms": "swarm-aggregation", "swarm-phototaxis", "swarm-sedation", "swarm-attack", "swarm-migration", "swarm-escape";
-    // the flocks of OpenSteer's demo, each with its own constraints
+    // the flocks of OpenSteerDemo, each with its own constraint
     "flocks": "boids-open", "boids-in-sphere", "boids-between-spheres", "boids-in-sphere-spheres", "boids-spheres",
         "boids-in-sphere-rectangle", "boids-rectangle", "boids-outside-box", "boids-in-box";
 };
 
-/// The groups of scenes: the name of each, and the names of its scenes.
+/// Returns the groups of scenes: the name of each, and the names of its scenes.
 pub fn groups() -> impl Iterator<Item = (&'static str, impl Iterator<Item = &'static str>)> {
     GROUPS.iter().map(|(group, scenes)| (*group, scenes.iter().copied()))
 }
 
-/// The names of all scenes.
+/// Returns the names of all scenes.
 pub fn names() -> impl Iterator<Item = &'static str> {
     groups().flat_map(|(_, scenes)| scenes)
 }
 
-/// The text of a scene's file.
+/// Returns the text of a scene's file.
 pub fn text(name: &str) -> Option<&'static str> {
     TEXTS.get(name).map(String::as_str)
 }
 
-/// The title of a scene.
+/// Returns the title of a scene.
 pub fn title(name: &str) -> Option<&'static str> {
     title_in(text(name)?)
 }
 
-/// The title that the text of a scene's file says.
+/// Returns the title in the text of a scene's file.
 pub(crate) fn title_in(text: &str) -> Option<&str> {
     let line = text.lines().find_map(|line| line.strip_prefix("title = "))?;
     Some(line.trim().trim_matches('"'))
 }
 
-/// The scene of this name.
+/// Returns the scene with this name.
 ///
 /// # Errors
-/// There is no such scene; the hint lists those there are.
+/// The scene does not exist. The hint lists the scenes of the gallery.
 pub fn scene(name: &str) -> Result<Scene, Error> {
     let Some(text) = text(name) else {
         let names: Vec<String> = names().map(str::to_owned).collect();

@@ -1,6 +1,7 @@
-//! What a scene says: scene files, importers of floor plans and of other programs' scenarios, and the gallery.
+//! Scenes: scene files, importers of floor plans and of other programs' scenarios, and the gallery.
 //!
-//! A [`Scene`] is plain data. Everything a scene file (TOML) can say can be said in code, and the other way round:
+//! A [`Scene`] is plain data. Code can set everything that a scene file (TOML) can set, and a file everything that code
+//! can.
 //!
 //! ```
 //! use throng_scene::{Goal, Group, Place, Ring, Scene};
@@ -34,7 +35,8 @@
 //! # Ok::<(), throng_scene::Error>(())
 //! ```
 //!
-//! `docs/scenes.md` describes every key, `docs/steering.md` those of steering. Files use degrees for angles, metres and seconds for the rest.
+//! `docs/scenes.md` describes every key, `docs/steering.md` the steering keys. Files use degrees for angles, metres and
+//! seconds for everything else.
 //!
 //! | to do | use |
 //! |---|---|
@@ -42,18 +44,19 @@
 //! | change one value, as the program's `--set` does | [`Scene::set`] |
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
-//! | say what agents steer by; bring behaviours of your own | [`steer`], [`Behaviours`], [`Cast`] |
-//! | bring all that along under names, scenes too | [`Plugins`] |
-//! | play a game; bring rules of your own | [`Scene::rules`], [`Rulebook`] |
-//! | look at what would be built | [`Scene::plan`] |
-//! | check what the scene expects | [`Watch`], [`Verdict`] |
+//! | define what agents steer by; add your own behaviours | [`steer`], [`Behaviours`], [`SceneNames`] |
+//! | register behaviours, rules and scenes under names | [`Plugins`] |
+//! | play a game; add your own rules | [`Scene::rules`], [`Rulebook`] |
+//! | see what would be built | [`Scene::plan`] |
+//! | check the expectations of a scene | [`Expectations`], [`Outcome`] |
 //! | the scenes that come with the project | [`gallery`] |
-//! | a floor plan, a JuPedSim scenario, a project of Menge's | [`import`] |
+//! | import a floor plan, a JuPedSim scenario or a Menge project | [`import`] |
 //! | the JSON schema of scene files | [`schema()`] |
 
-mod build;
+mod assemble;
 mod caught;
 mod error;
+mod expectations;
 mod file;
 pub mod gallery;
 mod games;
@@ -62,16 +65,15 @@ pub mod import;
 mod plugins;
 mod random;
 mod scene;
-mod watch;
 
-pub use build::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
+pub use assemble::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use caught::{caught, hush};
-pub use error::{Error, Kind};
+pub use error::{Error, Kind, abridged};
+pub use expectations::{Expectation, Expectations, Figure, Outcome};
 pub use import::{Imported, open};
 pub use plugins::Plugins;
 pub use random::{Purpose, Random};
 pub use scene::*;
-pub use watch::{Check, Figure, Verdict, Watch};
 
 /// The examples of the README, compiled and run as tests.
 #[cfg(doctest)]

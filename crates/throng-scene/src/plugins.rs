@@ -1,8 +1,8 @@
-//! What a program brings along: behaviours, rules and scenes by name.
+//! Plug-ins: behaviours, rules and scenes that a program registers by name.
 
 use crate::error::Error;
 use crate::gallery;
-use crate::scene::{Behaviours, Cast, Rulebook, Scene};
+use crate::scene::{Behaviours, Rulebook, Scene, SceneNames};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
@@ -10,24 +10,24 @@ use std::path::Path;
 use throng::steer::Behaviour;
 use throng::{Error as Refused, Rules};
 
-/// The group of a program's own scenes in its gallery.
+/// The group of the program's own scenes in its gallery.
 const GROUP: &str = "plug-ins";
 
-/// What a program brings along: behaviours and rules that scene files can name, and scenes beside those of the gallery. Whatever
-/// opens scenes takes it: the studio, or a program that runs them.
+/// The plug-ins of a program: behaviours and rules that scene files can name, and scenes besides those of the gallery.
+/// The studio takes them, and so can every program that opens scenes.
 ///
 /// ```
 /// use schemars::JsonSchema;
 /// use serde::Deserialize;
 /// use throng::motion::Steering;
-/// use throng::steer::{Behaviour, View, Why};
+/// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_scene::Plugins;
 ///
-/// /// Goes up, but not above a height.
+/// /// Rises to a height.
 /// #[derive(Debug, Deserialize, JsonSchema)]
 /// #[serde(default)]
 /// struct Climb {
-///     /// How high, metres.
+///     /// The height, metres.
 ///     #[schemars(range(min = 0, max = 100))]
 ///     height: f32,
 /// }
@@ -39,7 +39,7 @@ const GROUP: &str = "plug-ins";
 /// }
 ///
 /// impl Behaviour for Climb {
-///     fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+///     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
 ///         (view.position().z < self.height).then(|| view.reach(glam::Vec3::Z * view.vehicle.max_speed))
 ///     }
 /// }
@@ -49,13 +49,13 @@ const GROUP: &str = "plug-ins";
 ///     [[group]]
 ///     place.point = [5, 0]
 ///     vehicle = { kind = "level", max_speed = 2.0 }
-///     steer.custom.climb = { height = 4 }
+///     steer.custom.vertical_velocity = { height = 4 }
 /// "#;
 ///
-/// let plugins = Plugins::new().behaviour::<Climb>("climb").scene("lift", LIFT);
+/// let plugins = Plugins::new().behaviour::<Climb>("vertical_velocity").scene("lift", LIFT);
 /// let (mut world, _) = plugins.open("lift")?.build()?;
 /// (0..200).for_each(|_| world.step());
-/// assert!(world.agents().altitude[0] > 3.9);
+/// assert!(world.relative_columns().altitude[0] > 3.9);
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -67,37 +67,37 @@ pub struct Plugins {
 }
 
 impl Plugins {
-    /// Nothing yet.
+    /// Returns an empty set of plug-ins.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// With a behaviour, whose fields are its parameters: see [`Behaviours::add_with`].
+    /// Adds a behaviour. The fields of its type are its parameters: see [`Behaviours::add_with`].
     pub fn behaviour<B: Behaviour + DeserializeOwned + JsonSchema + 'static>(
         mut self,
         name: impl Into<String>,
     ) -> Self {
-        self.behaviours.add_with(name, |behaviour: B, _: &Cast<'_>| Ok(behaviour.into()));
+        self.behaviours.add_with(name, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
         self
     }
 
-    /// With behaviours that need to know who and what is in the scene.
+    /// Adds behaviours that need the names in the scene.
     pub fn behaviours(mut self, behaviours: Behaviours) -> Self {
         self.behaviours.extend(behaviours);
         self
     }
 
-    /// With the rules of a game, for `rules = "NAME"`: see [`Rulebook::add`].
+    /// Adds the rules of a game, for `rules = "NAME"`: see [`Rulebook::add`].
     pub fn rules<R: Rules + 'static>(
         mut self,
         name: impl Into<String>,
-        make: impl Fn(&Cast<'_>) -> Result<R, Refused> + Send + Sync + 'static,
+        make: impl Fn(&SceneNames<'_>) -> Result<R, Refused> + Send + Sync + 'static,
     ) -> Self {
         self.rulebook.add(name, make);
         self
     }
 
-    /// With a scene: its name, and the text of its file. It takes the place of one of this name.
+    /// Adds a scene: its name, and the text of its file. It replaces a scene with the same name.
     pub fn scene(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
         let (name, text) = (name.into(), text.into());
         self.scenes.retain(|(known, _)| *known != name);
@@ -105,18 +105,20 @@ impl Plugins {
         self
     }
 
-    /// With a scene that was made in code. One that cannot be written as a file ([`Scene::to_toml`]) has what is wrong for a text.
+    /// Adds a scene made in code. If it cannot be written as a file ([`Scene::to_toml`]), its text is the error
+    /// message.
     pub fn scene_in_code(self, name: impl Into<String>, scene: &Scene) -> Self {
         let text = scene.to_toml().unwrap_or_else(|error| error.to_string());
         self.scene(name, text)
     }
 
-    /// Lets a scene know the behaviours and rules.
+    /// Gives a scene the behaviours and rules.
     pub fn equip(&self, scene: &mut Scene) {
         (scene.behaviours, scene.rulebook) = (self.behaviours.clone(), self.rulebook.clone());
     }
 
-    /// The groups of the gallery, and before them the program's own scenes: the name of each, and the names of its scenes.
+    /// Returns the groups of the gallery, after the group of the program's own scenes: the name of each, and the names
+    /// of its scenes.
     pub fn groups(&self) -> Vec<(&str, Vec<&str>)> {
         let own: Vec<&str> = self.scenes.iter().map(|(name, _)| name.as_str()).collect();
         let others =
@@ -126,24 +128,24 @@ impl Plugins {
         own.into_iter().chain(others).collect()
     }
 
-    /// The names of all scenes, in the order of their groups.
+    /// Returns the names of all scenes, in the order of their groups.
     pub fn names(&self) -> Vec<&str> {
         self.groups().into_iter().flat_map(|(_, names)| names).collect()
     }
 
-    /// The text of a scene: the program's, or else the gallery's.
+    /// Returns the text of a scene: the program's scene, or else the gallery's.
     pub fn text(&self, name: &str) -> Option<&str> {
         let own = self.scenes.iter().find(|(known, _)| known == name);
         own.map(|(_, text)| text.as_str()).or_else(|| gallery::text(name))
     }
 
-    /// The title of a scene.
+    /// Returns the title of a scene.
     pub fn title(&self, name: &str) -> Option<&str> {
         gallery::title_in(self.text(name)?)
     }
 
-    /// Opens a scene of the program by its name, or whatever else [`open`](crate::open) does, and lets it know the behaviours and
-    /// rules.
+    /// Opens a scene of the program by its name, or anything that [`open`](crate::open) accepts, and gives it the
+    /// behaviours and rules.
     ///
     /// # Errors
     /// Those of [`open`](crate::open).
@@ -158,7 +160,8 @@ impl Plugins {
         Ok(scene)
     }
 
-    /// The JSON schema of scene files, as [`schema`](crate::schema()), with the behaviours and their parameters.
+    /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with the behaviours and their
+    /// parameters.
     pub fn schema(&self) -> Value {
         let mut names = Vec::new();
         let mut tables = Vec::new();

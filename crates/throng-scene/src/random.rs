@@ -1,11 +1,11 @@
-//! Random numbers without a state: a draw is a function of (seed, group, agent, purpose, count).
+//! Counter-based random numbers: each is a function of (seed, group, agent, purpose, count).
 //!
-//! The same place in a scene gets the same numbers on every machine, whatever else is in the scene. The mixing
-//! function is that of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), applied once per part of the key.
+//! An agent gets the same numbers on every machine, whatever else the scene contains. The mixing function is that of
+//! SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), applied once per part of the key.
 
 use crate::scene::Number;
 
-/// What a random number is for: draws for one purpose do not shift those for another.
+/// The purpose of a random number. Draws for one purpose do not shift the draws for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u64)]
 #[allow(missing_docs)]
@@ -45,7 +45,7 @@ fn mix(mut x: u64) -> u64 {
 }
 
 impl Random {
-    /// The numbers of this agent for this purpose.
+    /// Returns the random number generator of this agent for this purpose.
     pub fn new(seed: u64, group: u64, agent: u64, purpose: Purpose) -> Self {
         let key = [group, agent, purpose as u64]
             .into_iter()
@@ -53,29 +53,29 @@ impl Random {
         Self { key, count: 0 }
     }
 
-    /// The next 64 random bits.
+    /// Returns the next 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.count += 1;
         mix(self.key.wrapping_add(self.count.wrapping_mul(GOLDEN)))
     }
 
-    /// The next number from 0 up to but without 1.
+    /// Returns the next number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
     }
 
-    /// The next number between two bounds.
+    /// Returns the next number between two bounds.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// The next number of the standard normal distribution (Box and Muller).
+    /// Returns the next number of the standard normal distribution (Box and Muller).
     pub fn normal(&mut self) -> f64 {
         let radius = libm::sqrt(-2.0 * libm::log(1.0 - self.unit()));
         radius * libm::cos(core::f64::consts::TAU * self.unit())
     }
 
-    /// The next draw of a [`Number`].
+    /// Returns the next draw of a [`Number`].
     pub fn draw(&mut self, number: &Number) -> f64 {
         match number {
             Number::Constant(x) => *x,
@@ -88,7 +88,7 @@ impl Random {
                         return x;
                     }
                 }
-                // Bounds far out in a tail: whatever is nearest to the mean.
+                // The bounds lie far out in a tail: use the value nearest to the mean.
                 normal.mean.clamp(min, max)
             }
         }

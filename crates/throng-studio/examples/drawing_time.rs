@@ -1,5 +1,5 @@
-//! Measures what drawing a crowd costs the processor, apart from its steps and from what the graphics processor does: in the worst
-//! case, of a new state in every frame.
+//! Measures the processor time that drawing a crowd takes, without simulation and without the graphics processor. Every
+//! frame draws a new state, which is the worst case.
 //!
 //! usage: cargo run --release -p throng-studio --example drawing_time [AGENTS ...]
 #![allow(clippy::print_stdout)]
@@ -8,16 +8,16 @@ use eframe::egui::{Context, Event, RawInput, Rect, pos2};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use throng_scene::Scene;
-use throng_studio::play::{Command, Engine, Shown};
+use throng_studio::play::{Command, Engine, RunMoment};
 use throng_studio::settings::Settings;
-use throng_studio::view::{Coloring, Mode, View};
+use throng_studio::view::{Coloring, Mode, ViewOptions};
 
 type Failure = Box<dyn std::error::Error>;
 
-/// States that are drawn, one a frame; the first of them only warm what is kept up.
+/// The number of states, one per frame. The first `WARM` states are not measured.
 const STATES: usize = 60;
 const WARM: usize = 20;
-/// Points of the screen.
+/// The size of the screen, in points.
 const SIZE: [f32; 2] = [1280.0, 720.0];
 
 fn main() -> Result<(), Failure> {
@@ -46,8 +46,8 @@ fn measure(count: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// States of a crowd on its way, one after the other.
-fn states(count: usize) -> Result<Vec<Arc<Shown>>, Failure> {
+/// Returns consecutive states of a walking crowd.
+fn states(count: usize) -> Result<Vec<Arc<RunMoment>>, Failure> {
     let side = (count as f64).sqrt().ceil() as usize;
     let text = format!(
         "title = \"Crowd\"\n[[group]]\nname = \"crowd\"\ncount = {count}\n\
@@ -67,9 +67,14 @@ fn states(count: usize) -> Result<Vec<Arc<Shown>>, Failure> {
     Ok(states)
 }
 
-/// Frames in which all states are drawn: what one takes, the longest, and the bytes it hands over.
-fn draw(states: &[Arc<Shown>], settings: &Settings, mode: Mode, selected: Option<u32>) -> (Duration, Duration, usize) {
-    let (ctx, mut view) = (Context::default(), View::default());
+/// Draws all states, one per frame. Returns the mean time, the longest time, and the bytes uploaded in the last frame.
+fn draw(
+    states: &[Arc<RunMoment>],
+    settings: &Settings,
+    mode: Mode,
+    selected: Option<u32>,
+) -> (Duration, Duration, usize) {
+    let (ctx, mut view) = (Context::default(), ViewOptions::default());
     let (mut begun, mut last, mut worst) = (used(), used(), Duration::ZERO);
     for (frame, shown) in states.iter().enumerate() {
         let input = RawInput {
@@ -80,7 +85,7 @@ fn draw(states: &[Arc<Shown>], settings: &Settings, mode: Mode, selected: Option
         let mut output = ctx.run_ui(input, |ui| {
             view.ui(ui, shown, settings);
         });
-        // there is no graphics processor to take them
+        // no graphics processor consumes the textures
         output.textures_delta.clear();
         std::hint::black_box(ctx.tessellate(std::mem::take(&mut output.shapes), output.pixels_per_point));
         if frame == 0 {
@@ -98,10 +103,10 @@ fn draw(states: &[Arc<Shown>], settings: &Settings, mode: Mode, selected: Option
     ((used() - begun) / (states.len() - 1 - WARM) as u32, worst, view.handed_over())
 }
 
-/// The time that this thread has had the processor; where the system does not tell, the time.
+/// Returns the processor time of this thread, or the elapsed time where the system does not report it.
 fn used() -> Duration {
     static BEGUN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|told| told.split_whitespace().next()?.parse().ok());
+    let schedstat = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = schedstat.and_then(|text| text.split_whitespace().next()?.parse().ok());
     nanoseconds.map_or_else(|| BEGUN.get_or_init(Instant::now).elapsed(), Duration::from_nanos)
 }

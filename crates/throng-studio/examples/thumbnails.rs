@@ -1,4 +1,4 @@
-//! Makes the thumbnails of the gallery: every scene at the moment that tells what it is about.
+//! Renders the thumbnails of the gallery: each scene at its `moment`.
 //!
 //! usage: cargo run -p throng-studio --example thumbnails [SCENE ...]
 
@@ -10,7 +10,7 @@ use throng_draw::{Painter, Style};
 use throng_record::{Frame, moment};
 use throng_scene::gallery;
 
-/// Twice the size that they are shown in.
+/// Twice the displayed size.
 const SIZE: (u32, u32) = (216, 144);
 
 type Failure = Box<dyn std::error::Error>;
@@ -39,8 +39,8 @@ fn thumbnail(name: &str, path: PathBuf) -> Result<(), Failure> {
     write(&path, painter.paint(&frame).data())
 }
 
-/// Writes red, green, blue and opacity as a picture with a palette: colours that differ by few bits become the commonest of
-/// them, by as few as leave 256.
+/// Writes RGBA pixels as an indexed PNG. Colours that are equal apart from their lowest bits share the most frequent
+/// colour among them. The number of ignored bits is the smallest that leaves at most 256 colours.
 fn write(path: &Path, pixels: &[u8]) -> Result<(), Failure> {
     let cells = |bits: u32| {
         let mut counts: BTreeMap<[u8; 3], BTreeMap<[u8; 3], u32>> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The studio as a whole.
+//! The application: the panels, the views and the state of the studio.
 
 mod beside;
 mod directing;
@@ -13,63 +13,63 @@ use crate::document::Document;
 use crate::keep::{Draft, Leaving, Unfinished, remember, remembered};
 use crate::keys::{self, Action};
 use crate::outside::Files;
-use crate::panels::{self, Asked, Gallery, Meters, Tuned, Tuning, Why};
-use crate::play::{Command, Player, Shown, Speed, Trouble};
+use crate::panels::{self, ExplanationWindow, Gallery, Meters, TextRequest, Tuned, Tuning};
+use crate::play::{Command, Player, RunMoment, Speed, Trouble};
 use crate::record::Recording;
 use crate::settings::Settings;
 use crate::style;
-use crate::view::View;
+use crate::view::ViewOptions;
 use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-/// The studio.
+/// The studio application.
 pub struct App {
     settings: Settings,
     options: Options,
     document: Document,
     player: Player,
-    /// The view, and that of the same scene with another model.
-    views: [View; 2],
+    /// The main view, and the view of the same scene with another model.
+    views: [ViewOptions; 2],
     gallery: Gallery,
-    why: Why,
+    why: ExplanationWindow,
     tuning: Tuning,
     director: Director,
     save_as: panels::Naming,
     open: panels::Naming,
     meters: Meters,
     record: panels::Record,
-    /// What is being recorded, and where to.
+    /// The current recording and its file.
     recording: Option<(Recording, PathBuf)>,
-    /// The run that is still shown while a film is read.
+    /// The run that stays visible while a trajectory file is read.
     reading: Option<u64>,
-    /// Who explains itself.
+    /// The agent with the requested decision trace.
     explained: Option<u32>,
     help: bool,
-    /// What keys asked for since the last frame.
+    /// Actions requested by keys since the last frame.
     actions: Vec<Action>,
-    /// What the look of the panels was made for: a dark theme, a touch screen.
+    /// What the style of the panels was built for: dark theme, touch screen.
     look: Option<(bool, bool)>,
-    /// What people should know, until they have seen it.
+    /// A message for the user, shown until it is dismissed.
     notice: Option<String>,
-    /// What waits for an answer: it would lose changes of the text, or a recording.
+    /// An action that would lose unsaved text or a recording, and waits for the user's answer.
     leaving: Option<(Leaving, Unfinished)>,
-    /// What waits for the recording to be complete.
+    /// An action that waits until the recording is complete.
     after_recording: Option<Leaving>,
-    /// What work that goes on beside has to say.
+    /// Messages from background work.
     news: (Sender<String>, Receiver<String>),
-    /// Where the view is.
+    /// The rectangle of the main view.
     place: Rect,
     ctx: Context,
-    /// The state that was told last.
+    /// The last published state, as JSON.
     told: String,
     files: Files,
     outside: crate::outside::Outside,
 }
 
 impl App {
-    /// The studio with what it remembers, playing its first scene.
+    /// Creates the studio with its remembered settings and starts the first scene.
     pub fn new(ctx: &Context, storage: Option<&dyn eframe::Storage>, options: Options) -> Result<Self, String> {
         let mut settings: Settings =
             storage.and_then(|storage| remembered(storage, eframe::APP_KEY)).unwrap_or_default();
@@ -78,7 +78,7 @@ impl App {
         let (files, plugins) = (Files::default(), Arc::new(options.plugins.clone()));
         let (document, notice, leaving) =
             keeping::begin(storage, (&wanted, options.scene.is_some()), &files, &plugins)?;
-        // a draft that comes back is looked at first
+        // a restored draft takes precedence over a trajectory file
         if notice.is_some() || leaving.is_some() || !files.is_film(&wanted) {
             settings.scene = document.origin();
         } else {
@@ -92,7 +92,7 @@ impl App {
             document,
             views: Default::default(),
             gallery: Gallery::default(),
-            why: Why::default(),
+            why: ExplanationWindow::default(),
             tuning: Tuning::default(),
             director: Director::default(),
             save_as: panels::Naming::new("Save as", "Save", "name.toml"),
@@ -129,7 +129,7 @@ impl App {
         Ok(app)
     }
 
-    /// Plays what was opened: a film, or what the text says.
+    /// Plays the opened item: a trajectory file, or the scene of the text.
     fn begin(&mut self, run: bool) {
         if let Some(film) = self.files.film(&self.settings.scene, &self.document) {
             self.director.take(Tool::Hand);
@@ -140,7 +140,7 @@ impl App {
         }
     }
 
-    /// Plays what the text says; while that is no scene, what it said when it was saved.
+    /// Plays the scene of the text. If the text is invalid, plays the saved scene.
     fn play(&mut self, run: bool) {
         let said = self.document.scene().ok().cloned();
         if let Some(scene) = said.or_else(|| self.document.saved_scene()) {
@@ -149,7 +149,7 @@ impl App {
         }
     }
 
-    /// Lets what plays be as the text says now: on from where it is, if it is only its groups that are others.
+    /// Applies the text to the running scene. If only groups changed, the run continues from the current state.
     fn change(&mut self) {
         if let Ok(scene) = self.document.scene() {
             let (name, scene) = (self.document.name.clone(), scene.clone());
@@ -157,10 +157,10 @@ impl App {
         }
     }
 
-    fn act(&mut self, action: Action, shown: Option<&Shown>) {
+    fn act(&mut self, action: Action, shown: Option<&RunMoment>) {
         let panels = &mut self.settings.panels;
         match action {
-            // after it has stopped nothing plays until somebody wants it to
+            // after a failure, nothing plays until the user starts it
             Action::Play | Action::Restart if shown.is_none() => self.begin(true),
             Action::Play if shown.is_some_and(|shown| shown.playing) => self.player.command(Command::Pause),
             Action::Play => self.player.command(Command::Run),
@@ -193,7 +193,7 @@ impl App {
                 self.director.take(Tool::Hand);
                 self.meters.take_up(None);
             }
-            // what has happened is not directed
+            // a replay cannot be edited
             Action::Take(_) | Action::Remove if shown.is_some_and(|shown| shown.reel.is_some()) => {}
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
@@ -219,7 +219,7 @@ impl App {
         self.player.command(Command::Speed(speed));
     }
 
-    fn panels(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
+    fn panels(&mut self, ui: &mut Ui, shown: Option<&RunMoment>, trouble: Option<&Trouble>) {
         let frame = frame_of(&self.settings);
         Panel::top("top").frame(frame).show_separator_line(false).show(ui, |ui| self.top(ui, shown, trouble));
         if let Some(shown) = shown {
@@ -247,8 +247,8 @@ impl App {
         if self.settings.panels.text {
             Panel::right("text").frame(frame).show_separator_line(false).default_size(440.0).show(ui, |ui| {
                 match panels::text(ui, &mut self.document, trouble) {
-                    Some(Asked::Apply) => self.change(),
-                    Some(Asked::Save) => self.save(),
+                    Some(TextRequest::Apply) => self.change(),
+                    Some(TextRequest::Save) => self.save(),
                     None => {}
                 }
             });
@@ -279,17 +279,17 @@ impl App {
         }
     }
 
-    fn top(&mut self, ui: &mut Ui, shown: Option<&Shown>, trouble: Option<&Trouble>) {
+    fn top(&mut self, ui: &mut Ui, shown: Option<&RunMoment>, trouble: Option<&Trouble>) {
         ui.horizontal(|ui| {
             ui.label(egui::RichText::new("throng").heading());
             ui.separator();
             let panels = &mut self.settings.panels;
             ui.toggle_value(&mut panels.gallery, "Gallery");
             ui.toggle_value(&mut panels.text, "Text");
-            ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for what groups are (U)");
+            ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for the parameters of the groups (U)");
             ui.toggle_value(&mut panels.summary, "Summary");
             ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (H)");
-            ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent goes where it goes (W)");
+            ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent moves as it does (W)");
             ui.separator();
             if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
                 self.actions.push(Action::New);
@@ -336,7 +336,7 @@ impl App {
     }
 }
 
-/// What panels are framed by.
+/// Returns the frame of the panels.
 fn frame_of(settings: &Settings) -> Frame {
     Frame::new().fill(style::color(style::panel(&settings.theme()))).inner_margin(Margin::symmetric(12, 8))
 }
@@ -359,13 +359,13 @@ impl eframe::App for App {
         }
         crate::outside::work(&mut self.player, &ctx);
         self.keep(&ctx);
-        let (shown, trouble): (Option<Arc<Shown>>, _) = (self.player.shown(), self.player.trouble());
+        let (shown, trouble): (Option<Arc<RunMoment>>, _) = (self.player.shown(), self.player.trouble());
         let run = shown.as_ref().map_or(0, |shown| shown.run);
         self.reading = self.reading.filter(|before| *before == run && trouble.is_none());
         self.notice = self.news.1.try_iter().last().or(self.notice.take());
         self.receive(&ctx);
         if !self.actions.is_empty() {
-            // what they do is to be seen, where no thread wakes the page
+            // a web page has no thread that wakes it, so request the frame that shows the result
             ctx.request_repaint();
         }
         for action in std::mem::take(&mut self.actions) {

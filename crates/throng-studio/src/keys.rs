@@ -1,36 +1,36 @@
-//! The keyboard: as in OpenSteerDemo where it makes sense.
+//! The keyboard. Keys follow OpenSteerDemo where possible.
 
 use crate::direct::Tool;
 use eframe::egui::{Event, Key, Modifiers};
 
-/// What a key does.
+/// An action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// Runs, or pauses.
+    /// Runs or pauses.
     Play,
-    /// A step on.
+    /// Steps forward.
     Step,
-    /// A step back.
+    /// Steps back.
     Back,
-    /// From the start.
+    /// Restarts the scene.
     Restart,
-    /// The next scene of the gallery.
+    /// Opens the next scene of the gallery.
     NextScene,
-    /// The scene before.
+    /// Opens the previous scene of the gallery.
     PreviousScene,
     /// Selects the next agent.
     NextAgent,
-    /// The next camera.
+    /// Selects the next camera.
     NextCamera,
-    /// The next speed.
+    /// Selects the next speed.
     NextSpeed,
-    /// Draws what the selected agent has in mind, or not.
+    /// Shows or hides the annotations of the selected agent.
     Annotations,
-    /// Trails, or none.
+    /// Shows or hides trails.
     Trails,
-    /// Sees everything.
+    /// Fits the whole scene into the view.
     Fit,
-    /// Light or dark.
+    /// Switches between the light and the dark theme.
     Dark,
     /// Opens or closes the gallery.
     Gallery,
@@ -42,39 +42,39 @@ pub enum Action {
     Tuning,
     /// Opens or closes the plots.
     Plots,
-    /// Opens or closes why the selected agent goes where it goes.
+    /// Opens or closes the velocity space of the selected agent.
     Why,
     /// Opens or closes the help.
     Help,
-    /// Closes what is open, selects nobody.
+    /// Closes what is open and clears the selection.
     Leave,
-    /// Takes a tool.
+    /// Selects a tool.
     Take(Tool),
-    /// Takes what is selected out of the scene.
+    /// Removes the selected item from the scene.
     Remove,
-    /// One more of a group.
+    /// Adds an agent to a group.
     More,
-    /// One fewer.
+    /// Removes an agent from a group.
     Fewer,
-    /// A new scene.
+    /// Opens a new scene.
     New,
     /// Opens a file.
     Open,
     /// Saves the scene.
     Save,
-    /// Saves it under another name.
+    /// Saves the scene under another name.
     SaveAs,
-    /// Takes an edit back.
+    /// Undoes an edit.
     Undo,
-    /// Does it again.
+    /// Redoes an edit.
     Redo,
 }
 
-/// Every key, what it does, and how the help says it. `true`: with the command key.
+/// All keys: whether the command key is held, the key, its action, its label, and its help text.
 pub const KEYS: [(bool, Key, Action, &str, &str); 29] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
-    (false, Key::ArrowRight, Action::Step, "Right", "a step on"),
-    (false, Key::ArrowLeft, Action::Back, "Left", "a step back"),
+    (false, Key::ArrowRight, Action::Step, "Right", "one step forward"),
+    (false, Key::ArrowLeft, Action::Back, "Left", "one step back"),
     (false, Key::R, Action::Restart, "R", "restart"),
     (false, Key::Tab, Action::NextScene, "Tab", "next scene (with Shift: the one before)"),
     (false, Key::S, Action::NextAgent, "S", "select the next agent"),
@@ -86,24 +86,25 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 29] = [
     (false, Key::D, Action::Dark, "D", "light or dark"),
     (false, Key::G, Action::Gallery, "G", "gallery"),
     (false, Key::E, Action::Text, "E", "text of the scene"),
-    (false, Key::I, Action::Summary, "I", "how the run goes"),
-    (false, Key::U, Action::Tuning, "U", "sliders for what groups are"),
-    (false, Key::H, Action::Plots, "H", "figures against time"),
-    (false, Key::W, Action::Why, "W", "why the selected agent goes where it goes"),
+    (false, Key::I, Action::Summary, "I", "summary of the run"),
+    (false, Key::U, Action::Tuning, "U", "sliders for the parameters of the groups"),
+    (false, Key::H, Action::Plots, "H", "plots against time"),
+    (false, Key::W, Action::Why, "W", "why the selected agent moves as it does"),
     (false, Key::Questionmark, Action::Help, "?", "this help"),
-    (false, Key::Escape, Action::Leave, "Esc", "close, select nobody"),
-    (false, Key::Delete, Action::Remove, "Delete", "take what is selected out of the scene"),
-    (false, Key::Plus, Action::More, "+", "one more of the selected agent's group"),
-    (false, Key::Minus, Action::Fewer, "−", "one fewer"),
+    (false, Key::Escape, Action::Leave, "Esc", "close, clear the selection"),
+    (false, Key::Delete, Action::Remove, "Delete", "remove the selected item from the scene"),
+    (false, Key::Plus, Action::More, "+", "add an agent to the group of the selected agent"),
+    (false, Key::Minus, Action::Fewer, "−", "remove an agent from that group"),
     (true, Key::S, Action::Save, "Ctrl S", "save the scene (with Shift: under another name)"),
     (true, Key::N, Action::New, "Ctrl N", "a new scene"),
     (true, Key::O, Action::Open, "Ctrl O", "open a scene file, or trajectories to replay"),
     (true, Key::Z, Action::Undo, "Ctrl Z", "undo (with Shift: redo)"),
     (true, Key::Y, Action::Redo, "Ctrl Y", "redo"),
-    (true, Key::Enter, Action::Play, "Ctrl Enter", "run or pause, in the text too"),
+    (true, Key::Enter, Action::Play, "Ctrl Enter", "run or pause, also while editing the text"),
 ];
 
-/// Takes the keys that do something out of what has happened. While somebody writes, only those with the command key do.
+/// Removes the events of keys that have an action, and returns the actions. While the user types text, only keys with
+/// the command key act.
 pub fn take(events: &mut Vec<Event>, writing: bool) -> Vec<Action> {
     let mut actions = Vec::new();
     events.retain(|event| match event {
@@ -124,7 +125,7 @@ fn action(key: Key, modifiers: Modifiers, writing: bool) -> Option<Action> {
     if modifiers.alt || (writing && !command) {
         return None;
     }
-    // a keyboard may say so either way
+    // keyboard layouts report these keys in either form
     let key = match key {
         Key::Slash if modifiers.shift => Key::Questionmark,
         Key::Equals if modifiers.shift => Key::Plus,
@@ -132,7 +133,7 @@ fn action(key: Key, modifiers: Modifiers, writing: bool) -> Option<Action> {
     };
     let found = KEYS.iter().find(|(with, known, ..)| (*with, *known) == (command, key)).map(|found| found.2);
     let found = found.or_else(|| Tool::of_key(key).filter(|_| !command).map(Action::Take))?;
-    // a text has an undo of its own
+    // a text field has its own undo
     if writing && matches!(found, Action::Undo | Action::Redo) {
         return None;
     }
@@ -168,7 +169,7 @@ mod tests {
     #[test]
     fn a_key_does_one_thing() {
         let mut keys: Vec<(bool, Key)> = KEYS.iter().map(|(with, key, ..)| (*with, *key)).collect();
-        // who leaves what is open has the hand again
+        // Escape leaves what is open and thereby selects the hand
         let tools = Tool::all().filter(|tool| *tool != Tool::Hand);
         keys.extend(tools.map(|tool| (false, tool.says().0)));
         let all = keys.len();
@@ -178,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn who_writes_is_not_disturbed() {
+    fn keys_do_not_act_while_text_is_edited() {
         let mut events = vec![
             key(Key::R, true, Modifiers::NONE),
             key(Key::S, true, Modifiers::COMMAND),

@@ -1,21 +1,21 @@
-//! The studio: where people see, prototype, direct and debug crowds; in a window, and the same in a web page.
+//! The studio: an application to view, prototype, direct and debug crowds, in a window or in a web page.
 //!
-//! | room | what it holds |
+//! | module | content |
 //! |---|---|
-//! | [`document`] | the scene's text, the one thing that is edited |
-//! | [`direct`] | editing it with the mouse in the view |
-//! | [`play`] | what plays it: commands in, states out |
-//! | [`keep`] | what keeps unsaved work |
-//! | [`view`] | cameras, and what is drawn by the graphics processor |
-//! | [`tune`] | what can be tuned: the schema of scene files, and what the scene says |
-//! | [`panels`] | what stands round the view |
-//! | [`record`] | films and tables of what is played |
-//! | [`picture`], [`share`] | what people take along |
+//! | [`document`] | the text of the scene, the only editable representation |
+//! | [`direct`] | editing the scene with the mouse in the view |
+//! | [`play`] | the player: commands in, states out |
+//! | [`keep`] | protection of unsaved work |
+//! | [`view`] | cameras, and what the graphics processor draws |
+//! | [`tune`] | tunable parameters: the schema of scene files and the values of the scene |
+//! | [`panels`] | the panels around the view |
+//! | [`record`] | videos and tables of a run |
+//! | [`picture`], [`share`] | pictures and links |
 //! | [`start`] | command lines and addresses |
-//! | [`keys`], [`settings`], [`state`] | the keyboard; what is remembered; what tests read |
+//! | [`keys`], [`settings`], [`state`] | the keyboard, persistent settings, the state that tests read |
 //!
-//! [`App`] puts them together. The text is the one document: what edits a scene edits the text, the player gets the scene
-//! that it says, and the view shows what the player has published.
+//! [`App`] combines them. Every edit of the scene changes the text. The player receives the scene of the text, and the
+//! view shows the state that the player publishes.
 
 mod app;
 pub mod direct;
@@ -43,7 +43,8 @@ pub use app::App;
 pub use start::Options;
 pub use throng_scene::Plugins;
 
-/// The studio as a program of its own, with what is brought along: in a window, as its command line says, or in a web page.
+/// Runs the studio as a program with these plug-ins. Native builds open a window according to the command line, web
+/// builds start in the page.
 ///
 /// ```no_run
 /// throng_studio::main(throng_studio::Plugins::new().scene("mine", "[[group]]\nplace.point = [0, 0]\n"));
@@ -60,7 +61,8 @@ pub fn main(plugins: Plugins) -> std::process::ExitCode {
     }
 }
 
-/// The studio as a program of its own, with what is brought along: in a window, as its command line says, or in a web page.
+/// Runs the studio as a program with these plug-ins. Native builds open a window according to the command line, web
+/// builds start in the page.
 #[cfg(target_arch = "wasm32")]
 pub fn main(plugins: Plugins) -> std::process::ExitCode {
     page::open(plugins);

@@ -9,13 +9,14 @@ use throng_draw::Typeface;
 use throng_scene::Plugins;
 use wasm_bindgen::JsCast;
 
-/// What the browser keeps from when the studio stopped to when it starts again.
+/// The storage key that marks a failure of the studio until its next start.
 const STOPPED: &str = "throng.stopped";
 
-/// Starts the studio on the page's canvas `studio`; the scene is what stands behind `#` in the address,
-/// as [`Options::of_address`] reads it. What goes wrong is said by the page's element `said`.
+/// Starts the studio on the canvas `studio` of the page. The part of the address after `#` selects the scene
+/// ([`Options::of_address`]). Errors appear in the element `said` of the page.
 ///
-/// A panic ends the studio, as pages cannot catch any: it is told, and the next time the scene is opened without being played.
+/// A panic ends the studio, because a page cannot catch panics. The page shows the panic. At its next start the studio
+/// opens the scene without playing it.
 pub fn open(plugins: Plugins) {
     std::panic::set_hook(Box::new(stopped));
     wasm_bindgen_futures::spawn_local(async {
@@ -33,7 +34,7 @@ async fn start(plugins: Plugins) -> Result<(), String> {
     let mut options = Options { plugins, ..Options::of_address(hash.trim_start_matches('#'))? };
     if let Some(kept) = storage().filter(|kept| kept.get_item(STOPPED).is_ok_and(|item| item.is_some())) {
         options.rest = true;
-        // a browser that keeps it has it looked at once more
+        // if the browser keeps the mark, the next scene opens without playing too
         let _ = kept.remove_item(STOPPED);
     }
     let [text, code] = [fetch("fonts/ubuntu-light.ttf").await?, fetch("fonts/hack-regular.ttf").await?];
@@ -47,7 +48,7 @@ async fn start(plugins: Plugins) -> Result<(), String> {
     started.map_err(|error| format!("the studio does not start: {error:?}"))
 }
 
-/// The fonts of panels, and of what is code.
+/// Returns the fonts of panels and of code.
 fn fonts(text: Vec<u8>, code: Vec<u8>) -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in [("text", text), ("code", code)] {
@@ -58,21 +59,21 @@ fn fonts(text: Vec<u8>, code: Vec<u8>) -> FontDefinitions {
     fonts
 }
 
-/// Tells of a panic, and remembers it.
+/// Shows a panic and marks the failure in the storage.
 fn stopped(panic: &PanicHookInfo<'_>) {
     if let Some(kept) = storage() {
-        // where nothing is kept the scene is played again
+        // without storage, the next start plays the scene
         let _ = kept.set_item(STOPPED, "");
     }
     say(&format!("throng has stopped: {panic}\n\nLoad the page again: what you have written is kept."));
 }
 
-/// Shows something in the middle of the page.
+/// Shows a message in the centre of the page.
 fn say(says: &str) {
     let document = web_sys::window().and_then(|window| window.document());
     if let Some(said) = document.and_then(|document| document.get_element_by_id("said")) {
         said.set_text_content(Some(says));
-        // an element that is no longer hidden is what was wanted
+        // fails only if the element is already visible
         let _ = said.remove_attribute("hidden");
     }
 }

@@ -1,11 +1,11 @@
-//! Pictures of what the window shows.
+//! Screenshots of the window.
 
 use eframe::egui::{ColorImage, Rect};
 
-/// A picture as a file of the kind PNG.
+/// Encodes an image as PNG.
 ///
 /// # Errors
-/// It has no pixels.
+/// The image has no pixels.
 pub fn png(image: &ColorImage) -> Result<Vec<u8>, png::EncodingError> {
     let [width, height] = image.size.map(|side| side as u32);
     let mut bytes = Vec::new();
@@ -15,7 +15,7 @@ pub fn png(image: &ColorImage) -> Result<Vec<u8>, png::EncodingError> {
     Ok(bytes)
 }
 
-/// The part of a picture of the window that lies in `rect`, where a point of the screen is so many pixels.
+/// Cuts a screenshot of the window to `rect`, given in points.
 pub fn part(image: &ColorImage, rect: Rect, pixels_per_point: f32) -> ColorImage {
     let [width, height] = image.size.map(|side| side as f32 / pixels_per_point);
     let whole = Rect::from_min_max([0.0, 0.0].into(), [width, height].into());

@@ -1,53 +1,53 @@
-//! What the studio remembers from one time to the next.
+//! Persistent settings.
 
 use crate::play::Speed;
 use crate::view::{Coloring, Layers, Marks};
 use serde::{Deserialize, Serialize};
 use throng_draw::Theme;
 
-/// What people have chosen.
+/// The settings of the user.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
-    /// Light on dark ground.
+    /// Whether the theme is dark.
     pub dark: bool,
-    /// Whether there is a grid on the ground.
+    /// Whether the ground has a grid.
     pub grid: bool,
-    /// Length of the trails, seconds; 0 for none.
+    /// Length of the trails, seconds. 0 draws no trails.
     pub trails: f32,
-    /// What the colour of an agent says.
+    /// The quantity that colours the agents.
     pub coloring: Coloring,
-    /// What agents are drawn as.
+    /// The shape of the agents.
     pub marks: Marks,
-    /// How fast scenes play.
+    /// The playback speed.
     pub speed: Speed,
-    /// Whether what the selected agent has in mind is drawn.
+    /// Whether the annotations of the selected agent are drawn.
     pub annotations: bool,
-    /// What is seen beside the crowd.
+    /// The visible layers.
     pub layers: Layers,
-    /// Which panels are open.
+    /// The open panels.
     pub panels: Panels,
-    /// The model that the scene is played with beside its own; empty: none.
+    /// The model that runs beside the model of the scene. Empty for none.
     pub beside: String,
-    /// The scene that was open last: a name of the gallery or a file.
+    /// The scene opened last: a name of the gallery or a file.
     pub scene: String,
 }
 
-/// Which panels are open.
+/// The open panels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Panels {
-    /// The scenes that come with the project.
+    /// The gallery of scenes.
     pub gallery: bool,
-    /// The scene's text.
+    /// The text of the scene.
     pub text: bool,
-    /// How the run goes.
+    /// The summary of the run.
     pub summary: bool,
-    /// Sliders for what groups are.
+    /// The sliders of the parameters of the groups.
     pub tuning: bool,
-    /// Figures against time.
+    /// The plots against time.
     pub plots: bool,
-    /// Why the selected agent goes where it goes.
+    /// The velocity space of the selected agent.
     pub why: bool,
 }
 
@@ -76,11 +76,11 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Changes one of them: `key=value`, with the names of this file, such as `dark=true`, `panels.plots=true` or
+    /// Changes a setting: `key=value`, with the field names of this file, such as `dark=true`, `panels.plots=true` or
     /// `coloring=Speed`.
     ///
     /// # Errors
-    /// There is no such setting, or it takes no such value; in words.
+    /// There is no such setting, or the value is invalid.
     pub fn set(&mut self, said: &str) -> Result<(), String> {
         let (key, value) = said.split_once('=').ok_or_else(|| format!("`{said}`: `key=value` is expected"))?;
         let mut all = serde_json::to_value(&*self).map_err(|error| error.to_string())?;
@@ -91,7 +91,7 @@ impl Settings {
         Ok(())
     }
 
-    /// The colours of everything but the agents.
+    /// Returns the colours of everything but the agents.
     pub fn theme(&self) -> Theme {
         if self.dark { Theme::dark() } else { Theme::light() }
     }

@@ -1,16 +1,16 @@
-//! Scenes as links: a name of the gallery, or the whole text, packed.
+//! Scenes as links: a name of the gallery, or the compressed text.
 
 use crate::document::Document;
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;
 use throng_scene::gallery;
 
-/// What a packed text begins with.
+/// The prefix of a compressed text.
 const PACKED: &str = "text=";
-/// Bytes of a text at most: a link that says more is not one of ours.
+/// The largest text, bytes. A link with a larger text is rejected.
 const MOST: usize = 8 << 20;
 
-/// What stands behind `#` in the address of a document.
+/// Returns the part of the address after `#` that opens a document.
 pub fn link(document: &Document) -> String {
     let (name, text) = (&*document.name, document.text());
     if gallery::text(name) == Some(text) {
@@ -20,7 +20,7 @@ pub fn link(document: &Document) -> String {
     format!("{PACKED}{}", BASE64_URL_SAFE_NO_PAD.encode(packed))
 }
 
-/// The document of a link that holds its text; `None` if it is no such link, or a broken one.
+/// Returns the document of a link that holds its text, `None` for any other or invalid link.
 pub fn open(link: &str) -> Option<Document> {
     let packed = BASE64_URL_SAFE_NO_PAD.decode(link.strip_prefix(PACKED)?).ok()?;
     let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&packed, MOST).ok()?;

@@ -1,4 +1,4 @@
-//! What the studio is started with: from a command line, or from the address of a page.
+//! Start options, from the command line or from the address of a page.
 
 use crate::settings::Settings;
 use crate::view::Mode;
@@ -6,37 +6,37 @@ use std::path::PathBuf;
 use throng_draw::Typeface;
 use throng_scene::Plugins;
 
-/// What the studio is started with.
+/// Start options of the studio.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// A name of the gallery or a file; without it, what was open last.
+    /// A name of the gallery or a file. Without it, the scene opened last.
     pub scene: Option<String>,
-    /// The step at which the scene is shown, paused; without it, it runs.
+    /// The step at which the scene is shown, paused. Without it, the scene runs.
     pub at_step: Option<u64>,
-    /// Opens the scene without playing it, since the studio stopped there the last time.
+    /// Whether the scene is opened without playing it, because it stopped the studio the last time.
     pub rest: bool,
-    /// The agent that is selected at first.
+    /// The agent selected at first.
     pub select: Option<u32>,
-    /// How the scene is looked at; without it, from straight above.
+    /// The first camera. Without it, the plan view.
     pub camera: Option<Mode>,
-    /// What is other than remembered: `key=value` each, as [`Settings::set`] takes it.
+    /// Settings that differ from the stored ones: `key=value`, as in [`Settings::set`].
     pub with: Vec<String>,
-    /// Where the [`State`](crate::state::State) is written to.
+    /// The file that the [`State`](crate::state::State) is written to.
     pub state: Option<PathBuf>,
-    /// Where a picture of the window is written to; then the studio closes.
+    /// The file that a screenshot is written to. The studio closes afterwards.
     pub screenshot: Option<PathBuf>,
-    /// What recorded pictures are lettered in.
+    /// The typeface of recorded pictures.
     pub typeface: Typeface,
-    /// Behaviours, rules and scenes beside its own.
+    /// Behaviours, rules and scenes of plug-ins.
     pub plugins: Plugins,
 }
 
 impl Options {
-    /// What stands behind `#` in an address: `circle`, or `circle@500` for its state after 500 steps, and then, each after
-    /// a `&`, `select=3`, `camera=orbit` and [settings](Settings::set) such as `panels.plots=true`.
+    /// Parses the part of an address after `#`: `circle`, or `circle@500` for the state after 500 steps, followed by
+    /// `select=3`, `camera=orbit` and [settings](Settings::set) such as `panels.plots=true`, each after a `&`.
     ///
     /// # Errors
-    /// A step, a number or a camera that is none; in words.
+    /// A step, a number or a camera is invalid.
     ///
     /// ```
     /// use throng_studio::{Options, view::Mode};
@@ -65,10 +65,10 @@ impl Options {
         Ok(options)
     }
 
-    /// Makes settings other than remembered as it says.
+    /// Applies the settings of the options.
     ///
     /// # Errors
-    /// There is no such setting, or it takes no such value; in words.
+    /// There is no such setting, or the value is invalid.
     pub fn adjust(&self, settings: &mut Settings) -> Result<(), String> {
         self.with.iter().try_for_each(|said| settings.set(said))
     }

@@ -1,42 +1,42 @@
-//! What the studio shows, as a little JSON for tests: written to a file, or, in a web page, to `globalThis.throng`.
+//! The state of the studio as JSON, for tests. It is written to a file, or to `globalThis.throng` in a web page.
 
-use crate::play::Shown;
+use crate::play::RunMoment;
 use serde::Serialize;
 
-/// What is shown.
+/// The published state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct State {
-    /// The scene's name.
+    /// The name of the scene.
     pub scene: String,
-    /// Steps made.
+    /// Number of steps.
     pub step: u64,
-    /// Seconds since the start.
+    /// Simulation time, seconds.
     pub time: f64,
-    /// Agents in all.
+    /// Number of agents.
     pub agents: usize,
-    /// Agents that have arrived.
+    /// Number of agents that have arrived.
     pub arrived: usize,
-    /// The hash of the state, as the program's.
+    /// The hash of the world, as `throng run` prints it.
     pub hash: String,
-    /// Whether it goes on.
+    /// Whether the scene is playing.
     pub playing: bool,
     /// Whether the scene has ended.
     pub over: bool,
     /// The selected agent.
     pub selected: Option<u32>,
-    /// The scene's title.
+    /// The title of the scene.
     pub title: String,
-    /// What is wrong.
+    /// The current error.
     pub trouble: Option<String>,
-    /// Whether the text has changes that are not saved.
+    /// Whether the text has unsaved changes.
     pub unsaved: bool,
-    /// What people are asked before changes would be lost.
+    /// The open question about unsaved work.
     pub asks: Option<String>,
 }
 
 impl State {
-    /// Of a moment: nothing is selected, wrong, or unsaved.
-    pub fn new(shown: &Shown) -> Self {
+    /// Creates the state of a published moment, without selection, error or unsaved text.
+    pub fn new(shown: &RunMoment) -> Self {
         Self {
             scene: shown.name.to_string(),
             step: shown.step,
@@ -54,7 +54,7 @@ impl State {
         }
     }
 
-    /// As JSON.
+    /// Returns the state as JSON.
     pub fn json(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }

@@ -1,20 +1,20 @@
-//! The look of the panels: that of the pictures.
+//! The style of the panels. It uses the colours of the pictures.
 
 use eframe::egui::style::Spacing;
 use eframe::egui::{Color32, Context, CornerRadius, FontFamily, FontId, Shadow, Stroke, TextStyle, Visuals};
 use throng_draw::{Color, PALETTE, Theme};
 
-/// A colour of pictures as one of panels.
+/// Converts a colour of pictures to a colour of panels.
 pub fn color(color: Color) -> Color32 {
     Color32::from_rgba_unmultiplied(color.r, color.g, color.b, color.a)
 }
 
-/// What panels are painted on: a little lighter than the ground.
+/// Returns the background of the panels, a little lighter than the ground.
 pub fn panel(theme: &Theme) -> Color {
     theme.ground.mix(Color::rgb(0xffffff), if theme.text.r > theme.ground.r { 0.04 } else { 0.55 })
 }
 
-/// Gives panels the colours of a theme, and buttons that fingers hit where there is a touch screen.
+/// Applies the colours of a theme to the panels. On a touch screen, buttons are larger.
 pub fn apply(ctx: &Context, theme: &Theme, dark: bool, touch: bool) {
     let mut visuals = if dark { Visuals::dark() } else { Visuals::light() };
     let accent = PALETTE[0];

@@ -6,39 +6,39 @@ use eframe::egui::ViewportBuilder;
 use std::path::PathBuf;
 use throng_scene::Plugins;
 
-/// What the studio is told on the command line.
+/// The command line of the studio.
 #[derive(clap::Parser, Clone, Debug)]
 #[command(name = "throng-studio", version, about = "See, direct and debug crowds")]
 pub struct Arguments {
-    /// The scene: a name of the gallery (see `throng list`) or a scene file [default: the one that was open last]
+    /// Scene: a name of the gallery (see `throng list`) or a scene file [default: the scene opened last]
     #[arg(value_name = "SCENE")]
     pub scene: Option<String>,
 
-    /// Writes what is shown to a file, as JSON, for tests
+    /// Write the displayed state to a file, as JSON, for tests
     #[arg(long, value_name = "FILE")]
     pub state: Option<PathBuf>,
 
-    /// Writes a picture of the window to a file (.png), and closes it
+    /// Write a screenshot of the window to a file (.png), and close the window
     #[arg(long, value_name = "FILE")]
     pub screenshot: Option<PathBuf>,
 
-    /// Shows the scene at a step, paused [with --screenshot: 0]
+    /// Show the scene at a step, paused [with --screenshot: 0]
     #[arg(long, value_name = "N")]
     pub at_step: Option<u64>,
 
-    /// Selects an agent by its number
+    /// Select an agent by its number
     #[arg(long, value_name = "N")]
     pub select: Option<u32>,
 
-    /// Looks from: plan, orbit, fixed-distance, local-offset, point-of-view, straight-down
+    /// Camera: plan, orbit, fixed-distance, local-offset, point-of-view, straight-down
     #[arg(long, value_name = "NAME")]
     pub camera: Option<Mode>,
 
-    /// Sets something that is otherwise remembered: dark=true, panels.plots=true, coloring=Speed, beside=rvo; may be repeated
+    /// Change a setting: dark=true, panels.plots=true, coloring=Speed, beside=rvo; may be repeated
     #[arg(long, value_name = "KEY=VALUE")]
     pub with: Vec<String>,
 
-    /// How large the window is, in points
+    /// Size of the window, in points
     #[arg(long, value_name = "WxH", default_value = "1280x800", value_parser = size)]
     pub size: [f32; 2],
 }
@@ -51,17 +51,17 @@ impl From<Arguments> for Options {
     }
 }
 
-/// `1280x800`, each side from 200 to 8192.
+/// Parses a size such as `1280x800`. Each side is from 200 to 8192.
 fn size(said: &str) -> Result<[f32; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|side: &f32| (200.0..=8192.0).contains(side));
     let sides = said.split_once('x').and_then(|(wide, high)| Some([side(wide)?, side(high)?]));
     sides.ok_or_else(|| "two numbers from 200 to 8192 with an x between are expected, such as 1280x800".into())
 }
 
-/// Opens the window, until people close it.
+/// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// There is no screen, or no OpenGL; in words.
+/// There is no screen, or no OpenGL.
 pub fn open(arguments: Arguments, plugins: Plugins) -> Result<(), String> {
     let size = arguments.size;
     let options = Options { plugins, ..arguments.into() };
@@ -69,7 +69,7 @@ pub fn open(arguments: Arguments, plugins: Plugins) -> Result<(), String> {
         viewport: ViewportBuilder::default().with_title("throng").with_app_id("throng").with_inner_size(size),
         depth_buffer: 24,
         multisampling: 4,
-        // a picture looks the same whoever takes it
+        // a screenshot does not depend on the last window of the user
         persist_window: options.screenshot.is_none(),
         ..eframe::NativeOptions::default()
     };

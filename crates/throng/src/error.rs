@@ -1,66 +1,66 @@
-//! What can be wrong with what a world is given.
+//! The errors of building and changing a world.
 
 use glam::DVec2;
 
-/// What can be wrong with what a world is given.
+/// An error of building or changing a world.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A number is out of its limits.
+    /// A number is outside its limits.
     #[error("{what} is {value}, but must be {limit}")]
     Limit {
-        /// Which number.
+        /// The name of the number.
         what: &'static str,
-        /// What it was.
+        /// The value that was given.
         value: f64,
-        /// What it may be.
+        /// The values that are permitted.
         limit: &'static str,
     },
-    /// An id names nothing in this world.
+    /// An id that does not exist in this world.
     #[error("there is no {what} with index {index}: add it to the world first")]
     Unknown {
-        /// What kind of thing it should name.
+        /// The kind of object that the id should name.
         what: &'static str,
         /// Its index.
         index: usize,
     },
-    /// There is no group of a name.
+    /// No group has this name.
     #[error("there is no group `{name}`")]
     NoGroup {
         /// The name.
         name: String,
     },
     /// An agent has been removed, by an exit or by the program.
-    #[error("the agent has been removed: ids of agents that leave name nobody any more")]
+    #[error("the agent has been removed: its id is no longer valid")]
     Gone,
-    /// Two agents with the same number.
+    /// Two agents have the same number.
     #[error("the number {number} is taken: numbers name agents and must differ")]
     NumberTaken {
         /// The number.
         number: u32,
     },
-    /// An agent would start where it cannot be.
+    /// An agent would start inside an obstacle or outside the walkable area.
     #[error("an agent of radius {radius} cannot be at ({}, {}): {why}", at.x, at.y)]
     NoRoom {
-        /// Where.
+        /// The position, world coordinates.
         at: DVec2,
-        /// Its radius.
+        /// The radius of the agent.
         radius: f32,
-        /// What is in the way.
+        /// What occupies the position.
         why: &'static str,
     },
-    /// A shape that encloses nothing, or not one thing.
+    /// An invalid shape, or parameters that contradict each other.
     #[error("{what}: {why}")]
     Shape {
-        /// Which shape.
+        /// The name of the shape or object.
         what: String,
-        /// What is wrong with it.
+        /// Why it is invalid.
         why: String,
     },
     /// A saved state that this world cannot continue.
     #[error("this is not a saved state of this world: {why}")]
     Snapshot {
-        /// What does not fit.
+        /// What does not match.
         why: String,
     },
 }

@@ -1,41 +1,33 @@
 //! # throng: crowds and groups that never overlap, never get stuck and never tremble
 //!
-//! A [`World`] holds agents, obstacles and goals; [`World::step`] moves everybody on by one time step, through five
-//! stages: [perceive], intend ([navigate]), [avoid], [guard], and [motion].
+//! A [`World`] holds agents, obstacles and goals. [`World::step`] advances all agents by one time step, in five stages:
+//! [perceive], intend ([navigate]), [avoid], [guard], and [motion].
 //!
-//! ```
-//! use glam::DVec2;
-//! use throng::{Agent, Goal, Journey, Settings, Stop, World};
+#![doc = concat!("```\n", include_str!("../examples/hello.rs"), "```")]
 //!
-//! let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
-//! for x in [-4.0, 4.0] {
-//!     let goal = world.add_goal(Goal::Point { at: DVec2::new(-x, 0.0), tolerance: 0.1 })?;
-//!     let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
-//!     world.add_agent(Agent { position: DVec2::new(x, 0.0), journey, ..Agent::default() })?;
-//! }
-//! while !world.finished() && world.time() < 20.0 {
-//!     world.step();
-//! }
-//! assert_eq!(world.summary().arrived, 2);
-//! assert!(world.summary().least_separation >= 0.9999);
-//! # Ok::<(), throng::Error>(())
-//! ```
+//! The simple case needs no more than [`Agent::at`], [`Agent::goal`], [`World::add_agent`] and [`World::step`].
+//! [`World::agents`] reads the result. A program that decides itself uses [`World::set_goal`],
+//! [`World::set_preferred_velocity`] and [`World::set_position`]; [`World::events`] lists what happened in the last step. A
+//! [`Group`] chooses the local model, the steering behaviour or the field of its agents.
 //!
-//! Metres, seconds, radians; right-handed, z up; ground crowds live in the plane z = 0. A world keeps positions
-//! relative to an origin of its own in `f32`; everything handed to it or asked of it by id is in world coordinates.
+//! Units are metres, seconds and radians. Coordinates are right-handed with z up; ground crowds live in the plane z =
+//! 0. A world stores positions in `f32`, relative to its own origin. Places that pass through [`World`] are `f64` in world
+//! coordinates; [`Position`] states the rule for two and three dimensions. Fields, surfaces, behaviours and
+//! [`World::relative_columns`] work in local coordinates: [`Settings::to_local`] and [`Settings::to_world`] convert.
 
 pub mod agent;
 pub mod avoid;
 mod error;
 pub mod field;
 pub mod guard;
-mod lanes;
 pub mod motion;
 pub mod navigate;
 mod parallel;
 pub mod perceive;
+mod position;
 mod random;
 mod rules;
+mod simd;
 pub mod space;
 pub mod steer;
 mod summary;
@@ -46,7 +38,11 @@ pub use agent::{
 };
 pub use error::Error;
 pub use navigate::{Goal, Journey, Keyframe, Script, Stop};
+pub use position::Position;
 pub use rules::Rules;
 pub use space::{Obstacle, Walkable};
 pub use summary::{Counts, Summary};
-pub use world::{Account, Asked, Explanation, Seen, Settings, Stage, SubSteps, World};
+pub use world::{
+    AgentRef, Agents, ConsideredAgent, Event, EventKind, Explanation, Settings, Stage, SubSteps, Trace, TraceRequest,
+    World,
+};

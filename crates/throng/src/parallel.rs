@@ -1,22 +1,22 @@
-//! Running a stage over all agents: on the threads of the current rayon pool, or on this one.
+//! Runs a stage over all agents: on the threads of the current rayon pool, or on this thread.
 //!
-//! Work is divided into contiguous ranges of rows; each writes its own part of the output and reads only the frozen
-//! present, so the result does not depend on the division.
+//! Work is divided into contiguous ranges of rows. Each range writes its own part of the output and reads only the
+//! state at the start of the stage, so the result does not depend on the division.
 
 use std::ops::Range;
 
-/// Rows a thread takes at a time, at least: a multiple of the lanes of a vector, and of the rows of a word.
+/// Least number of rows that a thread takes at a time: a multiple of the SIMD width and of the rows of a word.
 #[cfg(feature = "parallel")]
 const CHUNK: usize = 256;
-/// Parts that a thread takes at least, if there are rows enough: so that threads that have little to do can help.
+/// Number of parts for each thread, if there are enough rows: idle threads can take parts of busy threads.
 #[cfg(feature = "parallel")]
 const PARTS: usize = 8;
 
-/// Columns that are divided together.
+/// Columns of equal length that are divided at the same rows.
 pub(crate) trait Parts: Send + Sized {
-    /// Rows of all of them.
+    /// Returns the number of rows.
     fn rows(&self) -> usize;
-    /// Those before a row, and the others.
+    /// Returns the columns before a row, and the columns from that row on.
     fn split(self, row: usize) -> (Self, Self);
 }
 
@@ -30,13 +30,13 @@ impl<T: Send> Parts for &mut [T] {
     }
 }
 
-/// Places of a list a row.
-pub(crate) struct Lists<'a, T> {
+/// A list of `stride` values for each row.
+pub(crate) struct RowLists<'a, T> {
     pub all: &'a mut [T],
     pub stride: usize,
 }
 
-impl<T: Send> Parts for Lists<'_, T> {
+impl<T: Send> Parts for RowLists<'_, T> {
     fn rows(&self) -> usize {
         self.all.len() / self.stride
     }
@@ -47,10 +47,10 @@ impl<T: Send> Parts for Lists<'_, T> {
     }
 }
 
-/// What is known of 64 rows together, one for all 64.
+/// A column with one value for each word of 64 rows.
 pub(crate) struct Words<'a, T>(pub &'a mut [T]);
 
-/// Rows in a word: a bit each.
+/// Rows in a word, one bit for each row.
 pub(crate) const WORD: usize = u64::BITS as usize;
 
 impl<T: Send> Parts for Words<'_, T> {
@@ -82,12 +82,13 @@ macro_rules! tuple {
 tuple!(A: 0, B: 1);
 tuple!(A: 0, B: 1, C: 2);
 
-/// Calls `work(rows, part)` for ranges of rows that make up all, each with its part.
+/// Calls `work(rows, part)` for ranges of rows that together cover all rows, each with its part of the columns.
 pub(crate) fn ranges<P: Parts>(all: P, work: impl Fn(Range<usize>, P) + Sync) {
     ranges_with(all, &mut Vec::<()>::new(), |(), rows, part| work(rows, part));
 }
 
-/// Calls `work(scratch, rows, part)`: as [`ranges`], with memory that is kept, one a range.
+/// Calls `work(scratch, rows, part)`: as [`ranges`], with scratch memory that is kept between calls, one for each
+/// range.
 pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
     all: P,
     scratch: &mut Vec<S>,
@@ -97,7 +98,7 @@ pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
     ranges_if_busy(all, busy, scratch, work);
 }
 
-/// As [`ranges_with`], where there is work for so many of the rows only: for few it is not divided.
+/// As [`ranges_with`], if only `busy` of the rows need work: few busy rows are not divided among threads.
 pub(crate) fn ranges_if_busy<P: Parts, S: Default + Send>(
     all: P,
     busy: usize,
@@ -111,7 +112,7 @@ pub(crate) fn ranges_if_busy<P: Parts, S: Default + Send>(
     divide(all, rows, chunk, scratch, &work);
 }
 
-/// Rows of a range: a multiple of the rows of a word, or all.
+/// Returns the number of rows in a range: a multiple of the rows of a word, or all rows.
 #[cfg_attr(not(feature = "parallel"), expect(unused_variables, reason = "one thread does all"))]
 fn chunk(rows: usize, busy: usize) -> usize {
     #[cfg(feature = "parallel")]

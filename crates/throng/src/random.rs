@@ -1,9 +1,9 @@
-//! Random numbers without state: each is a hash of what it is for.
+//! Counter-based random numbers: each number is a hash of its key.
 //!
-//! The key is (seed, agent's number, step, purpose), so a draw depends neither on the order of agents nor on what
-//! else was drawn. The mixing function is the finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
+//! The key is (seed, agent's number, step, purpose), so a draw depends neither on the order of the agents nor on other
+//! draws. The mixing function is the finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
 
-/// What a number is drawn for. Two purposes never share a number.
+/// The purpose of a random number. Two purposes never share a number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Purpose {
     Whim = 1,
@@ -23,19 +23,19 @@ fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// 64 random bits.
+/// Returns 64 random bits.
 pub(crate) fn bits(seed: u64, number: u32, step: u64, purpose: Purpose) -> u64 {
     mix(mix(mix(seed ^ 0x7468_726f_6e67).wrapping_add(step)).wrapping_add((u64::from(number) << 8) | purpose as u64))
 }
 
-/// A number in [0, 1).
+/// Returns a number in [0, 1).
 pub(crate) fn unit(seed: u64, number: u32, step: u64, purpose: Purpose) -> f32 {
     (bits(seed, number, step, purpose) >> 40) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// Who draws random numbers, and when: what they depend on.
+/// A counter-based random number generator: its numbers depend only on these fields and on the index of the draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Dice {
+pub struct Rng {
     /// The world's seed.
     pub seed: u64,
     /// The agent's number.
@@ -44,29 +44,31 @@ pub struct Dice {
     pub step: u64,
 }
 
-impl Dice {
-    /// The `k`-th number in [0, 1) of a [behaviour](crate::steer) in this step.
+impl Rng {
+    /// Returns the `k`-th number in [0, 1) of a [behaviour](crate::steer) in this step.
     pub fn draw(self, k: u32) -> f32 {
         self.nth(k, Purpose::Behaviour)
     }
 
-    /// A number of mean 0 and variance 1, normally distributed (Box and Muller 1958), from draws `2 k` and `2 k + 1`.
+    /// Returns a normally distributed number of mean 0 and variance 1 (Box and Muller 1958). It uses the draws `2 k`
+    /// and `2 k + 1`.
     pub fn normal(self, k: u32) -> f32 {
         let radius = libm::sqrtf(-2.0 * libm::logf(1.0 - self.draw(2 * k)));
         radius * libm::cosf(std::f32::consts::TAU * self.draw(2 * k + 1))
     }
 
-    /// The dice of the `index`-th part of what this belongs to: parts draw numbers of their own.
+    /// Returns the generator of the `index`-th part of a composite behaviour: its numbers are independent of the
+    /// numbers of other parts.
     pub fn branch(self, index: usize) -> Self {
         Self { seed: mix(self.seed.wrapping_add(1 + index as u64)), ..self }
     }
 
-    /// The dice of another step.
+    /// Returns the generator of another step.
     pub fn at(self, step: u64) -> Self {
         Self { step, ..self }
     }
 
-    /// The `k`-th of many numbers in [0, 1) for one purpose.
+    /// Returns the `k`-th number in [0, 1) for a purpose.
     pub(crate) fn nth(self, k: u32, purpose: Purpose) -> f32 {
         let seed = mix(self.seed.wrapping_add(u64::from(k) << 32));
         unit(seed, self.number, self.step, purpose)
@@ -91,8 +93,7 @@ mod tests {
 
     #[test]
     fn normal_draws_have_the_moments_of_their_distribution() {
-        let draws: Vec<f64> =
-            (0..20_000).map(|number| f64::from(Dice { number, ..Dice::default() }.normal(3))).collect();
+        let draws: Vec<f64> = (0..20_000).map(|number| f64::from(Rng { number, ..Rng::default() }.normal(3))).collect();
         let moment = |power: i32| draws.iter().map(|x| x.powi(power)).sum::<f64>() / draws.len() as f64;
         // standard deviations of these means: 0.007, 0.01, 0.03, 0.07
         for (power, expected, most) in [(1, 0.0, 0.03), (2, 1.0, 0.04), (3, 0.0, 0.12), (4, 3.0, 0.28)] {
@@ -101,11 +102,10 @@ mod tests {
     }
 
     #[test]
-    fn parts_draw_numbers_of_their_own() {
-        let dice = Dice { seed: 1, number: 2, step: 3 };
-        let all =
-            [dice, dice.branch(0), dice.branch(1), dice.branch(0).branch(1), dice.branch(1).branch(0), dice.at(4)];
-        let mut draws: Vec<f32> = all.iter().flat_map(|dice| [dice.draw(0), dice.draw(1)]).collect();
+    fn parts_draw_independent_numbers() {
+        let rng = Rng { seed: 1, number: 2, step: 3 };
+        let all = [rng, rng.branch(0), rng.branch(1), rng.branch(0).branch(1), rng.branch(1).branch(0), rng.at(4)];
+        let mut draws: Vec<f32> = all.iter().flat_map(|rng| [rng.draw(0), rng.draw(1)]).collect();
         draws.sort_by(f32::total_cmp);
         draws.dedup();
         assert_eq!(draws.len(), 12);

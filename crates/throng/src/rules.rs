@@ -1,22 +1,24 @@
-//! The rules of a game: what happens in a world beyond its agents' own steps.
+//! The rules of a game: changes to a world beyond the agents' own motion.
 
 use crate::{Error, World};
 use std::fmt::Debug;
 
-/// What happens in a world beyond its agents' own steps: who is caught begins anew, a ball bounces, goals are counted.
+/// The rules of a game: changes to a world beyond the agents' own motion. For example, a caught agent starts again, a
+/// ball bounces, or a goal is counted.
 ///
-/// Rules keep no state: all that they must remember is in their figures, numbers with names that begin at zero. The world
-/// keeps, clones and saves them, behaviours see them ([`View::figures`](crate::steer::View::figures)), and a scene's
-/// `[expect]` can ask for them. So one value of the rules serves any number of worlds, and to play again is to build the
-/// world again. Random numbers are the world's ([`World::draw`]); agents are found by group, in the order of their numbers
-/// ([`World::members`]). Then the same scene gives the same bits.
+/// Rules have no state of their own. Everything that they must remember is in their figures: named numbers that start
+/// at zero. The world keeps, clones and saves the figures. Behaviours read them
+/// ([`SteeringInput::figures`](crate::steer::SteeringInput::figures)), and the `[expect]` table of a scene can test
+/// them. So one value of the rules serves any number of worlds, and a new game needs a new world only. [`World::draw`]
+/// returns the world's random numbers, and [`World::members`] returns the agents of a group in the order of their
+/// numbers. Rules that use only these give the same bits for the same scene.
 ///
 /// ```
 /// use glam::DVec2;
 /// use std::sync::Arc;
-/// use throng::{Agent, Error, Rules, Settings, World};
+/// use throng::{Agent, AgentRef, Error, Rules, Settings, World};
 ///
-/// /// Who is more than so many metres from the origin begins there anew.
+/// /// An agent farther from the origin than this distance, metres, starts again at the origin.
 /// #[derive(Debug)]
 /// struct Leash(f64);
 ///
@@ -26,8 +28,8 @@ use std::fmt::Debug;
 ///     }
 ///
 ///     fn act(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
-///         for id in world.everybody() {
-///             let Some(agent) = world.agent(id).filter(|agent| agent.position.length() > self.0) else { continue };
+///         for id in world.agent_ids() {
+///             let Some(agent) = world.agent(id).map(AgentRef::to_agent).filter(|agent| agent.position.length() > self.0) else { continue };
 ///             world.replace(id, Agent { position: DVec2::ZERO, ..agent })?;
 ///             figures[0] += 1.0;
 ///         }
@@ -43,33 +45,34 @@ use std::fmt::Debug;
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Rules: Debug + Send + Sync {
-    /// The names of the figures that they keep; no two are the same.
+    /// Returns the names of the figures. All names differ.
     fn figures(&self) -> Vec<String>;
 
-    /// Before the first step: sees whether all is there that they need, and sets figures that do not begin at zero.
+    /// Checks before the first step that the world has everything the rules need, and sets the figures that do not
+    /// start at zero.
     ///
     /// # Errors
-    /// What is missing; the world then has no rules.
+    /// What is missing. The world then has no rules.
     fn begin(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
         let _ = (world, figures);
         Ok(())
     }
 
-    /// After every step, which is before the next: reads the world, changes it, counts. `figures` has as many numbers as
-    /// there are names.
+    /// Acts after every step: reads the world, changes it and updates the figures. `figures` has one number for each
+    /// name.
     ///
     /// # Errors
-    /// What the world refused. It is kept for [`World::refused`]; the run goes on.
+    /// The error of a change that the world refused. [`World::refused`] returns it; the run continues.
     fn act(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error>;
 
-    /// How it stands, a few words for pictures and summaries: `"2 : 1"`. Nothing by default.
+    /// Returns the state of the game in a few words, for pictures and summaries: `"2 : 1"`. Empty by default.
     fn standing(&self, world: &World, figures: &[f64]) -> String {
         let _ = (world, figures);
         String::new()
     }
 }
 
-/// The page on rules of one's own: its example is a test.
+/// The page on custom rules: its example is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/rules.md")]
-struct Page;
+struct RulesPage;

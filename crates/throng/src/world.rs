@@ -1,89 +1,116 @@
-//! The world: what is there, and the step that moves it on.
+//! The world: its contents, and the step that advances it.
 
-mod account;
 mod adapt;
 mod advance;
-mod advance_lanes;
+mod advance_simd;
+mod agents;
 mod agree;
 mod arrive;
 mod avoid;
-mod avoid_lanes;
+mod avoid_simd;
 mod build;
 mod choose;
+mod control;
 mod crowd_ahead;
+mod events;
 mod explain;
 mod fill;
 mod flock;
-mod flock_lanes;
+mod flock_simd;
 mod govern;
 mod hindrance;
 mod intend;
-mod intend_lanes;
+mod intend_simd;
 mod look_ahead;
 mod measure;
+mod neighbour_data;
 mod order;
 mod perceive;
 mod plan;
-mod plan_lanes;
+mod plan_simd;
 mod play;
 mod relax;
 mod replace;
-mod rest;
 mod schedule;
+mod sleep;
 mod snapshot;
 mod squeeze;
 mod stage;
 mod standoff;
 mod status;
 mod steer;
+mod trace;
 mod tune;
 mod velocities;
 mod walls_ahead;
-mod way;
 
-pub use account::{Account, Asked};
-pub use explain::{Explanation, Seen};
+pub use agents::{AgentRef, Agents};
+pub use events::{Event, EventKind};
+pub use explain::{ConsideredAgent, Explanation};
 pub use stage::Stage;
+pub use trace::{Trace, TraceRequest};
 
+use crate::Position;
 use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, ProgressMark, Status};
-use crate::guard::Pose;
+use crate::guard::BodyPose;
 use crate::guard::{Contacts, Guard, Solids};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Instructions, Near, Pack};
+use crate::perceive::{Grid, Near, SimdLevel, TileScratch};
 use crate::space::{Place, Walls};
-use crate::steer::{Event, Neighbour};
+use crate::steer::{SteeringNeighbour, Stimulus};
 use crate::summary::Tally;
-use glam::{DVec2, Vec2};
-use play::Game;
+use glam::{DVec2, DVec3, Vec2, Vec3};
+use neighbour_data::NeighbourData;
+use play::RulesState;
 use schedule::Schedule;
 use serde::{Deserialize, Serialize};
 use standoff::Standoff;
 use velocities::Velocities;
-use way::Shown;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SubSteps {
-    /// By a rule that depends only on the world's state: nobody moves farther in a sub-step than a quarter of the
-    /// smallest radius, an eighth when somebody is within a body's width of somebody else.
+    /// By a rule that depends only on the world's state: no agent moves farther in a sub-step than a quarter of the
+    /// smallest radius, or an eighth of it when two agents are within a body's width of each other.
     #[default]
     Auto,
-    /// Always into this many. Limit: >= 1.
+    /// Always into this number. Limit: >= 1.
     Fixed(u32),
 }
 
-/// What a world is made with.
+/// The settings of a world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Seconds a step covers. Limit: > 0, at most 10.
+    /// Length of a step, seconds. Limit: > 0, at most 10.
     pub step: f64,
     /// How a step is divided into sub-steps.
     pub sub_steps: SubSteps,
-    /// Seed of everything random.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// World coordinates of the local origin: choose it near the middle of the scene, since positions are kept
-    /// relative to it in `f32`.
+    /// World coordinates of the local origin. Choose it near the middle of the scene: positions are kept relative to it
+    /// in `f32`.
     pub origin: DVec2,
+}
+
+impl Settings {
+    /// Converts a place in world coordinates to local coordinates: relative to [`origin`](Self::origin), in `f32`. Fields,
+    /// surfaces, behaviours and their traces work in local coordinates, where `f32` is exact enough.
+    ///
+    /// ```
+    /// use glam::{DVec2, DVec3, Vec3};
+    /// use throng::Settings;
+    /// let settings = Settings { origin: DVec2::new(5000.0, -3000.0), ..Settings::default() };
+    /// assert_eq!(settings.to_local([5001.0, -2998.0]), Vec3::new(1.0, 2.0, 0.0));
+    /// assert_eq!(settings.to_world(Vec3::new(1.0, 2.0, 0.0)), DVec3::new(5001.0, -2998.0, 0.0));
+    /// ```
+    pub fn to_local(&self, place: impl Into<Position>) -> Vec3 {
+        (place.into().0 - self.origin.extend(0.0)).as_vec3()
+    }
+
+    /// Converts a place in local coordinates to world coordinates: the inverse of [`to_local`](Self::to_local).
+    pub fn to_world(&self, place: Vec3) -> DVec3 {
+        place.as_dvec3() + self.origin.extend(0.0)
+    }
 }
 
 impl Default for Settings {
@@ -92,8 +119,8 @@ impl Default for Settings {
     }
 }
 
-/// Agents, groups, goals and the place they are in. See the [crate's page](crate) for an example. A clone goes on with
-/// the same bits.
+/// Agents, groups, goals, obstacles and walkable areas. See the [crate's page](crate) for an example. A clone continues
+/// with the same bits.
 #[derive(Clone, Debug)]
 pub struct World {
     settings: Settings,
@@ -109,98 +136,107 @@ pub struct World {
     place: Place,
     schedule: Schedule,
     tally: Tally,
-    /// Agents whose goals cannot be reached, with the reasons, by number.
+    /// Agents that cannot reach their goals, by number, with the reasons.
     stranded: Vec<(u32, Unreachable)>,
-    /// Who steps aside for whom.
+    /// Standoffs that are being resolved.
     standoffs: Vec<Standoff>,
-    /// What happened lately, for those who steer.
+    /// Recent stimuli, read by steering behaviours.
+    stimuli: Vec<Stimulus>,
+    /// The events of the last step.
     events: Vec<Event>,
-    game: Game,
-    /// Fields that change with where people are, by group.
+    own_journeys: control::OwnJourneys,
+    game: RulesState,
+    /// Fields that adapt to the positions of the agents, by group.
     adapted: Vec<Option<adapt::Adapted>>,
-    /// Box of the ground that ways are planned on where no walkable area bounds it. Not made anew when needed:
-    /// meshes of the same ground at another time would differ.
+    /// Box of the ground on which paths are planned where no walkable area bounds it. It is kept, because meshes that
+    /// are built later for another box would differ.
     extent: Option<(DVec2, DVec2)>,
 
-    // made anew from the above whenever it is needed
+    // derived from the fields above whenever needed
     walls: Walls,
     meshes: Meshes,
     legs: Legs,
     step: StepMemory,
-    instructions: Instructions,
-    asked: Asked,
+    instructions: SimdLevel,
+    traced: TraceRequest,
 }
 
-/// Which row each id names.
+/// The row of each id.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Slots {
-    /// The row of the agent that has a slot; `u32::MAX`: nobody has it.
+    /// The row of the agent in each slot; `u32::MAX` for an empty slot.
     rows: Vec<u32>,
-    /// How many had it before.
+    /// How many agents had the slot before.
     generations: Column<u32>,
     free: Vec<u32>,
     next_number: u32,
 }
 
-/// What one step hands from stage to stage; kept so that a step allocates nothing.
+/// Memory that a step passes from stage to stage. It is kept so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
 struct StepMemory {
     /// Which groups have agents.
     groups: Vec<bool>,
-    rest: rest::Rest,
+    rest: sleep::SleepBlocks,
     grid: Grid,
-    long: perceive::Long,
-    /// Rows of two who were within a body's width of each other when that was asked last: a guess where to look first.
+    long: perceive::LongBodies,
+    /// Rows of the two agents that were last found within a body's width of each other: the first pair that the next
+    /// search tests.
     close_pair: Option<(usize, usize)>,
-    perceiving: Vec<(Pack, Vec<Near>)>,
+    perceiving: Vec<(TileScratch, Vec<Near>)>,
     near: perceive::Neighbours,
-    shown: Vec<Shown>,
-    accounts: Vec<Account>,
+    shown: Vec<NeighbourData>,
+    traces: Vec<Trace>,
     flocks: flock::Flocks,
-    index: steer::Index,
+    index: steer::SteeringIndex,
     sources: govern::Sources,
-    steering: Vec<Vec<Neighbour>>,
+    steering: Vec<Vec<SteeringNeighbour>>,
     planned: steer::Planned,
     stuck: Vec<usize>,
-    /// What each agent found when it looked ahead; empty if none does.
-    ahead: Vec<look_ahead::Ahead>,
-    looking: Vec<look_ahead::Scratch>,
-    manners: Vec<intend::Manners>,
+    /// The result of each agent's look ahead; empty if no agent looks ahead.
+    ahead: Vec<look_ahead::LookAhead>,
+    looking: Vec<look_ahead::LookAheadScratch>,
+    interaction: Vec<intend::InteractionRules>,
     preferred: Velocities,
-    avoiding: Vec<avoid::Scratch>,
-    wishes: Velocities,
-    /// Wishes by places of the grid.
+    avoiding: Vec<avoid::AvoidScratch>,
+    chosen_velocities: Velocities,
+    /// Chosen velocities in the order of the grid.
     by_place: Vec<Vec2>,
-    targets: Vec<Pose>,
+    targets: Vec<BodyPose>,
     reach: Column<f32>,
     guarded: Column<bool>,
     contacts: Contacts,
     solids: Solids,
     guard: Guard,
     measured: Vec<measure::Measured>,
-    /// Whether the status of anybody may change in this sub-step.
-    anybody_may_change: bool,
-    /// How many have arrived at each goal, and whether anybody has at any.
+    /// Whether the status of any agent may change in this sub-step.
+    any_may_change: bool,
+    /// Number of agents that have arrived at each goal, and whether any agent has arrived at a goal.
     arrivals: Vec<u32>,
-    anybody_arrived: bool,
+    any_arrived: bool,
     cycles: Cycles,
-    /// Places to stand in goal areas.
+    /// Standing places in goal areas.
     lattices: fill::Lattices,
-    /// The progress of all agents as it was at the look before the last.
+    /// Progress of all agents at the last check but one: memory that is reused.
     progress_marks: Vec<ProgressMark>,
-    /// Rows with their next status, where it may be another.
+    /// Rows with a status that may change, with their next status.
     changes: Vec<(usize, Status)>,
 }
 
 impl World {
-    /// Moves everybody on by one time step; then it is the [rules'](crate::Rules) turn, if there are any.
+    /// Advances all agents by one time step. Then the [rules](crate::Rules) act, if there are any.
+    ///
+    /// The step takes no duration: [`Settings::step`] is the same for all steps, so that a run has the same bits at any frame
+    /// rate. A program with frames of its own length makes as many steps as the time that has passed holds, and draws the
+    /// agents between the last two positions.
     pub fn step(&mut self) {
         self.step_in_stages(|_| ());
     }
 
-    /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step: the world has no clock, who
-    /// wants to know where the time goes has one.
+    /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step. The world has no clock: a
+    /// caller that profiles the stages measures the time itself.
     pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
+        self.events.clear();
         self.enter();
         self.adapt();
         let parts = self.sub_steps();
@@ -214,16 +250,17 @@ impl World {
             self.advance(seconds, now);
             ended(Stage::Move);
         }
+        self.sort_events();
         self.steps += 1;
         self.play();
     }
 
-    /// Seconds of each of the parts that a step is divided into.
+    /// Returns the seconds of each sub-step, for this number of sub-steps.
     fn seconds(&self, parts: u32) -> f32 {
         (self.settings.step / f64::from(parts)) as f32
     }
 
-    /// All of a sub-step, the first of a step or another, that ends at `now`, but the motion.
+    /// Runs a sub-step that ends at `now`, without the motion. `first` marks the first sub-step of a step.
     fn decide(&mut self, first: bool, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
         self.fall_asleep(seconds);
         self.perceive(seconds);
@@ -236,123 +273,127 @@ impl World {
         ended(Stage::Guard);
     }
 
-    /// Seconds since the start.
+    /// Returns the seconds since the start.
     pub fn time(&self) -> f64 {
         self.steps as f64 * self.settings.step
     }
 
-    /// How many whole intervals, in seconds, so many steps last.
+    /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.
     fn ticks(&self, steps: u64, interval: f64) -> u64 {
         (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
     }
 
-    /// Steps made so far.
+    /// Returns the number of steps made so far.
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// What the world was made with.
+    /// Returns the settings of the world.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Whether no agent is left to come and all agents present are in place at the end of their journeys, or cannot get
-    /// there. An agent that was pushed out of its place is not.
+    /// Whether no agent is scheduled to enter and every agent present is in place at the end of its journey or cannot
+    /// get there. An agent that was pushed out of its place is not in place.
     pub fn finished(&self) -> bool {
         let done = |status: &Status| matches!(status, Status::Arrived | Status::Stranded);
         self.schedule.is_empty() && self.agents.status.iter().all(done)
     }
 
-    /// Whether somebody flies, or will: has an altitude, enters with one, or has a goal in the air.
+    /// Whether any agent flies or will fly: it has an altitude, will enter with one, or has a goal in the air.
     pub fn in_space(&self) -> bool {
         let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
-        goals || self.schedule.anybody_flies() || self.agents.anybody_flies()
+        goals || self.schedule.any_flies() || self.agents.any_flies()
     }
 
-    /// Whether anybody is off the ground, rises, or may want to.
+    /// Whether any agent is above the ground, moves vertically, or may start to.
     fn in_space_now(&self) -> bool {
         let agents = &self.agents;
-        let in_air = agents.anybody_flies() || agents.climb.uniform() != Some(0.0);
-        in_air || self.legs.lead_up() || self.anybody_steers_in_space()
+        let rises = agents.commanded.values().iter().flatten().any(|velocity| velocity.z != 0.0);
+        let in_air = rises || agents.any_flies() || agents.vertical_velocity.uniform() != Some(0.0);
+        in_air || self.legs.lead_up() || self.any_steers_in_space()
     }
 
-    /// Chooses the instructions that steps are made with: all give the same bits.
-    pub fn use_instructions(&mut self, instructions: Instructions) {
+    /// Sets the SIMD level of all steps. All levels give the same bits.
+    pub fn set_simd_level(&mut self, instructions: SimdLevel) {
         self.instructions = instructions;
     }
 
-    /// The agents' state, as columns; positions are relative to [`Settings::origin`]. Rows change from step to step.
-    pub fn agents(&self) -> &Columns {
+    /// Returns the state of the agents as columns. Positions are relative to [`Settings::origin`]. The order of rows
+    /// may change in every step.
+    pub fn relative_columns(&self) -> &Columns {
         &self.agents
     }
 
-    /// Centre of an agent, world coordinates; `None` if it has been removed.
+    /// Returns the centre of an agent, world coordinates; `None` if it has been removed.
     pub fn position(&self, id: AgentId) -> Option<DVec2> {
         Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
     }
 
-    /// The agent that is in a row of [`agents`](Self::agents) now.
+    /// Returns the id of the agent in a row of [`agents`](Self::agents).
     pub fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// The row of an agent in [`agents`](Self::agents), until the next step; `None` if it has been removed.
+    /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
+    /// removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
         let &row = self.slots.rows.get(id.slot as usize)?;
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
     }
 
-    /// A group.
+    /// Returns a group.
     pub fn group(&self, id: GroupId) -> &Group {
         &self.groups[id.index()]
     }
 
-    /// All groups, by index.
+    /// Returns all groups, by index.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
-    /// All goals, by index.
+    /// Returns all goals, by index.
     pub fn goals(&self) -> &[Goal] {
         &self.goals
     }
 
-    /// A journey.
+    /// Returns a journey.
     pub fn journey(&self, id: JourneyId) -> &Journey {
         &self.journeys[id.index()]
     }
 
-    /// All scripts, by index.
+    /// Returns all scripts, by index.
     pub fn scripts(&self) -> &[Script] {
         &self.scripts
     }
 
-    /// What is solid and what can be walked on.
+    /// Returns the obstacles and walkable areas.
     pub fn place(&self) -> &Place {
         &self.place
     }
 
-    /// The goal an agent is on its way to; `None` if its journey has ended or it has none.
+    /// Returns the goal that an agent walks to; `None` if its journey has ended or has no stops.
     pub fn goal_of(&self, row: usize) -> Option<GoalId> {
         let journey = &self.journeys[self.agents.journey[row].index()];
         journey.stops.get(self.agents.travel[row].leg as usize).map(|stop| stop.goal)
     }
 
-    /// Numbers of the agents whose goals cannot be reached, and why.
+    /// Returns the numbers of the agents that cannot reach their goals, with the reasons.
     pub fn stranded(&self) -> &[(u32, Unreachable)] {
         &self.stranded
     }
 
-    /// Pairs of agents that overlap, with the distance of their cores (centres of discs) over the sum of their radii: a bad
-    /// start, or a group without the guard.
-    /// By number, each pair once.
+    /// Returns the pairs of agents that overlap, with the distance of their cores (of their centres, for discs) divided
+    /// by the sum of their radii. Overlaps come from an overlapping start, or from groups without the guard.
+    ///
+    /// Pairs are sorted by number, and each pair occurs once.
     pub fn overlapping(&self) -> Vec<(u32, u32, f64)> {
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
         let agents = &self.agents;
-        let bound = |row: usize| agents.body(row).bound();
-        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
+        let bound = |row: usize| agents.body(row).bounding_radius();
+        let largest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let mut pairs = Vec::new();
         for row in 0..agents.len() {
             grid.within(agents.position[row], bound(row) + largest, |near| {
@@ -369,7 +410,8 @@ impl World {
         pairs
     }
 
-    /// A hash of the state of all agents and of the rules' figures: the same for the same bits, whatever the order of rows. FNV-1a, 64 bits.
+    /// Returns a hash of the state of all agents and of the figures of the rules: FNV-1a, 64 bits. Equal bits give
+    /// equal hashes, in any order of rows.
     pub fn state_hash(&self) -> u64 {
         let agents = &self.agents;
         let mut rows: Vec<usize> = (0..agents.len()).collect();
@@ -388,14 +430,16 @@ impl World {
                 travel.leg,
                 travel.turn.rank() as u32,
             ];
-            // those who walk have none
-            let air = [agents.altitude[row], agents.climb[row]].into_iter().filter(|&z| z != 0.0);
+            // walking agents have none
+            let air = [agents.altitude[row], agents.vertical_velocity[row]].into_iter().filter(|&z| z != 0.0);
             words.into_iter().chain(air.map(f32::to_bits))
         });
         let figures = self.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
-        words
-            .flat_map(u32::to_le_bytes)
-            .chain(figures)
-            .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+        fnv_1a(words.flat_map(u32::to_le_bytes).chain(figures))
     }
+}
+
+/// Returns the FNV-1a hash of the bytes, 64 bits. Source: RFC 9923, section 2.
+fn fnv_1a(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }

@@ -1,4 +1,6 @@
-//! How much memory an agent takes: its state, and what a step keeps for it.
+//! Memory per agent: its state, and the buffers of a step.
+//!
+//! This binary is separate: it counts the memory of the whole process.
 #![allow(clippy::print_stdout)]
 
 #[path = "shared/crossing.rs"]
@@ -14,7 +16,7 @@ static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 const COUNT: u32 = 20_000;
 
-/// Bytes an agent that are in use since a region began.
+/// Bytes per agent that are in use since the start of a region.
 fn bytes(region: &Region<'_, System>) -> f64 {
     let change = region.change();
     (change.bytes_allocated - change.bytes_deallocated) as f64 / f64::from(COUNT)
@@ -31,6 +33,6 @@ fn the_state_of_an_agent_takes_at_most_120_bytes() {
     let step = bytes(&region) - state;
     println!("{state:.1} bytes of state an agent, {step:.1} of memory of a step");
     assert!(state <= 120.0, "{state} bytes of state");
-    // positions, velocities and numbers alone take more than 20
+    // positions, velocities and numbers alone take more than 20 bytes
     assert!(state > 20.0 && step > 20.0, "{state} and {step} bytes: not all is counted");
 }

@@ -1,4 +1,6 @@
-//! How much memory a mesh takes while it is built.
+//! Memory during the construction of a mesh.
+//!
+//! This binary is separate: it counts the memory of the whole process.
 #![allow(clippy::print_stdout)]
 
 use glam::DVec2;
@@ -10,7 +12,7 @@ use throng::{Obstacle, Walkable};
 #[global_allocator]
 static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-/// Bytes that are asked for while a mesh is built round so many discs that all overlap.
+/// Bytes that are allocated while a mesh is built round this number of overlapping discs.
 fn bytes(discs: u32) -> usize {
     let corners = [(-20.0, -20.0), (20.0, -20.0), (20.0, 20.0), (-20.0, 20.0)];
     let room = Walkable { outer: corners.map(DVec2::from).to_vec(), holes: vec![] };

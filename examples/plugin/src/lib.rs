@@ -1,4 +1,4 @@
-//! A plug-in of throng's studio: a behaviour, and two scenes that use it.
+//! A plug-in for the studio of throng: a behaviour, and two scenes that use it.
 
 mod sunflower;
 mod weave;
@@ -7,7 +7,7 @@ pub use weave::Weave;
 
 use throng_studio::Plugins;
 
-/// What this plug-in brings along.
+/// Returns the content of this plug-in.
 pub fn plugins() -> Plugins {
     Plugins::new()
         .behaviour::<Weave>("weave")

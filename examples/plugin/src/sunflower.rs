@@ -1,12 +1,12 @@
-//! The scene `sunflower`: what a file would have to list, code computes.
+//! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
 use throng_scene::steer::{Custom, Priority, Target, Tether};
 use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
 
-/// The angle that sunflowers turn by from seed to seed, radians.
+/// The golden angle between consecutive seeds of a sunflower, radians.
 const GOLDEN: f64 = 2.399_963;
 
-/// People weave about among posts that stand like the seeds of a sunflower.
+/// Builds a scene in which agents weave among posts that are arranged like the seeds of a sunflower.
 pub fn scene() -> Scene {
     let post = |k: u32| {
         let (sin, cos) = libm::sincos(f64::from(k) * GOLDEN);

@@ -5,16 +5,16 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f32::consts::TAU;
 use throng::motion::Steering;
-use throng::steer::{Behaviour, Reason, View, Why};
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Swings from one side to the other on its way ahead, as skaters do.
+/// Swings from side to side while moving ahead, like a skater.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Weave {
-    /// How far to a side it leans, degrees.
+    /// Largest angle to a side, degrees.
     #[schemars(range(min = 0, max = 80))]
     pub angle: f32,
-    /// From one side to the other and back, seconds.
+    /// Period of a full swing, seconds.
     #[schemars(range(min = 0.2, max = 20))]
     pub period: f32,
 }
@@ -26,21 +26,21 @@ impl Default for Weave {
 }
 
 impl Behaviour for Weave {
-    /// How many swings it has made.
+    /// Returns 1: the phase of the swing, in periods.
     fn memory(&self) -> usize {
         1
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         if memory[0] == 0.0 {
-            // everybody begins somewhere in a swing
-            memory[0] = view.dice.draw(0);
+            // each agent starts at a random phase
+            memory[0] = view.rng.draw(0);
         }
         memory[0] += view.seconds / self.period;
         let lean = self.angle.to_radians() * libm::sinf(TAU * memory[0]);
         let ahead = Vec3::new(libm::cosf(lean), libm::sinf(lean), 0.0);
         let ahead = view.motion.basis.to_world(ahead);
-        why.note(|| Reason::Aim(view.position() + ahead));
+        why.note(|| SteeringReason::Aim(view.position() + ahead));
         view.turn(ahead)
     }
 }

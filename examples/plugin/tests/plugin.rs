@@ -1,16 +1,16 @@
-//! The plug-in does what it should, without a window.
+//! Tests of the plug-in without a window.
 
 use my_plugin::{Weave, plugins};
-use throng::steer::{Behaviour, View, Why};
-use throng_scene::Watch;
+use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
+use throng_scene::Expectations;
 
 #[test]
 fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
     let weave = Weave { angle: 30.0, period: 2.0 };
-    let view = View { seconds: 0.05, ..View::default() };
+    let view = SteeringInput { seconds: 0.05, ..SteeringInput::default() };
     let mut memory = [0.25];
     let sides: Vec<f32> = (0..40)
-        .filter_map(|_| weave.steer(&view, &mut memory, &mut Why::default()))
+        .filter_map(|_| weave.steer(&view, &mut memory, &mut TraceRecorder::default()))
         .map(|steering| steering.force.y)
         .collect();
     assert!(sides.iter().any(|&side| side > 0.1) && sides.iter().any(|&side| side < -0.1), "{sides:?}");
@@ -22,7 +22,7 @@ fn the_scenes_show_what_they_should() {
     for name in ["skaters", "sunflower"] {
         let scene = plugins().open(name).unwrap();
         let (mut world, built) = scene.build().unwrap();
-        let mut watch = Watch::new(&scene.expect, &world, &built);
+        let mut watch = Expectations::new(&scene.expect, &world, &built);
         for _ in 0..1000 {
             world.step();
             watch.step(&world);
@@ -41,7 +41,7 @@ fn the_page_shows_this_plug_in() {
         include_str!("../src/weave.rs"),
         include_str!("../Cargo.toml"),
     ] {
-        // from the first line that is no comment, as the page shows it
+        // the page shows the file from its first line after the comments
         let code: Vec<&str> = file
             .lines()
             .skip_while(|line| line.starts_with("//!") || line.starts_with('#') || line.is_empty())

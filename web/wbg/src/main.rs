@@ -1,4 +1,4 @@
-//! `wbg IN.wasm OUT_DIR`: writes a wasm module, the JavaScript that a web page loads it by, and its fonts.
+//! `wbg IN.wasm OUT_DIR`: writes a wasm module, the JavaScript that loads it, and the fonts of the page.
 
 use epaint_default_fonts::{HACK_REGULAR, UBUNTU_LIGHT};
 use std::fs;
@@ -23,7 +23,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Writes the fonts of panels and code, by the names that the page fetches them by.
+/// Writes the fonts of panels and code under the names that the page fetches.
 fn fonts(folder: &Path) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
     fs::write(folder.join("ubuntu-light.ttf"), UBUNTU_LIGHT)?;

@@ -5,45 +5,45 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use throng_scene::MAX_AGENTS;
 
-/// The examples, for `-h`.
+/// The examples for `-h`.
 pub const SHORT: &str = "\
 Examples:
   throng bench
   throng bench crossing --agents 10k 100k --threads 1 2 --guard both
   throng bench circle office
 
-`throng bench --help` says what is measured, and describes the keys of --json.";
+`throng bench --help` describes what is measured and the keys of --json.";
 
-/// What is measured, keys and examples, for `--help`.
+/// The measurement, keys and examples for `--help`.
 pub const LONG: &str = "\
 A world is built and makes the steps of --warm-up. Then copies of it make the same --steps, once for each number of
-threads, and all that --repeat times; one more step before is not measured. Given are medians, in nanoseconds for a move
-of one agent by one sub-step: on the clock, least of the repeats on the clock, processor time of all threads, and
-on the clock stage by stage. Bytes an agent are everything that the world has allocated after the warm-up.
+threads, and all that --repeat times, after one step that is not measured. The results are medians, in nanoseconds per
+move of one agent by one sub-step: wall-clock time, least wall-clock time of the repeats, processor time of all threads,
+and wall-clock time of each stage. Bytes per agent: everything that the world has allocated after the warm-up.
 
-The steps of works are 0.1 s long, those of `hall` and `rooms` 0.05 s, and not divided.
+Steps of works are 0.1 s long (`hall` and `rooms`: 0.05 s) and not divided.
 
 Keys of --json (a list of runs, one object each):
-  work, agents, threads        the name of the work or scene; how many agents, when measuring begins; threads for the steps
+  work, agents, threads        name of the work or scene; number of agents when measuring begins; threads for the steps
   guard                        on, off, or some: for some of the agents
-  ns_per_agent_step            nanoseconds on the clock for a move of one agent by one sub-step, median
+  ns_per_agent_step            wall-clock nanoseconds per move of one agent by one sub-step, median
   least_ns_per_agent_step      the same, least
-  cpu_ns_per_agent_step        processor time, all threads, median; null where the system does not tell
-  stages                       { perceive, intend, avoid, guard, move }: nanoseconds on the clock, medians
-  cpu_per_simulated_second     processor seconds a simulated second, median
-  bytes_per_agent              bytes allocated for the world, an agent
-  warm_up, steps, repeats      steps made before; steps measured at a time; how many times
-  step_seconds                 simulated seconds a step
+  cpu_ns_per_agent_step        processor time, all threads, median; null where the system does not report it
+  stages                       { perceive, intend, avoid, guard, move }: wall-clock nanoseconds, medians
+  cpu_per_simulated_second     processor seconds per simulated second, median
+  bytes_per_agent              bytes allocated for the world, per agent
+  warm_up, steps, repeats      steps before measuring; steps per repeat; number of repeats
+  step_seconds                 simulated seconds per step
   agent_steps                  moves of one agent by one sub-step in `steps` steps
   version, profile             of this program: its version, and how it was built, `release` or `dev`
-  machine                      { cpu, cores, instructions, system, load }: `instructions` the widest vectors it knows, `load`
-                               how many programs were running when measuring began, one for each core that is busy
+  machine                      { cpu, cores, instructions, system, load }: widest SIMD instruction set;
+                               programs running when measuring began (1 per busy core)
 
-Exit codes: 0 done; 2 an error; 130 interrupted: what was measured until then is written.
+Exit codes: 0 done; 2 an error; 130 interrupted: the figures measured until then are written.
 
 Examples:
   throng bench
-      the works that simulators are compared on
+      the works for comparing simulators
   throng bench --list
   throng bench all --threads 1 -o here.json
   throng bench crossing crossing-shuffled --agents 10k 100k 1M --guard both
@@ -51,13 +51,13 @@ Examples:
   throng bench ring-1000 scenes/crossing.toml
   throng bench station.wkt --exit 10,0,2,4 --people 500 --set time.step=0.05";
 
-/// What `throng bench` is told.
+/// The arguments of `throng bench`.
 #[derive(Args, Debug)]
 pub struct BenchArgs {
     /// Reference works (see --list; `densities` and `all` are several), scenes of the gallery, or files, as for `throng
     /// run` [default: crossing crossing-shuffled]
     ///
-    /// The gallery has a scene `crossing` too: scenes/crossing.toml names its file.
+    /// The gallery also has a scene `crossing`: name its file, scenes/crossing.toml.
     #[arg(value_name = "WORK|SCENE")]
     pub works: Vec<PathBuf>,
 
@@ -65,28 +65,28 @@ pub struct BenchArgs {
     #[arg(long)]
     pub list: bool,
 
-    /// How many agents a work has, such as 10000 or 10k or 1M [default: those that --list shows]
+    /// Number of agents in a work, such as 10000 or 10k or 1M [default: those that --list shows]
     #[arg(long, value_name = "N", num_args = 1.., value_delimiter = ',', value_parser = parse_count)]
     pub agents: Vec<usize>,
 
-    /// Threads for the steps [default: 1, and as many as there are cores]
+    /// Threads for the steps [default: 1, and the number of cores]
     #[cfg(feature = "parallel")]
     #[arg(long, value_name = "N", num_args = 1.., value_delimiter = ',', value_parser = parse_threads)]
     pub threads: Vec<usize>,
 
-    /// Whether the guard keeps everybody apart [default: off in works, as it is in scenes]
+    /// Whether the guard keeps agents apart [default: off in works; scenes as written]
     #[arg(long)]
     pub guard: Option<GuardArg>,
 
-    /// Steps measured at a time [default: as many as make a million moves, from 10 to 100]
+    /// Steps per repeat [default: enough for a million moves, from 10 to 100]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub steps: Option<u32>,
 
-    /// Steps made before
+    /// Steps before measuring
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(..=1_000_000))]
     pub warm_up: u32,
 
-    /// How many times steps are measured
+    /// Number of repeats
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub repeat: u32,
 
@@ -102,24 +102,24 @@ pub struct BenchArgs {
     #[arg(short, long)]
     pub quiet: bool,
 
-    /// What of scenes is changed.
+    /// Changes to scenes.
     #[command(flatten)]
     pub changes: Changes,
 }
 
-/// With the guard, without it, or one after the other.
+/// Whether to measure with the guard, without it, or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum GuardArg {
     /// With the guard
     On,
     /// Without it
     Off,
-    /// One after the other
+    /// First without, then with the guard
     Both,
 }
 
 impl BenchArgs {
-    /// Threads for the steps.
+    /// Returns the numbers of threads to measure with.
     pub fn threads(&self) -> Vec<usize> {
         #[cfg(feature = "parallel")]
         {
@@ -134,7 +134,7 @@ impl BenchArgs {
         vec![1]
     }
 
-    /// With the guard or without, one after the other; `None`: as a scene has it.
+    /// Returns the guard settings to measure with, in order; `None` keeps the scene's.
     pub fn guards(&self) -> &'static [Option<bool>] {
         match self.guard {
             None => &[None],
@@ -144,7 +144,7 @@ impl BenchArgs {
         }
     }
 
-    /// Steps measured at a time where there are so many agents.
+    /// Returns the steps per repeat for this number of agents.
     pub fn steps(&self, agents: usize) -> u32 {
         self.steps.unwrap_or_else(|| (1_000_000 / agents.max(1)).clamp(10, 100) as u32)
     }

@@ -1,23 +1,23 @@
-//! What figures were measured on.
+//! The machine that figures were measured on.
 
 use crate::report::number;
 use serde_json::{Value, json};
-use throng::perceive::Instructions;
+use throng::perceive::SimdLevel;
 
-/// The machine.
+/// The properties of a machine.
 pub struct Machine {
     /// The processor's name.
     pub cpu: String,
-    /// How many threads it runs at a time.
+    /// How many threads it runs at the same time.
     pub cores: usize,
-    /// The vectors that steps are made with.
+    /// The SIMD instruction set that steps use.
     pub instructions: &'static str,
-    /// Programs running at the moment, a mean over a minute; not a number where the system does not tell.
+    /// The mean number of running programs over one minute; NaN where the system does not report it.
     pub load: f64,
 }
 
 impl Machine {
-    /// This one, as it is now.
+    /// Returns the properties of this machine, with its current load.
     pub fn here() -> Self {
         let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
         let cpu = read("/proc/cpuinfo");
@@ -26,19 +26,19 @@ impl Machine {
         Self {
             cpu: cpu.map_or(std::env::consts::ARCH, |(_, name)| name).to_owned(),
             cores: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-            instructions: Instructions::default().found().unwrap_or("none"),
+            instructions: SimdLevel::default().found().unwrap_or("none"),
             load: load.split_whitespace().next().and_then(|load| load.parse().ok()).unwrap_or(f64::NAN),
         }
     }
 
-    /// It as one line, with this program.
+    /// Returns the machine and this program as one line of text.
     pub fn line(&self) -> String {
         let load = if self.load.is_nan() { String::new() } else { format!(", load {}", self.load) };
         let (version, profile) = (env!("CARGO_PKG_VERSION"), profile());
         format!("{}, {} cores, {}{load}; throng {version}, {profile}", self.cpu, self.cores, self.instructions)
     }
 
-    /// It for programs.
+    /// Returns the machine as JSON.
     pub fn json(&self) -> Value {
         json!({
             "cpu": self.cpu,
@@ -50,12 +50,12 @@ impl Machine {
     }
 }
 
-/// How this program was built.
+/// Returns the build profile of this program: `dev` or `release`.
 pub fn profile() -> &'static str {
     if cfg!(debug_assertions) { "dev" } else { "release" }
 }
 
-/// Bytes of memory that programs can still have, where the system tells.
+/// Returns the free memory in bytes, where the system reports it.
 pub fn free_memory() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;

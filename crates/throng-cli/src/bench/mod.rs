@@ -1,4 +1,4 @@
-//! `throng bench`: how long steps take, stage by stage, on the reference works and on scenes.
+//! `throng bench`: how long steps take, stage by stage, in reference works and scenes.
 
 pub mod args;
 mod machine;
@@ -13,17 +13,17 @@ use crate::out::{Out, complain};
 use crate::progress::Progress;
 use args::BenchArgs;
 use machine::{Machine, profile};
-use measure::Run;
+use measure::MeasuredRun;
 use throng_bench::WORKS;
 use throng_record::Output;
 
-/// A way to write the runs.
-type Written = fn(&Machine, &[Run]) -> String;
+/// A function that formats runs for a file.
+type RunsFormat = fn(&Machine, &[MeasuredRun]) -> String;
 
-/// Measures what was asked for, and writes the table and the files.
+/// Measures the works and scenes of the arguments, and writes the table and the files.
 ///
 /// # Errors
-/// There is no such work or scene, it cannot be built, a file cannot be written, or it was interrupted.
+/// A work or scene does not exist or cannot be built, a file cannot be written, or the program was interrupted.
 pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
     if args.list {
         return list(out);
@@ -36,7 +36,7 @@ pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
     interrupt::watch();
     let (machine, threads) = (Machine::here(), args.threads());
     let progress = Progress::new(args.quiet);
-    let mut runs: Vec<Run> = Vec::new();
+    let mut runs: Vec<MeasuredRun> = Vec::new();
     let whole = subjects.len() * threads.len() * args.repeat as usize;
     let mut done = 0;
     for subject in subjects.iter().take_while(|_| !interrupt::asked()) {
@@ -70,12 +70,12 @@ pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Begins the files, so that what is wrong with them is said before the work.
-fn outputs(args: &BenchArgs) -> Result<Vec<(Output, Written)>, Failure> {
+/// Creates the output files before the measurement, so that errors in their names appear first.
+fn outputs(args: &BenchArgs) -> Result<Vec<(Output, RunsFormat)>, Failure> {
     distinct(&args.output)?;
-    let mut outputs: Vec<(Output, Written)> = Vec::new();
+    let mut outputs: Vec<(Output, RunsFormat)> = Vec::new();
     for path in &args.output {
-        let write: Written = if is(path, "json") {
+        let write: RunsFormat = if is(path, "json") {
             |machine, runs| format!("{:#}\n", table::json(machine, runs))
         } else if is(path, "md") {
             table::markdown
@@ -88,7 +88,7 @@ fn outputs(args: &BenchArgs) -> Result<Vec<(Output, Written)>, Failure> {
     Ok(outputs)
 }
 
-/// Lists the works.
+/// Lists the reference works.
 fn list(out: &mut Out) -> Result<(), Failure> {
     let widest = WORKS.iter().map(|work| work.name.len()).max().unwrap_or(0);
     for work in WORKS {

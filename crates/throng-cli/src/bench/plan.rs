@@ -1,4 +1,4 @@
-//! What is measured.
+//! The worlds to measure.
 
 use super::args::BenchArgs;
 use super::machine::free_memory;
@@ -9,20 +9,20 @@ use throng::World;
 use throng_bench::{WORKS, Work, work};
 use throng_scene::gallery;
 
-/// The works measured if no others are asked for.
+/// The works that are measured without arguments.
 const DEFAULT: [&str; 2] = ["crossing", "crossing-shuffled"];
 
-/// Bytes that an agent of a large work needs: its world and a copy of it that makes the steps, up to 490 each, and what it
-/// was built from.
+/// The bytes that an agent of a large work needs: its world, a copy of the world that makes the steps (up to 490 bytes
+/// each), and the data the world was built from.
 const BYTES_AN_AGENT: u64 = 1_500;
 
-/// One world that is measured.
-pub enum Subject {
-    /// A work.
+/// A world to measure.
+pub enum BenchSubject {
+    /// A reference work.
     Work {
-        /// Which.
+        /// The work.
         work: &'static Work,
-        /// How many agents.
+        /// The number of agents.
         agents: usize,
         /// Whether the guard is on.
         guard: bool,
@@ -31,8 +31,8 @@ pub enum Subject {
     Scene(Box<Loaded>),
 }
 
-impl Subject {
-    /// The name of the work or scene.
+impl BenchSubject {
+    /// Returns the name of the work or scene.
     pub fn name(&self) -> &str {
         match self {
             Self::Work { work, .. } => work.name,
@@ -40,25 +40,25 @@ impl Subject {
         }
     }
 
-    /// Its world.
+    /// Builds the world.
     ///
     /// # Errors
-    /// A scene cannot be built, or a work not with so many agents.
+    /// The scene cannot be built, or the work cannot have this number of agents.
     pub fn build(&self) -> Result<World, Failure> {
         match self {
             Self::Work { work, agents, guard } => work
                 .world(*agents, *guard)
                 .map_err(|error| Failure::Error(format!("{} with {agents} agents: {error}", work.name))),
-            Self::Scene(loaded) => Ok(loaded.build()?.0),
+            Self::Scene(loaded) => Ok(loaded.build(true)?.0),
         }
     }
 }
 
-/// What is measured, in order.
+/// Returns the worlds to measure, in order.
 ///
 /// # Errors
-/// There is no such work or scene, an option is for the other kind, or the agents do not fit into memory.
-pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
+/// A work or scene does not exist, an option does not apply to it, or the agents do not fit into memory.
+pub fn subjects(args: &BenchArgs) -> Result<Vec<BenchSubject>, Failure> {
     let (mut subjects, free) = (Vec::new(), free_memory());
     let named = args.works.iter().map(|path| path.as_path());
     let default = DEFAULT.iter().filter(|_| args.works.is_empty()).map(Path::new);
@@ -72,7 +72,7 @@ pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
             for &agents in sizes {
                 fits(work.name, agents, free)?;
                 for guard in args.guards() {
-                    subjects.push(Subject::Work { work, agents, guard: guard.unwrap_or(false) });
+                    subjects.push(BenchSubject::Work { work, agents, guard: guard.unwrap_or(false) });
                 }
             }
         }
@@ -84,7 +84,8 @@ pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
         ("--people", args.changes.people.is_some()),
     ];
     if let Some((option, _)) = changed.iter().find(|(_, given)| *given)
-        && let Some(Subject::Work { work, .. }) = subjects.iter().find(|one| matches!(one, Subject::Work { .. }))
+        && let Some(BenchSubject::Work { work, .. }) =
+            subjects.iter().find(|run| matches!(run, BenchSubject::Work { .. }))
     {
         let text = format!("{option} is for scenes; {} is a reference work, which is always the same", work.name);
         return Err(Failure::hint(text, "leave it out; --agents and --guard change a work"));
@@ -92,7 +93,7 @@ pub fn subjects(args: &BenchArgs) -> Result<Vec<Subject>, Failure> {
     Ok(subjects)
 }
 
-/// The works that a name stands for; none if it is a scene's.
+/// Returns the works that a name stands for; none if it names a scene.
 fn works(path: &Path) -> Vec<&'static Work> {
     match path.to_str() {
         Some("all") => WORKS.iter().collect(),
@@ -101,7 +102,7 @@ fn works(path: &Path) -> Vec<&'static Work> {
     }
 }
 
-fn scene(path: &Path, args: &BenchArgs, subjects: &mut Vec<Subject>) -> Result<(), Failure> {
+fn scene(path: &Path, args: &BenchArgs, subjects: &mut Vec<BenchSubject>) -> Result<(), Failure> {
     let plain = path.to_str().filter(|name| !name.contains(['.', '/', '\\']));
     if let Some(name) = plain
         && gallery::text(name).is_none()
@@ -121,12 +122,12 @@ fn scene(path: &Path, args: &BenchArgs, subjects: &mut Vec<Subject>) -> Result<(
         if let Some(guard) = guard {
             loaded.scene.set("guard", &guard.to_string())?;
         }
-        subjects.push(Subject::Scene(Box::new(loaded)));
+        subjects.push(BenchSubject::Scene(Box::new(loaded)));
     }
     Ok(())
 }
 
-/// That so many agents fit into the memory that is free, where that is known.
+/// Checks that this number of agents fits into the free memory, where that is known.
 fn fits(name: &str, agents: usize, free: Option<u64>) -> Result<(), Failure> {
     let needed = agents as u64 * BYTES_AN_AGENT;
     let Some(free) = free.filter(|free| needed > *free) else { return Ok(()) };
@@ -145,8 +146,8 @@ mod tests {
         let free = 4 << 30;
         let most = (free / BYTES_AN_AGENT) as usize;
         assert!(fits("crossing", most, Some(free)).is_ok() && fits("crossing", most + 1, None).is_ok());
-        let told = fits("crossing", 2 * most, Some(free)).unwrap_err();
-        let told = told.text().unwrap();
-        assert!(told.contains("8.0 GiB") && told.contains("4.0 GiB") && told.contains(&most.to_string()), "{told}");
+        let error = fits("crossing", 2 * most, Some(free)).unwrap_err();
+        let text = error.text().unwrap();
+        assert!(text.contains("8.0 GiB") && text.contains("4.0 GiB") && text.contains(&most.to_string()), "{text}");
     }
 }

@@ -1,7 +1,7 @@
-//! What was measured, as a table and as JSON.
+//! The measurements as a table and as JSON.
 
 use super::machine::{Machine, profile};
-use super::measure::Run;
+use super::measure::MeasuredRun;
 use crate::columns::aligned;
 use crate::report::number;
 use serde_json::{Map, Value, json};
@@ -15,7 +15,7 @@ fn heads() -> Vec<String> {
     left.iter().chain(&stages).chain(bytes).map(|head| (*head).to_owned()).collect()
 }
 
-fn cells(run: &Run) -> Vec<String> {
+fn cells(run: &MeasuredRun) -> Vec<String> {
     let shown = |value: f64| match value.is_finite() {
         true => format!("{value:.*}", if value < 10.0 { 1 } else { 0 }),
         false => "–".to_owned(),
@@ -27,23 +27,23 @@ fn cells(run: &Run) -> Vec<String> {
     cells
 }
 
-/// The table for the terminal.
-pub fn text(machine: &Machine, runs: &[Run]) -> String {
+/// Returns the table for the terminal.
+pub fn text(machine: &Machine, runs: &[MeasuredRun]) -> String {
     let lines: Vec<Vec<String>> = std::iter::once(heads()).chain(runs.iter().map(cells)).collect();
     format!("{}\n{}", machine.line(), aligned(&lines))
 }
 
-/// The table in Markdown.
-pub fn markdown(machine: &Machine, runs: &[Run]) -> String {
+/// Returns the table in Markdown.
+pub fn markdown(machine: &Machine, runs: &[MeasuredRun]) -> String {
     let row = |cells: Vec<String>| format!("| {} |\n", cells.join(" | ").replace('<', "&lt;"));
     let rule = format!("|---|{}\n", "---:|".repeat(heads().len() - 1));
     let rows: String = runs.iter().map(|run| row(cells(run))).collect();
     format!("{}\n\n{}{rule}{rows}", machine.line(), row(heads()))
 }
 
-/// The runs for programs. `throng bench --help` describes the keys.
-pub fn json(machine: &Machine, runs: &[Run]) -> Value {
-    let run = |run: &Run| {
+/// Returns the runs as JSON. `throng bench --help` describes the keys.
+pub fn json(machine: &Machine, runs: &[MeasuredRun]) -> Value {
+    let run = |run: &MeasuredRun| {
         let stage = |stage: Stage| (stage.name().to_owned(), number(run.ns(|lap| lap.stages[stage as usize])));
         json!({
             "work": run.work,

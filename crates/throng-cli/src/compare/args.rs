@@ -9,7 +9,7 @@ use clap::Args;
 use std::path::PathBuf;
 use throng_scene::Model;
 
-/// The examples, for `-h`.
+/// The examples for `-h`.
 pub const COMPARE_SHORT: &str = "\
 Examples:
   throng compare circle
@@ -18,28 +18,28 @@ Examples:
 
 `throng compare --help` describes the outputs and the keys of --json.";
 
-/// Outputs, keys and examples, for `--help`.
+/// Outputs, keys and examples for `--help`.
 pub const COMPARE: &str = "\
 Outputs, by the ending of the name:
   .html             one page without network: the table, figures over time, a player of all models on one
-                    clock, and the moments in which velocities swing most. page.html#t=12.5 opens at 12.5 s
-  .mp4 .gif .avi    video, the models side by side; also .webm and other kinds that ffmpeg writes
+                    clock, and the moments at which velocities swing most. page.html#t=12.5 opens at 12.5 s
+  .mp4 .gif .avi    video, the models side by side; also .webm and others through ffmpeg
   .png, .svg        one picture of the same: the last moment, or that of --frame
   NAME/             a folder of PNG files, one a picture
-  .csv              every run: a line a model and seed
+  .csv              every run: one line per model and seed
   .md               the table
 
-Pictures, video and page show the first seed. Every run has one thread of its own, so that speeds compare; several
+Pictures, video and page show the first seed. Every run has one thread, so that speeds are comparable; several
 run at a time. Files get their names when they are complete. Ctrl-C ends the runs and completes the files.
 
 Keys of --json (one object on standard output):
   scene, seeds     name of the scene; the seeds, in order
   models           [{ model, median: { .. }, least: { .. }, most: { .. }, runs: [{ seed, .. }] }], the figures under
                    the keys of `throng run --json`, and
-                     us_per_agent_step  microseconds of processor time for a move of one agent by one sub-step
+                     us_per_agent_step  microseconds of processor time per move of one agent by one sub-step
                      interrupted        whether the run was interrupted
-  wall_seconds     seconds it all took
-  interrupted      whether it was interrupted: figures are those up to there, runs not begun are left out
+  wall_seconds     seconds the whole comparison took
+  interrupted      whether the comparison was interrupted: figures cover the time until then, without runs not begun
   files            the files written
 
 The [expect] of the scene is not checked: models are compared because they differ.
@@ -54,18 +54,18 @@ Examples:
       one model with several settings
   throng compare station.wkt --exit 10,0,2,4 --people 500 --models rvo,orca -o station.csv";
 
-/// What `throng compare` is told.
+/// The arguments of `throng compare`.
 #[derive(Args, Debug)]
 pub struct CompareArgs {
-    /// Which scene.
+    /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
 
     /// The local models, with commas between them
     ///
     /// The names are those of `avoid.NAME` in scene files (`-` is `_`). Values of a model's keys come after colons:
-    /// orca:time_horizon=4:neighbours=20. A model takes the place of every group's own, whose `neighbours` and
-    /// `neighbour_distance` it keeps; a group that has the model already keeps all its values.
+    /// orca:time_horizon=4:neighbours=20. A model replaces the model of every group and keeps the group's `neighbours`
+    /// and `neighbour_distance`; a group that already has the model keeps all its values.
     #[arg(short, long, value_name = "MODEL,..", value_delimiter = ',', default_value = "vo,rvo,hrvo,orca")]
     pub models: Vec<String>,
 
@@ -77,7 +77,7 @@ pub struct CompareArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Vec<PathBuf>,
 
-    /// When runs end.
+    /// When the runs end.
     #[command(flatten)]
     pub end: EndArgs,
 
@@ -85,7 +85,7 @@ pub struct CompareArgs {
     #[arg(long)]
     pub all: bool,
 
-    /// How many threads.
+    /// The number of threads.
     #[command(flatten)]
     pub threads: ThreadArgs,
 
@@ -97,24 +97,24 @@ pub struct CompareArgs {
     #[arg(long)]
     pub json: bool,
 
-    /// Which moments pictures show, and how they look; --size is that of all panels together.
+    /// The moments that pictures show, and how pictures look; --size is the size of all panels together.
     #[command(flatten)]
     pub film: FilmArgs,
 }
 
 impl CompareArgs {
-    /// The models, in order.
+    /// Returns the models, in order.
     ///
     /// # Errors
-    /// There is no such model, it has no such key, or it comes twice.
+    /// A model does not exist, has no such key, or is given twice.
     pub fn models(&self) -> Result<Vec<Model>, Failure> {
         models("--models", &self.models)
     }
 
-    /// The seeds, in order; `default` where none are given.
+    /// Returns the seeds, in order; `default` where none are given.
     ///
     /// # Errors
-    /// They are no whole numbers, too many, or one comes twice.
+    /// A seed is not a whole number or is given twice, or there are too many seeds.
     pub fn seeds(&self, default: u64) -> Result<Vec<u64>, Failure> {
         self.seeds.as_deref().map_or(Ok(vec![default]), seeds)
     }

@@ -1,23 +1,23 @@
 //! The figures of all runs, and their medians and ranges over the seeds.
 
-use super::race::{Outcome, Plan};
+use super::race::{ComparePlan, RunOutcome};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 
 /// A figure of the table.
 pub struct Figure {
-    /// Its key in JSON and CSV.
+    /// The key in JSON and CSV.
     pub key: &'static str,
-    /// Its name over a column.
+    /// The heading of the column.
     pub head: &'static str,
-    /// Decimals shown.
+    /// The number of decimals shown.
     pub digits: usize,
-    /// What it is multiplied by where it is shown.
+    /// The factor by which shown values are multiplied.
     pub scale: f64,
-    /// What it is out of: the key of another figure, shown behind it.
+    /// The key of the figure that this figure is a count out of; shown behind the value.
     pub of: Option<&'static str>,
-    /// What it says, for who points at it.
+    /// The meaning, shown when the mouse is over the heading.
     pub meaning: &'static str,
 }
 
@@ -28,10 +28,10 @@ const fn figure(key: &'static str, head: &'static str, digits: usize, meaning: &
 /// The figures of the table, in order.
 pub const FIGURES: [Figure; 13] = [
     Figure { of: Some("agents"), ..figure("arrived", "arrived", 0, "agents at the end of their journeys, of all") },
-    figure("stuck", "stuck", 0, "agents that cannot arrive, are blocked, or walk without getting on"),
-    figure("time", "time s", 2, "seconds simulated: until everybody has arrived, or to the limit"),
-    figure("time_ratio", "time ratio", 3, "of the arrived: time over that of the shortest way, mean"),
-    figure("path_ratio", "path ratio", 3, "of the arrived: way over the shortest way, mean"),
+    figure("stuck", "stuck", 0, "agents that cannot arrive, are blocked, or walk without progress"),
+    figure("time", "time s", 2, "seconds simulated: until all agents have arrived, or to the limit"),
+    figure("time_ratio", "time ratio", 3, "agents that arrived: time over that of the shortest way, mean"),
+    figure("path_ratio", "path ratio", 3, "agents that arrived: length of the way over that of the shortest way, mean"),
     figure(
         "least_separation",
         "separation",
@@ -49,26 +49,26 @@ pub const FIGURES: [Figure; 13] = [
     },
     Figure {
         scale: 100.0,
-        ..figure("backwards_share", "back %", 2, "share of the time that agents move away from where their way leads")
+        ..figure("backwards_share", "back %", 2, "share of time that agents move against the direction of their way")
     },
-    figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of those on their way, mean"),
+    figure("heading_change_deg_per_s", "turning °/s", 1, "turning of the headings of walking agents, mean"),
     figure(
         "course_change_deg_per_s",
         "course °/s",
         1,
-        "turning of their directions of motion, which headings smooth out: trembling",
+        "turning of their directions of motion: trembling, which headings smooth out",
     ),
-    figure("us_per_agent_step", "µs/step", 2, "microseconds of processor time for a move of one agent by one sub-step"),
+    figure("us_per_agent_step", "µs/step", 2, "microseconds of processor time per move of one agent by one sub-step"),
 ];
 
-/// A figure over the seeds. All three are not numbers where no run has it.
+/// The spread of a figure over the seeds. All three values are NaN where no run has the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The middle value; the mean of the two in the middle of an even number.
+    /// The median; for an even number of values, the mean of the two in the middle.
     pub median: f64,
-    /// The least.
+    /// The least value.
     pub least: f64,
-    /// The greatest.
+    /// The greatest value.
     pub most: f64,
 }
 
@@ -83,21 +83,21 @@ impl Spread {
     }
 }
 
-/// What came of all runs.
-pub struct Results {
+/// The results of all runs.
+pub struct CompareResults {
     /// The name of the scene.
     pub scene: String,
     /// The seeds.
     pub seeds: Vec<u64>,
-    /// The models' labels, in order, and their runs, by seed.
-    pub models: Vec<(String, Vec<Outcome>)>,
-    /// Whether it was interrupted.
+    /// The labels of the models, in order, and their runs by seed.
+    pub models: Vec<(String, Vec<RunOutcome>)>,
+    /// Whether the comparison was interrupted.
     pub interrupted: bool,
 }
 
-impl Results {
-    /// Sorts the runs by model.
-    pub fn new(plan: &Plan, runs: Vec<Outcome>, interrupted: bool) -> Self {
+impl CompareResults {
+    /// Groups the runs by model.
+    pub fn new(plan: &ComparePlan, runs: Vec<RunOutcome>, interrupted: bool) -> Self {
         let mut models: Vec<_> = plan.models.iter().map(|model| (model.label().to_owned(), Vec::new())).collect();
         for run in runs {
             models[run.model].1.push(run);
@@ -105,7 +105,7 @@ impl Results {
         Self { scene: plan.loaded.name.clone(), seeds: plan.seeds.clone(), models, interrupted }
     }
 
-    /// Everything as one JSON object. `throng compare --help` describes its keys.
+    /// Returns the results as one JSON object. `throng compare --help` describes its keys.
     pub fn json(&self, files: &[PathBuf], wall: Duration) -> Value {
         let models = self.models.iter().map(|(model, runs)| {
             let over = |pick: fn(&Spread) -> f64| {
@@ -137,8 +137,8 @@ impl Results {
     }
 }
 
-/// A figure over some runs.
-pub fn spread(runs: &[Outcome], key: &str) -> Spread {
+/// Returns the spread of a figure over runs.
+pub fn spread(runs: &[RunOutcome], key: &str) -> Spread {
     Spread::of(runs.iter().filter_map(|run| run.figures[key].as_f64()).collect())
 }
 

@@ -13,32 +13,33 @@ pub use args::{COMPARE, COMPARE_SHORT, CompareArgs};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::out::{Out, complain, note};
-use crate::progress::Progress;
+use crate::progress::{Progress, waiting};
 use crate::source::Loaded;
 use crate::threads::Workers;
-use figures::Results;
-use outputs::Outputs;
-use race::{Plan, Race};
+use figures::CompareResults;
+use outputs::CompareOutputs;
+use race::{ComparePlan, Race};
 use std::time::Instant;
 
-/// Runs a scene with every model and seed, writes the files and the table.
+/// Runs a scene with every model and seed, and writes the files and the table.
 ///
 /// # Errors
-/// A model or a seed is none, the scene cannot be built, a file cannot be written, or it was interrupted.
+/// A model or a seed is not valid, the scene cannot be built, a file cannot be written, or the program was interrupted.
 pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     let begin = Instant::now();
     let mut loaded = args.scene.load()?;
     args.end.apply(&mut loaded.scene);
     let seeds = args.seeds(loaded.scene.seed)?;
     loaded.scene.seed = seeds[0];
-    let plan = Plan { loaded, models: args.models()?, seeds };
+    let plan = ComparePlan { loaded, models: args.models()?, seeds };
     if !args.quiet {
         note(&plan.loaded.notes);
     }
-    interrupt::watch();
     let workers = Workers::new(args.threads.count(), plan.models.len() * plan.seeds.len())?;
-    let mut race = Race::start(&plan, &workers, Progress::new(args.quiet))?;
-    let mut outputs = Outputs::create(args, &plan, race.leaders())?;
+    let mut race =
+        waiting(args.quiet, "building the worlds", || Race::start(&plan, &workers, Progress::new(args.quiet)))?;
+    interrupt::watch();
+    let mut outputs = CompareOutputs::create(args, &plan, race.leaders())?;
     if outputs.watch() {
         outputs.push(race.leaders())?;
         while race.step() {
@@ -46,7 +47,7 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
         }
         outputs.end(race.leaders())?;
     }
-    let results = Results::new(&plan, race.finish()?, interrupt::asked());
+    let results = CompareResults::new(&plan, race.finish()?, interrupt::asked());
     let files = outputs.finish(&plan, &results, args.all)?;
     if args.json {
         out.line(format_args!("{}", results.json(&files, begin.elapsed())))?;
@@ -59,15 +60,15 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     out.flush()?;
     if results.interrupted {
         if !args.quiet {
-            complain("interrupted; the figures and the files are complete up to there");
+            complain("interrupted; the figures and the files cover the time until then");
         }
         return Err(Failure::Interrupted);
     }
     Ok(())
 }
 
-/// The scene with one of the models and one of the seeds.
-fn variant(plan: &Plan, model: usize, seed: u64) -> Result<Loaded, Failure> {
+/// Returns the scene with one of the models and one of the seeds.
+fn variant(plan: &ComparePlan, model: usize, seed: u64) -> Result<Loaded, Failure> {
     let model = &plan.models[model];
     let mut loaded = plan.loaded.clone();
     loaded.scene = loaded.scene.with_model(model).map_err(|mut error| {

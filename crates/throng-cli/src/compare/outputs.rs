@@ -1,8 +1,8 @@
-//! The files of a comparison.
+//! The output files of a comparison.
 
-use super::figures::Results;
-use super::html::Page;
-use super::race::{Plan, Run};
+use super::figures::CompareResults;
+use super::html::ComparePage;
+use super::race::{ComparePlan, ModelRun};
 use super::{CompareArgs, sheet, table};
 use crate::failure::Failure;
 use crate::files::{self, distinct, is};
@@ -11,33 +11,33 @@ use std::sync::Arc;
 use throng_draw::record::{Files, Pace, Recorder};
 use throng_record::{Choice, Frame, Output};
 
-/// A way to write the table.
-type Written = fn(&Plan, &Results, bool) -> String;
+/// A function that formats the table for a file.
+type TableFormat = fn(&ComparePlan, &CompareResults, bool) -> String;
 
-/// All files. They get their names when they are complete; dropped before that, they leave nothing.
-pub struct Outputs {
+/// The output files. They get their names when they are complete; files dropped before that are deleted.
+pub struct CompareOutputs {
     paths: Vec<PathBuf>,
-    /// Pictures and video; `None` once they are complete.
+    /// Pictures and videos; `None` once they are complete.
     films: Option<Files>,
-    pages: Vec<(Output, Page)>,
-    /// Files that hold the table, and how it is written.
-    tables: Vec<(Output, Written)>,
+    pages: Vec<(Output, ComparePage)>,
+    /// Files that hold the table, and the functions that format it.
+    tables: Vec<(Output, TableFormat)>,
 }
 
-impl Outputs {
-    /// Begins all files.
+impl CompareOutputs {
+    /// Creates all files.
     ///
     /// # Errors
-    /// A name does not say what to write or comes twice, or a file cannot be begun.
-    pub fn create(args: &CompareArgs, plan: &Plan, runs: &[Run]) -> Result<Self, Failure> {
+    /// The kind of a file does not follow from its name, a name is given twice, or a file cannot be created.
+    pub fn create(args: &CompareArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<Self, Failure> {
         let paths = args.output.clone();
         distinct(&paths)?;
         let (mut films, mut pages) = (Vec::new(), Vec::new());
-        let mut tables: Vec<(Output, Written)> = Vec::new();
+        let mut tables: Vec<(Output, TableFormat)> = Vec::new();
         let rate = args.film.rate(&plan.loaded.scene);
         for path in &paths {
             if is(path, "html") || is(path, "htm") {
-                pages.push((Output::create(path)?, Page::new(&args.film, plan, runs)?));
+                pages.push((Output::create(path)?, ComparePage::new(&args.film, plan, runs)?));
             } else if is(path, "csv") {
                 tables.push((Output::create(path)?, |_, results, _| table::csv(results)));
             } else if is(path, "md") {
@@ -52,16 +52,16 @@ impl Outputs {
         Ok(Self { paths, films: Some(films), pages, tables })
     }
 
-    /// Whether the runs' moments are wanted, or only what comes of them.
+    /// Whether the outputs need the moments of the runs, not only their results.
     pub fn watch(&self) -> bool {
         self.films.as_ref().is_some_and(|films| !films.is_empty()) || !self.pages.is_empty()
     }
 
-    /// Takes in the runs as they are after a step (and before the first).
+    /// Adds the runs' current moment. Called before the first step and after every step.
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn push(&mut self, runs: &[Run]) -> Result<(), Failure> {
+    pub fn push(&mut self, runs: &[ModelRun]) -> Result<(), Failure> {
         if let Some(films) = &mut self.films {
             films.push_all(now(runs), runs[0].world.settings().step, || frames(runs))?;
         }
@@ -69,20 +69,20 @@ impl Outputs {
         Ok(())
     }
 
-    /// Shows the end, if no picture did yet, and completes pictures and video.
+    /// Adds the last moment if no picture shows it yet, and completes pictures and videos.
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn end(&mut self, runs: &[Run]) -> Result<(), Failure> {
+    pub fn end(&mut self, runs: &[ModelRun]) -> Result<(), Failure> {
         self.pages.iter_mut().for_each(|(_, page)| page.end(runs));
         Ok(self.films.take().map_or(Ok(()), |films| films.finish_all(now(runs), || frames(runs)))?)
     }
 
-    /// Completes all other files; the names of all.
+    /// Completes all other files and returns the names of all files.
     ///
     /// # Errors
     /// A file cannot be completed.
-    pub fn finish(self, plan: &Plan, results: &Results, all: bool) -> Result<Vec<PathBuf>, Failure> {
+    pub fn finish(self, plan: &ComparePlan, results: &CompareResults, all: bool) -> Result<Vec<PathBuf>, Failure> {
         let pages = self.pages.into_iter().map(|(output, page)| (output, page.text(plan, results, all)));
         let tables = self.tables.into_iter().map(|(output, write)| (output, write(plan, results, all)));
         for (mut output, text) in pages.chain(tables) {
@@ -93,11 +93,11 @@ impl Outputs {
     }
 }
 
-fn frames(runs: &[Run]) -> Vec<Arc<Frame>> {
+fn frames(runs: &[ModelRun]) -> Vec<Arc<Frame>> {
     runs.iter().map(|run| run.frame.clone()).collect()
 }
 
-/// The time of the run that is farthest.
-fn now(runs: &[Run]) -> f64 {
+/// Returns the time of the run that is farthest ahead.
+fn now(runs: &[ModelRun]) -> f64 {
     runs.iter().map(|run| run.world.time()).fold(0.0, f64::max)
 }

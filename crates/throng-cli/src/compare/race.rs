@@ -1,5 +1,5 @@
-//! All models with all seeds: those of the first seed on one clock where somebody watches, everything else as threads
-//! are free.
+//! The runs of all models and seeds. Runs of the first seed step together where an output needs their moments; all
+//! other runs start as threads become free.
 
 use super::variant;
 use crate::failure::Failure;
@@ -18,51 +18,51 @@ use throng_record::series::Series;
 use throng_record::{Frame, Pool, moment};
 use throng_scene::{Built, Model, Time};
 
-/// What is compared.
-pub struct Plan {
-    /// The scene; its seed is the first.
+/// The models and seeds to compare.
+pub struct ComparePlan {
+    /// The scene; its seed is the first of `seeds`.
     pub loaded: Loaded,
     /// The models.
     pub models: Vec<Model>,
-    /// The seeds, at least one.
+    /// The seeds; at least one.
     pub seeds: Vec<u64>,
 }
 
-/// One model with one seed.
-pub struct Run {
-    /// Which of the plan's models.
+/// The run of one model with one seed.
+pub struct ModelRun {
+    /// The index of the model in the plan.
     pub model: usize,
     /// The seed.
     pub seed: u64,
-    /// The world as it is now.
+    /// The world in its current state.
     pub world: World,
-    /// What was built.
+    /// What was built from the scene.
     pub built: Built,
-    /// The moment it is at, where somebody watches.
+    /// The current moment, where an output needs it.
     pub frame: Arc<Frame>,
     frames: Pool<Frame>,
-    /// Its figures over time, where somebody watches.
+    /// The figures over time, where an output needs them.
     pub series: Series,
     time: Time,
     stepping: Duration,
 }
 
-/// What came of a run.
-pub struct Outcome {
-    /// Which of the plan's models.
+/// The result of a run.
+pub struct RunOutcome {
+    /// The index of the model in the plan.
     pub model: usize,
     /// The seed.
     pub seed: u64,
-    /// Its figures by name: those of `throng run --json`, and some more.
+    /// The figures by name: those of `throng run --json`, and some more.
     pub figures: Map<String, Value>,
-    /// Its figures over time, where somebody watched.
+    /// The figures over time, where an output needs them.
     pub series: Series,
 }
 
-impl Run {
-    fn build(plan: &Plan, model: usize, seed: u64) -> Result<Self, Failure> {
+impl ModelRun {
+    fn build(plan: &ComparePlan, model: usize, seed: u64) -> Result<Self, Failure> {
         let loaded = variant(plan, model, seed)?;
-        let (world, built) = loaded.build().map_err(|failure| match failure {
+        let (world, built) = loaded.build(true).map_err(|failure| match failure {
             Failure::Error(text) => Failure::Error(format!("{} with seed {seed}: {text}", plan.models[model])),
             other => other,
         })?;
@@ -71,7 +71,7 @@ impl Run {
         Ok(Self { model, seed, world, built, frame, frames, series, time, stepping: Duration::ZERO })
     }
 
-    /// Whether it has come to its end.
+    /// Whether the run has ended.
     pub fn over(&self) -> bool {
         self.time.over(&self.world)
     }
@@ -82,29 +82,29 @@ impl Run {
         self.stepping += thread_time().saturating_sub(begin);
     }
 
-    /// Lets it be seen as it is now.
+    /// Captures the current moment.
     fn show(&mut self) {
         self.frame = self.frames.make(|frame| moment::capture(&self.world, frame));
         self.series.push(&self.frame);
     }
 
-    fn outcome(self) -> Outcome {
+    fn outcome(self) -> RunOutcome {
         let mut figures = figures(&self.world.summary(), self.stepping);
         let rate = figures["agent_steps_per_second"].as_f64();
         figures.insert("us_per_agent_step".into(), json!(rate.map(|rate| 1e6 / rate)));
         figures.extend(self.world.figures().map(|(name, value)| (format!("figures.{name}"), number(value))));
         figures.insert("interrupted".into(), json!(!self.over()));
-        Outcome { model: self.model, seed: self.seed, figures, series: self.series }
+        RunOutcome { model: self.model, seed: self.seed, figures, series: self.series }
     }
 }
 
-/// All runs on their way.
+/// All runs, while they are being made.
 pub struct Race<'a> {
-    plan: &'a Plan,
+    plan: &'a ComparePlan,
     workers: &'a Workers,
-    leaders: Vec<Run>,
+    leaders: Vec<ModelRun>,
     progress: Progress,
-    /// How much of each run is done, in millionths; the leaders first.
+    /// The completed share of each run, in millionths; the runs of the first seed come first.
     done: Vec<AtomicU64>,
 }
 
@@ -114,25 +114,25 @@ impl<'a> Race<'a> {
     /// Builds the worlds of the first seed.
     ///
     /// # Errors
-    /// One cannot be built.
-    pub fn start(plan: &'a Plan, workers: &'a Workers, progress: Progress) -> Result<Self, Failure> {
+    /// A world cannot be built.
+    pub fn start(plan: &'a ComparePlan, workers: &'a Workers, progress: Progress) -> Result<Self, Failure> {
         let models = (0..plan.models.len()).collect();
-        let leaders: Result<Vec<Run>, Failure> =
-            workers.map(models, |model| Run::build(plan, model, plan.seeds[0])).into_iter().collect();
+        let leaders: Result<Vec<ModelRun>, Failure> =
+            workers.map(models, |model| ModelRun::build(plan, model, plan.seeds[0])).into_iter().collect();
         let mut leaders = leaders?;
-        leaders.iter_mut().for_each(Run::show);
+        leaders.iter_mut().for_each(ModelRun::show);
         let done = (0..plan.models.len() * plan.seeds.len()).map(|_| AtomicU64::new(0)).collect();
         Ok(Self { plan, workers, leaders, progress, done })
     }
 
-    /// The runs of the first seed, in the order of the models.
-    pub fn leaders(&self) -> &[Run] {
+    /// Returns the runs of the first seed, in the order of the models.
+    pub fn leaders(&self) -> &[ModelRun] {
         &self.leaders
     }
 
-    /// Moves the leaders that are not over on by a step; whether any did.
+    /// Makes one step of the leaders that have not ended. Returns whether there were any.
     pub fn step(&mut self) -> bool {
-        let running: Vec<&mut Run> = self.leaders.iter_mut().filter(|run| !run.over()).collect();
+        let running: Vec<&mut ModelRun> = self.leaders.iter_mut().filter(|run| !run.over()).collect();
         if running.is_empty() || interrupt::asked() {
             return false;
         }
@@ -146,21 +146,21 @@ impl<'a> Race<'a> {
         true
     }
 
-    /// Runs everything to its end: the leaders, where they are not, and the other seeds.
+    /// Completes all runs: the leaders that have not ended, and the runs of the other seeds.
     ///
     /// # Errors
     /// A world cannot be built.
-    pub fn finish(mut self) -> Result<Vec<Outcome>, Failure> {
+    pub fn finish(mut self) -> Result<Vec<RunOutcome>, Failure> {
         let models = self.leaders.len();
         let leaders = std::mem::take(&mut self.leaders).into_iter().map(Some);
         let others = (models..self.done.len()).map(|_| None);
         let tasks = leaders.chain(others).enumerate().collect();
         let race = &self;
-        let work = |(k, run): (usize, Option<Run>)| {
+        let work = |(k, run): (usize, Option<ModelRun>)| {
             let mut run = match run {
                 Some(run) => run,
                 None if interrupt::asked() => return Ok(None),
-                None => Run::build(race.plan, k % models, race.plan.seeds[k / models])?,
+                None => ModelRun::build(race.plan, k % models, race.plan.seeds[k / models])?,
             };
             while !run.over() && !interrupt::asked() {
                 run.step();
@@ -169,7 +169,7 @@ impl<'a> Race<'a> {
             }
             Ok(Some(run.outcome()))
         };
-        let outcomes: Result<Vec<Option<Outcome>>, Failure> = self.workers.map(tasks, work).into_iter().collect();
+        let outcomes: Result<Vec<Option<RunOutcome>>, Failure> = self.workers.map(tasks, work).into_iter().collect();
         self.progress.done();
         Ok(outcomes?.into_iter().flatten().collect())
     }
@@ -183,7 +183,7 @@ impl<'a> Race<'a> {
     }
 }
 
-fn note(part: &AtomicU64, run: &Run) {
+fn note(part: &AtomicU64, run: &ModelRun) {
     let share = if run.over() { 1.0 } else { 0.999 * share(&run.world, run.time.limit) };
     part.store((share * WHOLE) as u64, Ordering::Relaxed);
 }

@@ -1,17 +1,17 @@
 //! All models side by side in one picture.
 
-use super::race::{Plan, Run};
+use super::race::{ComparePlan, ModelRun};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
 use throng_draw::{Sheet, Style};
 use throng_record::moment;
 
-/// The panels, a model each, and the look of the sheet.
+/// Returns the sheet, with one panel per model, and its style.
 ///
 /// # Errors
-/// There are more models than fit, or the camera sees nothing.
-pub fn sheet(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<(Sheet, Style), Failure> {
-    let panel = |run: &Run| moment::setting(&run.world, &run.built, plan.models[run.model].label());
+/// There are more models than panels fit, or the camera's view is empty.
+pub fn sheet(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<(Sheet, Style), Failure> {
+    let panel = |run: &ModelRun| moment::setting(&run.world, &run.built, plan.models[run.model].label());
     let panels = runs.iter().map(panel).collect();
     let title = match plan.seeds.len() {
         1 => plan.loaded.title().to_owned(),

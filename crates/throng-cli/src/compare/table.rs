@@ -1,35 +1,35 @@
-//! The figures as a table: for the terminal, for Markdown and as CSV.
+//! The figures as a table for the terminal, in Markdown and as CSV.
 
-use super::figures::{FIGURES, Figure, Results, Spread, spread};
-use super::race::{Outcome, Plan};
+use super::figures::{CompareResults, FIGURES, Figure, Spread, spread};
+use super::race::{ComparePlan, RunOutcome};
 use crate::columns::aligned;
 use std::fmt::Write;
 
-/// A row: a name and a cell for each of [`FIGURES`].
-pub struct Row {
-    /// The model; with a seed where the row is one run.
+/// A row: a name and one cell for each of [`FIGURES`].
+pub struct ComparisonRow {
+    /// The name of the model, or the seed where the row is one run.
     pub name: String,
     /// The values.
     pub cells: Vec<Cell>,
-    /// Whether it is one run of a model above.
+    /// Whether the row is one run of the model above.
     pub single: bool,
 }
 
-/// A cell.
+/// A cell of the table.
 pub struct Cell {
     /// The value, or the median.
     pub value: String,
-    /// From the least to the greatest, where they differ.
+    /// The least and the greatest value, where they differ.
     pub range: Option<String>,
 }
 
-/// The rows: the medians of each model, and every run where `all` says so.
-pub fn rows(results: &Results, all: bool) -> Vec<Row> {
+/// Returns the rows: the medians of each model, followed by its runs if `all`.
+pub fn rows(results: &CompareResults, all: bool) -> Vec<ComparisonRow> {
     let mut rows = Vec::new();
     for (name, runs) in &results.models {
-        rows.push(Row { name: name.clone(), cells: cells(runs), single: false });
+        rows.push(ComparisonRow { name: name.clone(), cells: cells(runs), single: false });
         let each = if all && results.seeds.len() > 1 { &runs[..] } else { &[] };
-        rows.extend(each.iter().map(|run| Row {
+        rows.extend(each.iter().map(|run| ComparisonRow {
             name: format!("seed {}", run.seed),
             cells: cells(std::slice::from_ref(run)),
             single: true,
@@ -38,7 +38,7 @@ pub fn rows(results: &Results, all: bool) -> Vec<Row> {
     rows
 }
 
-fn cells(runs: &[Outcome]) -> Vec<Cell> {
+fn cells(runs: &[RunOutcome]) -> Vec<Cell> {
     let cell = |figure: &Figure| {
         let Spread { median, least, most } = spread(runs, figure.key);
         let mut value = written(median, figure);
@@ -53,25 +53,25 @@ fn cells(runs: &[Outcome]) -> Vec<Cell> {
 
 fn written(value: f64, figure: &Figure) -> String {
     let value = value * figure.scale;
-    // the median of counts can lie between two
+    // The median of an even number of counts can be fractional.
     let digits = if figure.digits == 0 && value.fract() != 0.0 { 1 } else { figure.digits };
     if value.is_finite() { format!("{value:.digits$}") } else { "–".into() }
 }
 
-/// What is in the table, in words.
-pub fn caption(plan: &Plan, results: &Results) -> String {
+/// Returns the caption of the table.
+pub fn caption(plan: &ComparePlan, results: &CompareResults) -> String {
     let seeds: Vec<String> = results.seeds.iter().map(u64::to_string).collect();
     let consecutive = results.seeds.windows(2).all(|pair| pair[1] == pair[0] + 1);
     let seeds = match &seeds[..] {
-        [one] => format!("seed {one}"),
+        [seed] => format!("seed {seed}"),
         [first, .., last] if consecutive => format!("seeds {first} to {last}, medians"),
         all => format!("seeds {}, medians", all.join(", ")),
     };
     format!("{seeds}, step {} s", plan.loaded.scene.time.step)
 }
 
-/// The table for the terminal; ranges stand under the medians.
-pub fn text(plan: &Plan, results: &Results, all: bool) -> String {
+/// Returns the table for the terminal; ranges stand under the medians.
+pub fn text(plan: &ComparePlan, results: &CompareResults, all: bool) -> String {
     let mut lines: Vec<Vec<String>> =
         vec![std::iter::once("").chain(FIGURES.iter().map(|f| f.head)).map(String::from).collect()];
     for row in rows(results, all) {
@@ -85,8 +85,8 @@ pub fn text(plan: &Plan, results: &Results, all: bool) -> String {
     format!("{}: {}\n{}", results.scene, caption(plan, results), aligned(&lines))
 }
 
-/// The table in Markdown; ranges stand behind the medians.
-pub fn markdown(plan: &Plan, results: &Results, all: bool) -> String {
+/// Returns the table in Markdown; ranges stand behind the medians.
+pub fn markdown(plan: &ComparePlan, results: &CompareResults, all: bool) -> String {
     let plain = |text: &str| text.replace('\\', "\\\\").replace('|', "\\|").replace('<', "&lt;");
     let mut out = format!("{}: {}\n\n| model |", plain(plan.loaded.title()), caption(plan, results));
     FIGURES.iter().for_each(|figure| out.push_str(&format!(" {} |", figure.head)));
@@ -104,13 +104,13 @@ pub fn markdown(plan: &Plan, results: &Results, all: bool) -> String {
     out
 }
 
-/// Every run: a line a model and seed, under the names of the figures.
-pub fn csv(results: &Results) -> String {
+/// Returns all runs as CSV: one line per model and seed, with the names of the figures as headings.
+pub fn csv(results: &CompareResults) -> String {
     let quoted = |text: &str| match text.contains(['"', ',', '\n']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
         false => text.to_owned(),
     };
-    let runs: Vec<(&str, &Outcome)> =
+    let runs: Vec<(&str, &RunOutcome)> =
         results.models.iter().flat_map(|(name, runs)| runs.iter().map(move |run| (name.as_str(), run))).collect();
     let mut out = String::from("model,seed");
     if let Some((_, run)) = runs.first() {
@@ -120,7 +120,7 @@ pub fn csv(results: &Results) -> String {
     for (name, run) in runs {
         let _ = write!(out, "{},{}", quoted(name), run.seed);
         for value in run.figures.values() {
-            // what is not known is empty
+            // Unknown values are empty cells.
             let value = if value.is_null() { String::new() } else { value.to_string() };
             out.push_str(&format!(",{}", quoted(&value)));
         }

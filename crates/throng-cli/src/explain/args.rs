@@ -1,22 +1,22 @@
-//! What `throng explain` is told, and its help.
+//! The command line of `throng explain`.
 
 use crate::look::{parse_not_negative, parse_size};
 use crate::source::SceneArgs;
 use clap::Args;
 use std::path::PathBuf;
 
-/// What `throng explain` is told.
+/// The arguments of `throng explain`.
 #[derive(Args, Debug)]
 pub struct ExplainArgs {
-    /// Which scene.
+    /// The scene.
     #[command(flatten)]
     pub scene: SceneArgs,
 
-    /// The agent, by its number: they are counted from 0, group after group
+    /// The number of the agent; agents are numbered from 0, group after group
     #[arg(short, long, value_name = "N")]
     pub agent: u32,
 
-    /// The moment, seconds since the start; the step nearest to it is explained
+    /// The moment, seconds since the start; the nearest step is explained
     #[arg(short, long, value_name = "SECONDS", value_parser = parse_not_negative, default_value_t = 0.0)]
     pub time: f64,
 
@@ -37,7 +37,7 @@ pub struct ExplainArgs {
     pub dark: bool,
 }
 
-/// After `throng explain -h`.
+/// The examples for `throng explain -h`.
 pub const SHORT: &str = "\
 Examples:
   throng explain circle --agent 3 --time 2.5
@@ -45,34 +45,34 @@ Examples:
 
 `throng explain --help` describes the keys of --json; docs/explain.md, how to read the figure.";
 
-/// After `throng explain --help`.
+/// The description, keys and examples for `throng explain --help`.
 pub const LONG: &str = "\
-The figure shows, left, the agent and what is near it, and right the velocities it can have: what each neighbour and each
-wall forbids, what is left of them, and the velocities that it has, would like, and gets. docs/explain.md says how to
-read it.
+The figure shows, left, the agent and what is near it, and right its possible velocities: those that each neighbour and
+each wall forbids, those that remain, and its current, preferred and resulting velocity. docs/explain.md describes how
+to read it.
 
 Keys of --json (one object on standard output; metres, seconds, radians, m/s; vectors are [x, y]):
   scene, agent, time          name of the scene; the agent's number; seconds since the start
-  seconds                     what it chooses for: the length of the next sub-step
+  seconds                     the length of the next sub-step, for which it chooses
   model                       its local model, with all parameters
   position, heading, radius   of its body; the heading counter-clockwise from +x
   max_speed, max_acceleration
-  velocity, preferred         what it has, and what it would like
-  relaxed                     how far it comes to `preferred` in this sub-step, by its relaxation time: what the model is asked for
-  chosen, limited, guarded    what the model chooses, what the body can do of it, what the guard leaves: what it gets
+  velocity, preferred         the current and the preferred velocity
+  relaxed                     velocity towards `preferred` in this sub-step, by the relaxation time: the model's input
+  chosen, limited, guarded    the model's choice, its part within the limits of the body, the result after the guard
   neighbours                  [{ agent, offset, velocity, radius, seen_velocity, radii, share, room }], nearest first
   edges, discs                walls in view: [{ start, end }] and [{ offset, radius }], from the agent
-  reasons                     what led to `chosen`, each one of
+  reasons                     what led to `chosen`, each of the form
                               { cause, permits: { point, direction } }: the half-plane left of a line
-                              { cause, forbids: { KIND: { ... } } }: a region
+                              { cause, forbids: { KIND: { ... } } }: a region of velocities
                               { cause, push: [x, y] }: what repulsion adds to the acceleration, or to the direction
-                              { candidate: { velocity, cost } }: what was tried
+                              { candidate: { velocity, cost } }: a velocity that was tried
                               a cause is { neighbour: AGENT }, { edge: INDEX }, { disc: INDEX } or \"body\"
-  held_by                     [{ cause, depth }]: what `chosen` is on the edge of (depth 0), or that far within
-  collision                   { preferred, chosen }: { time, cause } of the first collision at that velocity if
-                              everybody else keeps theirs
+  held_by                     [{ cause, depth }]: constraints with `chosen` on their boundary (depth 0), or inside
+  collision                   { preferred, chosen }: { time, cause } of the first collision at that velocity if all
+                              other agents keep their velocities
   files                       the files written
-What is infinite or not known is null.
+Infinite and unknown values are null.
 
 Examples:
   throng explain circle --agent 3 --time 2.5

@@ -4,9 +4,9 @@ use glam::{DVec2, Vec2};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use throng::Explanation;
-use throng::avoid::{Cause, Forbidden, Line, Reason};
+use throng::avoid::{AvoidanceReason, Cause, Forbidden, HalfPlane};
 
-/// The explanation as one object.
+/// Returns the explanation as one JSON object.
 pub fn of(scene: &str, why: &Explanation, files: &[PathBuf]) -> Value {
     let neighbours = why.neighbours.iter().map(|other| {
         json!({
@@ -45,19 +45,19 @@ pub fn of(scene: &str, why: &Explanation, files: &[PathBuf]) -> Value {
         "neighbours": neighbours.collect::<Vec<_>>(),
         "edges": edges.collect::<Vec<_>>(),
         "discs": discs.collect::<Vec<_>>(),
-        "reasons": why.reasons.iter().map(|one| reason(one, why)).collect::<Vec<_>>(),
+        "reasons": why.reasons.iter().map(|entry| reason(entry, why)).collect::<Vec<_>>(),
         "held_by": held.collect::<Vec<_>>(),
         "collision": { "preferred": collision(why, why.preferred), "chosen": collision(why, why.chosen) },
         "files": files,
     })
 }
 
-fn reason(reason: &Reason, why: &Explanation) -> Value {
+fn reason(reason: &AvoidanceReason, why: &Explanation) -> Value {
     match *reason {
-        Reason::Permits(by, permitted) => json!({ "cause": cause(by, why), "permits": line(permitted) }),
-        Reason::Forbids(by, region) => json!({ "cause": cause(by, why), "forbids": forbidden(&region) }),
-        Reason::Push(by, push) => json!({ "cause": cause(by, why), "push": vector(push) }),
-        Reason::Candidate { velocity, cost } => {
+        AvoidanceReason::Permits(by, permitted) => json!({ "cause": cause(by, why), "permits": line(permitted) }),
+        AvoidanceReason::Forbids(by, region) => json!({ "cause": cause(by, why), "forbids": forbidden(&region) }),
+        AvoidanceReason::Push(by, push) => json!({ "cause": cause(by, why), "push": vector(push) }),
+        AvoidanceReason::Candidate { velocity, cost } => {
             json!({ "candidate": { "velocity": vector(velocity), "cost": number(cost) } })
         }
     }
@@ -79,7 +79,7 @@ fn forbidden(region: &Forbidden) -> Value {
     }
 }
 
-fn line(line: Line) -> Value {
+fn line(line: HalfPlane) -> Value {
     json!({ "point": vector(line.point), "direction": vector(line.direction) })
 }
 
@@ -101,7 +101,7 @@ fn vector(v: Vec2) -> Value {
     json!([number(v.x), number(v.y)])
 }
 
-/// A number with the digits that tell it from its neighbours, no more; `null` for what JSON has no number for.
+/// Returns the number with the fewest digits that identify it; `null` for numbers that JSON does not have.
 fn number(x: f32) -> Value {
     x.to_string().parse::<f64>().map_or(Value::Null, Value::from)
 }

@@ -1,4 +1,4 @@
-//! `throng explain`: why one agent goes where it goes.
+//! `throng explain`: why one agent chooses its velocity.
 
 pub mod args;
 mod json;
@@ -14,10 +14,10 @@ use throng_draw::{Figure, Style, Theme};
 use throng_record::{Frame, moment};
 use throng_scene::Built;
 
-/// Draws the velocities of an agent, or writes them as JSON.
+/// Draws the velocity space of an agent, or writes it as JSON.
 ///
 /// # Errors
-/// The scene cannot be built, the agent is not there at that time, or a file cannot be written.
+/// The scene cannot be built, the agent is not present at that time, or a file cannot be written.
 pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
     let loaded = args.scene.load()?;
     let paths = match (args.output.is_empty(), args.json) {
@@ -26,7 +26,7 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
     };
     paths.iter().try_for_each(|path| one_picture(path, "explain"))?;
     let (world, built, id) = go_to(args, &loaded)?;
-    let Some(why) = world.explain(id) else { return Err(absent(args, &world, "is not there")) };
+    let Some(why) = world.explain(id) else { return Err(absent(args, &world, "is not present")) };
     if !paths.is_empty() {
         let title = if loaded.scene.title.is_empty() { &loaded.name } else { &loaded.scene.title };
         let mut frame = Frame::default();
@@ -42,9 +42,9 @@ pub fn explain(args: &ExplainArgs, out: &mut Out) -> Result<(), Failure> {
     paths.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))
 }
 
-/// Runs the scene up to the moment; the agent that is asked for.
+/// Runs the scene up to the moment and returns the agent's id.
 fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, Built, AgentId), Failure> {
-    let (mut world, built) = loaded.build()?;
+    let (mut world, built) = loaded.build(false)?;
     let Loaded { name, scene, .. } = loaded;
     if args.agent as usize >= built.agents {
         let numbers = if built.agents == 1 { "only 0".to_owned() } else { format!("0 to {}", built.agents - 1) };
@@ -68,25 +68,25 @@ fn go_to(args: &ExplainArgs, loaded: &Loaded) -> Result<(World, Built, AgentId),
 }
 
 fn id(world: &World, number: u32) -> Option<AgentId> {
-    world.agents().number.iter().position(|&other| other == number).map(|row| world.id(row))
+    world.relative_columns().number.iter().position(|&other| other == number).map(|row| world.id(row))
 }
 
-/// An agent that is not there, and which are.
+/// Returns the error for an agent that is not present, with the agents that are.
 fn absent(args: &ExplainArgs, world: &World, why: &str) -> Failure {
     let text = format!("--agent {}: agent {} {why} at {:.2} s", args.agent, args.agent, world.time());
-    let mut numbers = world.agents().number.clone();
+    let mut numbers = world.relative_columns().number.clone();
     numbers.sort_unstable();
-    let there = if numbers.is_empty() { "nobody".to_owned() } else { ranges(&numbers) };
-    Failure::hint(text, format!("there are then: {there}; or give another --time"))
+    let there = if numbers.is_empty() { "none".to_owned() } else { ranges(&numbers) };
+    Failure::hint(text, format!("agents present at that time: {there}; or give another --time"))
 }
 
-/// Sorted numbers as ranges: `0 to 3, 7, 9 to 12`.
+/// Formats sorted numbers as ranges: `0 to 3, 7, 9 to 12`.
 fn ranges(numbers: &[u32]) -> String {
-    /// More ranges than this are cut off.
+    /// Further ranges are cut off.
     const SHOWN: usize = 12;
     let runs: Vec<&[u32]> = numbers.chunk_by(|a, b| a + 1 == *b).collect();
     let names = runs.iter().take(SHOWN).map(|run| match run {
-        [one] => one.to_string(),
+        [single] => single.to_string(),
         [first, .., last] => format!("{first} to {last}"),
         [] => String::new(),
     });
@@ -102,7 +102,7 @@ mod tests {
     use super::ranges;
 
     #[test]
-    fn numbers_are_told_as_ranges() {
+    fn numbers_are_written_as_ranges() {
         assert_eq!(ranges(&[0, 1, 2, 3, 7, 9, 10]), "0 to 3, 7, 9 to 10");
         let odd: Vec<u32> = (0..40).map(|k| 2 * k).collect();
         assert!(ranges(&odd).ends_with("20, 22, ..."), "{}", ranges(&odd));

@@ -1,10 +1,11 @@
-//! `throng info`: what is in a file of trajectories.
+//! `throng info`: reports on a file of trajectories.
 
 pub mod args;
 
 use crate::failure::Failure;
 use crate::measure::short;
 use crate::out::{Out, note};
+use crate::progress::waiting;
 use crate::report::number;
 use args::InfoArgs;
 use glam::DVec3;
@@ -12,23 +13,24 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use throng_record::pedestrian::{Area, People, median};
 use throng_record::swarm::Distribution;
-use throng_record::{Format, Tracks, TracksError};
+use throng_record::{Format, Trajectories, TrajectoriesError};
 
-/// Tells what is in a file.
+/// Writes a report on a file to standard output.
 ///
 /// # Errors
-/// It cannot be read.
+/// The file cannot be read.
 pub fn info(args: &InfoArgs, out: &mut Out) -> Result<(), Failure> {
     let path = &args.file;
-    let bytes = std::fs::read(path).map_err(|source| TracksError::File { path: path.clone(), source })?;
-    let tracks = Tracks::of_file(path, &bytes, &args.tracks.reading())?;
+    let bytes = std::fs::read(path).map_err(|source| TrajectoriesError::File { path: path.clone(), source })?;
+    let doing = format!("reading {}", path.display());
+    let tracks = waiting(false, &doing, || Trajectories::of_file(path, &bytes, &args.tracks.reading()))?;
     note(&tracks.notes);
     let format = Format::of_file(path, &bytes).map_or("", |format| format.title);
     let info = Info::of(path.display().to_string(), format, &tracks);
     if args.json { out.line(format_args!("{}", info.json())) } else { out.text(info.text().as_bytes()) }
 }
 
-/// What is in a file.
+/// The report on a file.
 struct Info {
     file: String,
     format: &'static str,
@@ -39,17 +41,17 @@ struct Info {
     span: Option<[f64; 2]>,
     interval: f64,
     unit: f64,
-    /// The corners of a box round everybody.
+    /// The corners of the bounding box of all people.
     extent: [DVec3; 2],
     speed: Distribution,
     median: f64,
-    /// Size, corners and holes of each area.
+    /// The size, number of corners and number of holes of each area.
     walkable: Vec<(f64, usize, usize)>,
     obstacles: usize,
 }
 
 impl Info {
-    fn of(file: String, format: &'static str, tracks: &Tracks) -> Self {
+    fn of(file: String, format: &'static str, tracks: &Trajectories) -> Self {
         let people = People::of(tracks, |_| true);
         let members = |group: usize| People::of(tracks, |spot| spot.group as usize == group).walks.len();
         let names = tracks.setting.groups.iter().enumerate();
@@ -124,7 +126,7 @@ impl Info {
         let named = if named.is_empty() { String::new() } else { format!(" ({})", named.join(", ")) };
         let [from, to] = self.span.unwrap_or([f64::NAN; 2]);
         let [low, high] = self.extent;
-        // writing to a string does not fail
+        // Writing to a string does not fail.
         let _ = writeln!(out, "  people     {}{named}", self.people);
         let _ = writeln!(out, "  moments    {} from {from:.2} to {to:.2} s, {} rows", self.moments, self.rows);
         let _ = writeln!(out, "  frames     {} a second", short(1.0 / self.interval));

@@ -1,4 +1,4 @@
-//! What `throng measure` is told, and its help.
+//! The command line of `throng measure`.
 
 use crate::look::{parse_not_negative, parse_positive};
 use crate::options::ThreadArgs;
@@ -9,7 +9,7 @@ use glam::DVec2;
 use std::path::PathBuf;
 use throng_record::pedestrian::{Area, Line};
 
-/// After `throng measure -h`.
+/// The examples for `throng measure -h`.
 pub const SHORT: &str = "\
 Examples:
   throng measure flocking
@@ -17,99 +17,99 @@ Examples:
   throng run flocking -o flock.csv && throng measure flock.csv --json
   throng measure people.txt --area=-0.1,-2,2,2 --line=-0.6,0,2.4,0 -o people.html -o people.csv
 
-`throng measure --help` describes the keys of --json; docs/swarms.md and docs/measures.md, what the figures mean.";
+`throng measure --help` describes the keys of --json; docs/swarms.md and docs/measures.md define the figures.";
 
-/// After `throng measure --help`.
+/// The description, keys and examples for `throng measure --help`.
 pub const LONG: &str = "\
-A scene is run and its groups are measured as swarms. A file of trajectories is measured so too, and, where nobody is above
-the ground, as people: how they move, how long they are on their way, how near they come to each other and whether they walk
-in lanes; with --area density and speed in it, with --line how many cross it and the flow.
+A scene is run and its groups are measured as swarms. A file of trajectories is measured as swarms too and, if all its
+agents walk on the ground, as people: their motion, the times and lengths of their ways, their distances, and lane
+formation; with --area the density and speed in an area, with --line the crossings of a line and the flow.
 
-Of swarms, velocities and accelerations are those of the positions at three moments on end, the steps of a scene or the
-moments of a file. docs/swarms.md says how each figure is counted, and what is known of real swarms; docs/measures.md, those of
-people, beside PedPy's and what was measured of real ones.
+For swarms, velocities and accelerations follow from the positions at three consecutive moments: steps of a scene or
+moments of a file. docs/swarms.md defines these figures and compares real swarms; docs/measures.md defines those of
+people and compares PedPy's and measurements of real people.
 
 Keys of --json (one object on standard output; metres, seconds):
   scene            name of the scene or the table
   groups           [{ .. }], each with
     name             of the group
-    from, to         the first moment and the last
-    moments          how many there were
-    agents           how many were there, the mean over moments
+    from, to         time of the first and of the last moment
+    moments          number of moments
+    agents           number of agents, mean over moments
     speed, nearest   { count, mean, sd, rms, least, most, skewness, kurtosis, pdf: [[middle, density], ..] }
-    velocity, acceleration   [x, y, z], each the same
-    correlation      { time: when it first falls to 1/e, points: [[lag, value], ..] }
-    size, axes       the radius of gyration, and its parts along [x, y, z]: means over moments
-    polarisation     the mean over moments
+    velocity, acceleration   [x, y, z], each a distribution like `speed`
+    correlation      { time: lag at which it first falls to 1/e, points: [[lag, value], ..] }
+    size, axes       radius of gyration, and its components along [x, y, z]: means over moments
+    polarisation     mean over moments
     over_time        [[time, agents, size, polarisation, speed], ..], at most 500
-  people           null for a scene and for those who fly; else
-    people, frame_rate, moments   how many; moments a second; how many moments
-    interval         rows to each side over which a velocity is taken
+  people           null for a scene and for flying agents; else
+    people, frame_rate, moments   number of people; moments per second; number of moments
+    interval         samples to each side over which a velocity is taken
     speed, turning, acceleration, effort   { count, mean, sd, rms, least, most, .. }: m/s, degrees a second, m/s², W/kg
-    travel_time, path_length, path_ratio   the same, of ways from first to last seen: s, m
-    left             { half, most, all }: seconds until so many (1/2, 95 %) have been seen for the last time
+    travel_time, path_length, path_ratio   distributions over ways from the first to the last sample: s, m
+    left             { half, most, all }: seconds until 50 %, 95 % and all of the people have left
     nearest          least distance of two centres; separation: over the sum of their radii
-    collisions, near_misses, time_to_collision   how often two came to overlap, or to be on a course to within 0.5 s; the least
-    directions       [one way, the other]; lane_order, steady_lane_order: mean, and of the middle half of the time
+    collisions, near_misses, time_to_collision   pairs that overlapped; pairs within 0.5 s of a collision; least time
+    directions       people [one way, other way]; lane_order, steady_lane_order: mean, mean of the middle half
     areas            [{ size, density, speed, voronoi_density, voronoi_speed: means over moments,
-                     fundamental_diagram: [[Voronoi density, speed], ..] of all moments }, ..], one an --area
+                     fundamental_diagram: [[Voronoi density, speed], ..] of all moments }, ..], one per --area
     lines            [{ length, crossed, leftwards, first, last, flow, steady_flow, specific_flow, steady_specific_flow }, ..],
-                     one a --line: people a second, and a second and metre; steady: without the first and last 5 %
-    over_time        { columns: [name, ..], rows: [[..], ..] }, at most 500; all of them with -o NAME.csv or NAME.parquet
+                     one per --line: flows in people/s and people/(s m); steady: without the first and last 5 %
+    over_time        { columns: [name, ..], rows: [[..], ..] }, at most 500; all rows with -o NAME.csv or NAME.parquet
   files            the files written
-What is not known is null.
+Unknown values are null.
 
 Examples:
   throng measure flocking
   throng measure flocking --group birds --from 5 --to 20 -o flock.html
       one page without network, with plots
   throng measure midges.csv --lag 1 --json
-      a table with the columns number, time, x, y, and perhaps group and z
+      a table with the columns number, time, x, y, and optionally group and z
   throng measure AO_300_bottleneck.txt --area=-0.1,-2,2,2 --line=-0.6,0,2.4,0 -o bottleneck.html -o bottleneck.csv
       recorded people: a page of plots, and a table of all moments
   throng measure hall.h5 --area \"0,0 4,0 2,3\" --walkable hall.wkt --cut-off 1";
 
-/// What `throng measure` is told.
+/// The arguments of `throng measure`.
 #[derive(Args, Debug)]
 pub struct MeasureArgs {
-    /// A scene (see `throng run`), or a file of trajectories, as `throng run -o NAME.csv` writes it or others (`throng info`)
+    /// A scene (see `throng run`), or a file of trajectories in a format that `throng info` reads
     #[arg(value_name = "SCENE|FILE")]
     pub of: PathBuf,
 
-    /// What of the scene is changed.
+    /// Changes to the scene.
     #[command(flatten)]
     pub changes: Changes,
 
-    /// Measures this group only [default: all of them, each for itself]
+    /// Measures only this group [default: all groups, each separately]
     #[arg(short, long, value_name = "NAME")]
     pub group: Option<String>,
 
-    /// Leaves out what comes before, seconds
+    /// Leaves out everything before this time, seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, default_value_t = 0.0)]
     pub from: f64,
 
-    /// Leaves out what comes after, seconds [default: the end of the scene, or of the file]
+    /// Leaves out everything after this time, seconds [default: the end of the scene, or of the file]
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive)]
     pub to: Option<f64>,
 
-    /// How much later velocities are compared with themselves, seconds
+    /// The largest lag of the autocorrelation of velocities, seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 2.0)]
     pub lag: f64,
 
-    /// How people are measured.
+    /// Options for measuring people.
     #[command(flatten)]
     pub people: PeopleArgs,
 
-    /// What a file of trajectories does not say itself.
+    /// How a file of trajectories is read.
     #[command(flatten)]
     pub tracks: TrackArgs,
 
-    /// What to write: a page of plots, .html; the plots alone, .svg or .png; people's figures of all moments, .csv or .parquet;
-    /// can be given several times
+    /// The file to write: a page of plots, .html; the plots alone, .svg or .png; the figures of people at all moments,
+    /// .csv or .parquet; can be given several times
     #[arg(short, long, value_name = "FILE")]
     pub output: Vec<PathBuf>,
 
-    /// How many threads.
+    /// The number of threads.
     #[command(flatten)]
     pub threads: ThreadArgs,
 
@@ -122,33 +122,34 @@ pub struct MeasureArgs {
     pub json: bool,
 }
 
-/// How people are measured.
+/// Options for measuring people.
 #[derive(Args, Debug)]
 #[command(next_help_heading = "People")]
 pub struct PeopleArgs {
-    /// Where density and speed are measured: lower left corner, width and height of a rectangle, or the corners of a polygon,
-    /// metres; can be given several times
+    /// Area in which density and speed are measured: lower left corner, width and height of a rectangle, or the corners
+    /// of a polygon, metres; can be given several times
     #[arg(long, value_name = "X,Y,W,H|\"X,Y X,Y X,Y ..\"", value_parser = parse_area, allow_hyphen_values = true)]
     pub area: Vec<Area>,
 
-    /// The line at which people are counted, from one end to the other, metres; can be given several times
+    /// Line at which people are counted, from one end to the other, metres; can be given several times
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_line, allow_hyphen_values = true)]
     pub line: Vec<Line>,
 
-    /// Over which time a velocity is taken, seconds: half before and half after
+    /// Interval over which a velocity is taken, seconds: half before and half after
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 0.4)]
     pub interval: f64,
 
-    /// The ground that can be walked on, a floor plan (see `throng run`) less what is solid in it, to which Voronoi cells are clipped [default: what the file says]
+    /// Walkable ground to which Voronoi cells are clipped: a floor plan (see `throng run`) [default: the ground in the
+    /// file]
     #[arg(long, value_name = "FILE")]
     pub walkable: Option<PathBuf>,
 
-    /// How far Voronoi cells reach, metres [default: as far as the ground, 1 where that is not known]
+    /// Maximum distance that Voronoi cells reach, metres [default: up to the ground's edge, 1 without known ground]
     #[arg(long, value_name = "METRES", value_parser = parse_positive)]
     pub cut_off: Option<f64>,
 }
 
-/// Reads a rectangle or a polygon.
+/// Parses a rectangle or a polygon.
 fn parse_area(text: &str) -> Result<Area, String> {
     let corner = |pair: &str| {
         let (x, y) = pair.split_once(',')?;
@@ -163,9 +164,9 @@ fn parse_area(text: &str) -> Result<Area, String> {
     area.ok_or_else(|| "write x,y,width,height, or the corners of a polygon such as \"0,0 4,0 2,3\"".into())
 }
 
-/// Reads the two ends of a line.
+/// Parses the two ends of a line.
 pub fn parse_line(text: &str) -> Result<Line, String> {
     let [x0, y0, x1, y1] = parse_four(text)?;
     let line = Line { from: DVec2::new(x0, y0), to: DVec2::new(x1, y1) };
-    if line.length() > 0.0 { Ok(line) } else { Err("the two ends are at one place".into()) }
+    if line.length() > 0.0 { Ok(line) } else { Err("the two ends of the line are equal".into()) }
 }

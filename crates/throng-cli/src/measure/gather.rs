@@ -1,25 +1,25 @@
-//! What is measured, from a scene that runs or from a file.
+//! Measures a running scene or a file of trajectories.
 
 use super::args::MeasureArgs;
-use super::{Measured, Subject, people};
+use super::{Measured, MeasuredSubject, people};
 use crate::failure::Failure;
 use crate::files::title;
 use crate::out::note;
-use crate::progress::{Progress, share};
+use crate::progress::{Progress, share, waiting};
 use crate::source::Loaded;
 use crate::{interrupt, threads};
 use throng_record::swarm::Swarm;
-use throng_record::{Frame, Spot, Tracks, moment};
+use throng_record::{Frame, Sample, Trajectories, moment};
 
-/// What was measured; of its groups those of which somebody was there.
+/// Measures a scene or a file. Groups without agents in the measured time are left out.
 ///
 /// # Errors
-/// It cannot be read or built, or has no such group.
-pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
-    let mut subject = if Tracks::are_in(&args.of) && !args.of.is_dir() {
+/// The scene or file cannot be read or built, or does not have the given group.
+pub fn gather(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
+    let mut subject = if Trajectories::are_in(&args.of) && !args.of.is_dir() {
         let changes = &args.changes;
         if changes.seed.is_some() || !changes.set.is_empty() || changes.exit.is_some() || changes.people.is_some() {
-            let text = format!("{}: what is recorded cannot be changed", args.of.display());
+            let text = format!("{}: a recording cannot be changed", args.of.display());
             return Err(Failure::hint(text, "leave out --seed, --set, --exit and --people"));
         }
         recorded(args)?
@@ -30,14 +30,15 @@ pub fn gather(args: &MeasureArgs) -> Result<Subject, Failure> {
             note(&loaded.notes);
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
-        Subject { title: loaded.name.clone(), name: loaded.name, groups, people: None }
+        MeasuredSubject { title: loaded.name.clone(), name: loaded.name, groups, people: None }
     };
     subject.groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
     Ok(subject)
 }
 
 fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
-    let (mut world, built) = loaded.build()?;
+    let (mut world, built) = loaded.build(args.quiet)?;
+    interrupt::watch();
     if !args.quiet {
         note(&built.notes);
     }
@@ -47,7 +48,7 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
     let mut groups: Vec<Measured> = chosen.iter().map(|&k| begin(args, &names[k])).collect();
     let progress = Progress::new(args.quiet);
     let mut frame = Frame::default();
-    // half a step, so that rounding leaves out nothing
+    // Half a step of tolerance keeps rounding from leaving out a moment.
     let (half, to) = (0.5 * scene.time.step, args.to.unwrap_or(f64::INFINITY));
     loop {
         let time = world.time();
@@ -68,13 +69,13 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
     Ok(groups)
 }
 
-fn recorded(args: &MeasureArgs) -> Result<Subject, Failure> {
-    let tracks = args.tracks.read(&args.of)?;
+fn recorded(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
+    let tracks = args.tracks.read(&args.of, args.quiet)?;
     if !args.quiet {
         note(&tracks.notes);
     }
     let chosen = chosen(args, &tracks.setting.groups)?;
-    // a little more, so that rounding leaves out nothing
+    // A small tolerance keeps rounding from leaving out a moment.
     let within = args.from - 1e-9..=args.to.unwrap_or(f64::INFINITY) + 1e-9;
     let measured = |&k: &usize| {
         let mut group = begin(args, &tracks.setting.groups[k]);
@@ -82,23 +83,24 @@ fn recorded(args: &MeasureArgs) -> Result<Subject, Failure> {
         moments.for_each(|(time, places)| group.swarm.push(time, &places));
         group
     };
-    let counts = |spot: &Spot| within.contains(&spot.time) && chosen.contains(&(spot.group as usize));
-    let groups = chosen.iter().map(measured).collect();
-    let people = people::of(args, &tracks, counts)?;
-    Ok(Subject { name: args.of.display().to_string(), title: title(&args.of), groups, people })
+    let counts = |spot: &Sample| within.contains(&spot.time) && chosen.contains(&(spot.group as usize));
+    let (groups, people) =
+        waiting(args.quiet, "measuring", || (chosen.iter().map(measured).collect(), people::of(args, &tracks, counts)));
+    let people = people?;
+    Ok(MeasuredSubject { name: args.of.display().to_string(), title: title(&args.of), groups, people })
 }
 
 fn begin(args: &MeasureArgs, name: &str) -> Measured {
     Measured { name: name.to_owned(), swarm: Swarm::new(args.lag) }
 }
 
-/// The groups that are asked for, by index.
+/// Returns the indices of the groups to measure.
 fn chosen(args: &MeasureArgs, names: &[String]) -> Result<Vec<usize>, Failure> {
     let Some(name) = &args.group else { return Ok((0..names.len()).collect()) };
     let found: Vec<usize> = (0..names.len()).filter(|&k| names[k] == *name).collect();
     if found.is_empty() {
         let text = format!("--group {name}: there is no group `{name}` in {}", args.of.display());
-        return Err(Failure::hint(text, format!("there is: {}", names.join(", "))));
+        return Err(Failure::hint(text, format!("the groups are: {}", names.join(", "))));
     }
     Ok(found)
 }

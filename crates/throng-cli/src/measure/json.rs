@@ -1,18 +1,18 @@
 //! The figures as JSON; `throng measure --help` describes the keys.
 
-use super::{Measured, Subject, mean, people};
+use super::{Measured, MeasuredSubject, mean, people};
 use crate::report::number;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use throng_record::swarm::{Distribution, Moment};
+use throng_record::swarm::{Distribution, SwarmMoment};
 
-/// Points over time, at most.
+/// The maximum number of points over time.
 pub const POINTS: usize = 500;
-/// Width of bins, in standard deviations.
+/// The width of bins, in standard deviations.
 pub const BIN: f64 = 0.25;
 
-/// The figures as one object.
-pub fn of(subject: &Subject, files: &[PathBuf]) -> Value {
+/// Returns the figures as one JSON object.
+pub fn of(subject: &MeasuredSubject, files: &[PathBuf]) -> Value {
     json!({
         "scene": subject.name,
         "groups": subject.groups.iter().map(group).collect::<Vec<_>>(),
@@ -23,7 +23,7 @@ pub fn of(subject: &Subject, files: &[PathBuf]) -> Value {
 
 fn group(Measured { name, swarm }: &Measured) -> Value {
     let moments = swarm.moments();
-    let time = |at: Option<&Moment>| at.map_or(Value::Null, |moment| number(moment.time));
+    let time = |at: Option<&SwarmMoment>| at.map_or(Value::Null, |moment| number(moment.time));
     let each = |all: &[Distribution; 3]| all.iter().map(distribution).collect::<Vec<_>>();
     let thin = moments.len().div_ceil(POINTS).max(1);
     let over_time = moments.iter().step_by(thin).map(|moment| {
@@ -52,7 +52,7 @@ fn group(Measured { name, swarm }: &Measured) -> Value {
     })
 }
 
-/// A distribution.
+/// Returns a distribution as JSON.
 pub fn distribution(all: &Distribution) -> Value {
     json!({
         "count": all.count(),

@@ -1,4 +1,4 @@
-//! `throng measure`: what swarms and crowds are like.
+//! `throng measure`: figures of swarms and crowds.
 
 pub mod args;
 mod gather;
@@ -16,35 +16,36 @@ pub use people::object as people_json;
 use std::path::Path;
 pub use text::short;
 use throng_record::Output;
-use throng_record::swarm::{Moment, Swarm};
+use throng_record::swarm::{Swarm, SwarmMoment};
 
-/// How the names of what it writes end.
+/// The file-name endings of the outputs.
 const ENDINGS: [&str; 6] = ["html", "htm", "svg", "png", "csv", "parquet"];
 
-/// A group and what was measured.
+/// A group and its figures.
 pub struct Measured {
-    /// Its name; empty where it has none.
+    /// The name of the group; empty if it has none.
     pub name: String,
-    /// Its figures.
+    /// The figures of the group.
     pub swarm: Swarm,
 }
 
-/// What was measured.
-pub struct Subject {
-    /// Name of the scene or the file.
+/// A measured scene or file.
+pub struct MeasuredSubject {
+    /// The name of the scene or the file.
     pub name: String,
-    /// What it is called on pages and pictures.
+    /// The title on pages and pictures.
     pub title: String,
-    /// Its groups, as swarms.
+    /// The figures of the groups as swarms.
     pub groups: Vec<Measured>,
-    /// Those of a file who walk, as people.
+    /// The figures of walking people, for a file.
     pub people: Option<people::People>,
 }
 
-/// Runs a scene, or reads a file of trajectories, and tells the figures of its groups.
+/// Measures a scene or a file of trajectories and writes the figures of its groups.
 ///
 /// # Errors
-/// The scene or the file cannot be read, there is no such group, nobody was there, or a file cannot be written.
+/// The scene or the file cannot be read, there is no such group, no agent is present in the measured time, or a file
+/// cannot be written.
 pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     distinct(&args.output)?;
     if let Some(path) = args.output.iter().find(|path| !ENDINGS.iter().any(|ending| is(path, ending))) {
@@ -54,14 +55,14 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
         return Err(Failure::hint(text, hint));
     }
     if let Some(to) = args.to.filter(|&to| to <= args.from) {
-        return Err(Failure::hint(format!("--to {to}: it begins at {} s", args.from), "give --to more than --from"));
+        let text = format!("--to {to}: the measurement begins at {} s", args.from);
+        return Err(Failure::hint(text, "give --to more than --from"));
     }
-    interrupt::watch();
     let subject = gather::gather(args)?;
     let name = &subject.name;
     if subject.groups.is_empty() {
         let to = args.to.map_or_else(|| "the end".to_owned(), |to| format!("{to} s"));
-        let text = format!("{name}: nobody was there from {} s to {to}", args.from);
+        let text = format!("{name}: no agent is present from {} s to {to}", args.from);
         return Err(Failure::hint(text, "change --from and --to"));
     }
     for path in &args.output {
@@ -78,15 +79,15 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     out.flush()?;
     if interrupt::asked() {
         if !args.quiet {
-            complain("interrupted; the figures are those up to there");
+            complain("interrupted; the figures cover the time until then");
         }
         return Err(Failure::Interrupted);
     }
     Ok(())
 }
 
-/// Writes a file, its kind by its ending.
-fn write(path: &Path, subject: &Subject) -> Result<(), Failure> {
+/// Writes a file; its ending determines its kind.
+fn write(path: &Path, subject: &MeasuredSubject) -> Result<(), Failure> {
     if is(path, "csv") {
         people::table(path, subject)?.write_csv(Output::create(path)?)?;
     } else if is(path, "parquet") {
@@ -101,8 +102,8 @@ fn write(path: &Path, subject: &Subject) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The mean over moments of what is known.
-pub fn mean(swarm: &Swarm, figure: impl Fn(&Moment) -> f64) -> f64 {
+/// Returns the mean over moments of the known values of a figure.
+pub fn mean(swarm: &Swarm, figure: impl Fn(&SwarmMoment) -> f64) -> f64 {
     let known = swarm.moments().iter().map(figure).filter(|value| value.is_finite());
     let (sum, count) = known.fold((0.0, 0u32), |(sum, count), value| (sum + value, count + 1));
     sum / f64::from(count)

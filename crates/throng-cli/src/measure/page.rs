@@ -1,38 +1,38 @@
-//! The page: one file without network, the figures and their plots.
+//! The page: one self-contained file with the figures and their plots.
 
 use super::json::BIN;
 use super::people::People;
-use super::{Measured, Subject, people, text};
+use super::{Measured, MeasuredSubject, people, text};
 use crate::page::{Height, Plot, TIME, document, escape, figure as sheet, fill, swatch};
 use std::f64::consts::{PI, TAU};
 use throng_draw::{Error, Figure};
-use throng_record::swarm::{Distribution, Moment, Swarm};
+use throng_record::swarm::{Distribution, Swarm, SwarmMoment};
 
 const PAGE: &str = include_str!("page.html");
-/// Points of a line over time, at most.
+/// The maximum number of points of a line over time.
 const POINTS: usize = 400;
-/// Densities below this are not told apart.
+/// Plots cut off densities below this value.
 const RARE: f64 = 1e-4;
-/// Standard deviations to each side that plots show.
+/// The range of plots to each side, in standard deviations.
 const WIDE: f64 = 6.0;
 
-/// What the lines of plots are.
+/// The meanings of the lines in plots.
 const KEY: [(usize, &str); 4] =
-    [(0, "measured, or along x"), (1, "along y"), (2, "along z"), (3, "the closed form, or in all")];
+    [(0, "measured, or along x"), (1, "along y"), (2, "along z"), (3, "the closed form, or the total")];
 
-/// A picture of the plots: those of people where there are some, else those of the first group.
+/// Returns one picture of the plots: those of people where there are any, else those of the first group.
 ///
 /// # Errors
-/// There are too many for a picture.
-pub fn figure(subject: &Subject) -> Result<Figure, Error> {
+/// There are too many plots for a picture.
+pub fn figure(subject: &MeasuredSubject) -> Result<Figure, Error> {
     match &subject.people {
         Some(people) => sheet(&subject.title, &people::KEY, &people.plots()),
         None => sheet(&subject.title, &KEY, &plots(&subject.groups[0].swarm)),
     }
 }
 
-/// The page about what was measured.
-pub fn text(subject: &Subject) -> String {
+/// Returns the page of a measured scene or file.
+pub fn text(subject: &MeasuredSubject) -> String {
     let name = &subject.title;
     let people = subject.people.as_ref().map_or_else(String::new, |people| people.section(name));
     let sections: String = subject.groups.iter().map(|group| section(name, group)).collect();
@@ -57,16 +57,17 @@ fn section(scene: &str, group: &Measured) -> String {
     )
 }
 
-/// Text with its line breaks.
+/// Escapes text for HTML, with its line breaks.
 pub fn escape_lines(text: &str) -> String {
     text.lines().map(escape).collect::<Vec<_>>().join("\n")
 }
 
 fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
-    let time = |figures: &[fn(&Moment) -> f64]| -> Vec<Vec<(f64, f64)>> {
+    let time = |figures: &[fn(&SwarmMoment) -> f64]| -> Vec<Vec<(f64, f64)>> {
         let moments = swarm.moments();
         let thin = moments.len().div_ceil(POINTS).max(1);
-        let line = |figure: &fn(&Moment) -> f64| moments.iter().step_by(thin).map(|at| (at.time, figure(at))).collect();
+        let line =
+            |figure: &fn(&SwarmMoment) -> f64| moments.iter().step_by(thin).map(|at| (at.time, figure(at))).collect();
         figures.iter().map(line).collect()
     };
     let span = [0, swarm.moments().len().saturating_sub(1)].map(|k| swarm.moments().get(k).map_or(0.0, |at| at.time));
@@ -92,20 +93,20 @@ fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
             "standard deviations from the mean",
             swarm.acceleration(),
         ),
-        density("Distance to the nearest other", "density, 1/m", "distance, m", swarm.nearest(), |_, _| f64::NAN),
+        density("Distance to the nearest neighbour", "density, 1/m", "distance, m", swarm.nearest(), |_, _| f64::NAN),
         Plot {
             title: "Autocorrelation of velocities".into(),
             unit: "",
             lines: vec![correlation],
             height: Height::Between([if lowest < 0.0 { -1.0 } else { 0.0 }, 1.0]),
             mark: Some(((-1.0f64).exp(), "1/e")),
-            axis: "later by, s",
+            axis: "lag, s",
             span: [0.0, longest],
         },
         over_time(
             "Radius of gyration",
-            "m, along each axis and in all",
-            time(&[|at| at.axes.x, |at| at.axes.y, |at| at.axes.z, Moment::size]),
+            "m, along each axis and total",
+            time(&[|at| at.axes.x, |at| at.axes.y, |at| at.axes.z, SwarmMoment::size]),
             Height::FromZero([1e-3, any]),
         ),
         over_time("Polarisation", "", time(&[|at| at.polarisation]), Height::FromZero([1.0, 1.0])),
@@ -113,7 +114,7 @@ fn plots(swarm: &Swarm) -> Vec<Plot<'static>> {
     ]
 }
 
-/// A density, beside that of a closed form.
+/// Returns a plot of a density beside that of a closed form.
 fn density(
     title: &'static str,
     unit: &'static str,
@@ -137,16 +138,16 @@ fn density(
     }
 }
 
-/// The density of Maxwell and Boltzmann with the same mean square, at a speed.
+/// Returns the Maxwell-Boltzmann density of a speed for the same mean square.
 fn maxwell(all: &Distribution, speed: f64) -> f64 {
     let one = all.rms() / 3f64.sqrt();
     let s = speed / one;
     (2.0 / PI).sqrt() * s * s * (-0.5 * s * s).exp() / one
 }
 
-/// What is left along each axis when the mean is taken off, over the deviation, beside what is normal.
+/// Returns a plot of the standardised distributions along each axis beside the normal distribution.
 fn standardised(title: &'static str, unit: &'static str, axis: &'static str, all: &[Distribution; 3]) -> Plot<'static> {
-    let line = |one: &Distribution| if one.deviation() > 0.0 { one.standardised(BIN) } else { vec![] };
+    let line = |axis: &Distribution| if axis.deviation() > 0.0 { axis.standardised(BIN) } else { vec![] };
     let mut lines: Vec<Vec<(f64, f64)>> = all.iter().map(line).collect();
     let normal = |x: f64| (-0.5 * x * x).exp() / TAU.sqrt();
     lines.push((-120..=120).map(|k| f64::from(k) * 0.05).map(|x| (x, normal(x))).collect());

@@ -5,12 +5,12 @@ use crate::columns::aligned;
 use std::fmt::Write;
 use throng_record::swarm::Distribution;
 
-/// The figures of all groups.
+/// Returns the figures of all groups as text.
 pub fn text(name: &str, groups: &[Measured]) -> String {
     groups.iter().map(|group| of(name, group)).collect()
 }
 
-/// Those of one.
+/// Returns the figures of one group as text.
 pub fn of(scene: &str, Measured { name, swarm }: &Measured) -> String {
     let moments = swarm.moments();
     let of = if name.is_empty() { String::new() } else { format!(", {name}") };
@@ -28,7 +28,7 @@ pub fn of(scene: &str, Measured { name, swarm }: &Measured) -> String {
             lines.push(row(format!("{what} {axis}, {unit}"), all));
         }
     }
-    lines.push(row("nearest other, m".into(), swarm.nearest()));
+    lines.push(row("nearest neighbour, m".into(), swarm.nearest()));
     out.push_str(&aligned(&lines));
     let falls = swarm
         .correlation()
@@ -37,12 +37,12 @@ pub fn of(scene: &str, Measured { name, swarm }: &Measured) -> String {
     let size = short(mean(swarm, |moment| moment.size()));
     let axes = [0, 1, 2].map(|axis| short(mean(swarm, |moment| moment.axes[axis])));
     let polarisation = short(mean(swarm, |moment| moment.polarisation));
-    let _ = writeln!(out, "  velocities   their autocorrelation {falls}; polarisation {polarisation}");
+    let _ = writeln!(out, "  velocities   autocorrelation {falls}; polarisation {polarisation}");
     let _ = writeln!(out, "  spread       radius of gyration {size} m; along x, y, z {} m", axes.join(", "));
     out
 }
 
-/// A number with three digits that count.
+/// Formats a number with three significant digits.
 pub fn short(value: f64) -> String {
     if !value.is_finite() {
         return "-".into();

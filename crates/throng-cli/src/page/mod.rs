@@ -1,4 +1,4 @@
-//! Pages of one file without network, the plots on them, which make a picture too, and the player.
+//! Self-contained HTML pages: their plots, which also make a picture, and the player.
 
 mod player;
 mod plot;
@@ -11,13 +11,13 @@ pub use sheet::figure;
 const DOCUMENT: &str = include_str!("document.html");
 const STYLE: &str = include_str!("style.css");
 
-/// A page: its title, what is on it, and its script, all as HTML.
+/// Returns a page with a title, a body and a script, all given as HTML.
 pub fn document(title: &str, body: &str, script: &str) -> String {
     let parts = [("title", title), ("style", STYLE), ("body", body), ("script", script)];
     fill(DOCUMENT, &parts.map(|(name, part)| (name, part.to_owned())))
 }
 
-/// A table with the names of its rows in its first column.
+/// Returns a table with the names of the rows in its first column.
 pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     let heads: String = head.iter().map(|head| format!("<th>{}</th>", escape(head))).collect();
     let row = |cells: &Vec<String>| {
@@ -29,7 +29,7 @@ pub fn table(head: &[String], rows: &[Vec<String>]) -> String {
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n")
 }
 
-/// A template with its `{{names}}` replaced; what is put in is not looked at again.
+/// Replaces the `{{names}}` in a template. Inserted text is not searched for names.
 pub fn fill(template: &str, parts: &[(&str, String)]) -> String {
     let mut out = String::with_capacity(template.len() + parts.iter().map(|part| part.1.len()).sum::<usize>());
     let mut rest = template;
@@ -43,7 +43,7 @@ pub fn fill(template: &str, parts: &[(&str, String)]) -> String {
     out
 }
 
-/// Text as it may stand in HTML, between tags and in attributes.
+/// Escapes text for HTML, between tags and in attributes.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -59,7 +59,7 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// The line of a model in plots.
+/// Returns the line sample of a model for legends.
 pub fn swatch(model: usize) -> String {
     let line = format!("<path class=\"line m{}\" d=\"M1 4H25\"/>", model % 8);
     format!("<svg class=\"swatch\" viewBox=\"0 0 26 8\">{line}</svg>")
@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_put_in_is_not_looked_at_again() {
+    fn inserted_text_is_not_searched_again() {
         let parts = [("a", "{{b}}".to_owned()), ("b", "B".to_owned())];
         assert_eq!(fill("x{{a}}y{{b}}{{c}}z", &parts), "x{{b}}yBz");
         assert_eq!(fill("x{{", &parts), "x");

@@ -1,59 +1,59 @@
-//! Figures over time, and distributions, as SVG; colours come from the page's style.
+//! Plots of figures over time and of distributions, as SVG; the page's style defines the colours.
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Size of a plot, and where its axes cross: pixels from the left and from the bottom.
+/// The size of a plot, and the point where its axes cross: pixels from the left and from the bottom.
 pub(super) const SIZE: [f64; 2] = [560.0, 250.0];
 pub(super) const CORNER: [f64; 2] = [46.0, 38.0];
-/// Room above and right of the axes.
+/// The margins above and right of the axes.
 pub(super) const ROOM: [f64; 2] = [14.0, 12.0];
 
-/// What is across where that is time.
+/// The label of a horizontal axis that shows time.
 pub const TIME: &str = "time, s";
 
-/// What a plot shows.
+/// A plot of lines.
 pub struct Plot<'a> {
-    /// What is plotted.
+    /// The title.
     pub title: Cow<'a, str>,
-    /// Its unit, as it stands at the axis.
+    /// The unit of the values, shown beside the title.
     pub unit: &'a str,
-    /// The lines: what is across and values, ascending; gaps where a value is no number.
+    /// The lines: pairs of abscissa and value, with ascending abscissas; NaN values are gaps.
     pub lines: Vec<Vec<(f64, f64)>>,
-    /// Which values there is room for.
+    /// The range of values.
     pub height: Height,
-    /// A value to mark, and what it means.
+    /// A marked value and its meaning.
     pub mark: Option<(f64, &'a str)>,
-    /// What is across, with its unit.
+    /// The label of the horizontal axis, with its unit.
     pub axis: &'a str,
-    /// From where to where that goes; lines beyond are cut off.
+    /// The range of the horizontal axis; lines outside are cut off.
     pub span: [f64; 2],
 }
 
-/// Dots on a plot.
+/// A set of dots on a plot.
 pub struct Dots {
-    /// What they are, for the legend.
+    /// The name in the legend.
     pub name: &'static str,
-    /// Their colour: that of the line with this number.
+    /// The colour: that of the line with this number.
     pub colour: usize,
-    /// How wide they are, pixels.
+    /// The diameter, pixels.
     pub width: f64,
-    /// Where they are: what is across, and values.
+    /// The positions: pairs of abscissa and value.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Which values a plot has room for.
+/// The range of values of a plot.
 #[derive(Clone, Copy)]
 pub enum Height {
-    /// From 0 to the highest: at least the first; values above the second are cut off.
+    /// From 0 to the highest value: at least the first number; values above the second are cut off.
     FromZero([f64; 2]),
-    /// From one value to another.
+    /// From the first number to the second.
     Between([f64; 2]),
-    /// Powers of ten, from this one to above the highest; what is below, 0 too, is a gap.
+    /// Decades from this value to above the highest; lower values, including 0, are gaps.
     Decades(f64),
 }
 
-/// The axis upwards: its ends, as they are drawn, which are logarithms where it shows powers of ten.
+/// The vertical axis. Its ends are logarithms where it shows decades.
 pub(super) struct Up {
     low: f64,
     high: f64,
@@ -71,7 +71,7 @@ impl Up {
         Self { low, high, decades: matches!(height, Height::Decades(_)) }
     }
 
-    /// How high a value is, 0 to 1; not a number for none.
+    /// Returns the height of a value, 0 to 1; NaN for a gap.
     fn share(&self, value: f64) -> f64 {
         let value = if self.decades && value != f64::INFINITY { value.log10() } else { value };
         let value = if self.decades && value < self.low { f64::NAN } else { value };
@@ -79,7 +79,7 @@ impl Up {
         (held - self.low) / (self.high - self.low)
     }
 
-    /// Values at the axis, and how they are written.
+    /// Returns the labelled values of the axis.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         if self.decades {
             let powers = self.low.ceil() as i32..=self.high as i32;
@@ -89,7 +89,7 @@ impl Up {
     }
 }
 
-/// Where values are on a plot.
+/// The positions of values on a plot.
 pub(super) struct Scales {
     pub up: Up,
     start: f64,
@@ -97,22 +97,22 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// Pixels from the left.
+    /// Returns pixels from the left.
     pub fn x(&self, across: f64) -> f64 {
         CORNER[0] + (across - self.start) / (self.end - self.start) * (SIZE[0] - CORNER[0] - ROOM[0])
     }
 
-    /// Pixels from above; not a number for none.
+    /// Returns pixels from the top; NaN for a gap.
     pub fn y(&self, value: f64) -> f64 {
         SIZE[1] - CORNER[1] - self.up.share(value) * (SIZE[1] - CORNER[1] - ROOM[1])
     }
 
-    /// Numbers at the axis across, and how they are written.
+    /// Returns the labelled values of the horizontal axis.
     pub fn across(&self) -> impl Iterator<Item = (f64, String)> {
         ticks(self.start, self.end).into_iter().map(|tick| (tick, number(tick)))
     }
 
-    /// A line in pieces without gaps, in pixels.
+    /// Splits a line at its gaps and converts it to pixels.
     pub fn pieces(&self, line: &[(f64, f64)]) -> Vec<Vec<[f64; 2]>> {
         let seen = |&(across, value): &(f64, f64)| {
             let y = self.y(value);
@@ -128,19 +128,19 @@ impl Scales {
 }
 
 impl Plot<'_> {
-    /// Where its values are.
+    /// Returns the scales of the plot.
     pub(super) fn scales(&self) -> Scales {
         let up = Up::new(self.height, self.lines.iter().flatten().map(|point| point.1));
         let start = self.span[0];
         Scales { up, start, end: self.span[1].max(start + 1e-3) }
     }
 
-    /// The plot as an SVG element.
+    /// Returns the plot as an SVG element.
     pub fn svg(&self) -> String {
         self.svg_with_dots(&[])
     }
 
-    /// The plot as an SVG element, with dots on it. Dots beyond the axis across are left out.
+    /// Returns the plot with dots on it as an SVG element. Dots outside the range of the horizontal axis are left out.
     pub fn svg_with_dots(&self, dots: &[Dots]) -> String {
         let [width, height] = SIZE;
         let ([left, below], [right, above]) = (CORNER, ROOM);
@@ -154,7 +154,7 @@ impl Plot<'_> {
             self.unit,
             self.title,
             width - right,
-            // by these the player finds its clock on it
+            // The player needs the range of times to map its clock to the plot.
             if self.axis == TIME {
                 format!(" data-start=\"{}\" data-end=\"{}\"", scales.start, scales.end)
             } else {
@@ -202,14 +202,14 @@ impl Plot<'_> {
     }
 }
 
-/// The least of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 times a power of ten that is not below `value`.
+/// Returns the least of 1, 1.5, 2, 3, 4, 5, 6, 8 and 10 times a power of ten that is not below `value`.
 pub fn round_up(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
     let steps = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     steps.into_iter().map(|step| step * power).find(|&top| top >= value * (1.0 - 1e-9)).unwrap_or(10.0 * power)
 }
 
-/// Round numbers from one to another, three to six of them.
+/// Returns three to six round numbers from `start` to `end`.
 fn ticks(start: f64, end: f64) -> Vec<f64> {
     let length = end - start;
     let power = 10f64.powf((length / 5.0).log10().floor());
@@ -220,7 +220,7 @@ fn ticks(start: f64, end: f64) -> Vec<f64> {
 }
 
 fn number(value: f64) -> String {
-    // no negative nought
+    // Adding 0 turns -0 into 0.
     format!("{}", (value * 1e4).round() / 1e4 + 0.0)
 }
 
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_of_ten_are_evenly_apart_and_nothing_is_none() {
+    fn decades_are_evenly_spaced_and_zero_is_a_gap() {
         let line = vec![(0.0, 0.1), (1.0, 0.01), (2.0, 0.001), (3.0, 0.0), (4.0, 1e-9)];
         let path = plot(line, Height::Decades(1e-3));
         let heights: Vec<f64> =

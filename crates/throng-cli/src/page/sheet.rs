@@ -3,25 +3,25 @@
 use super::Plot;
 use super::plot::{CORNER, ROOM, SIZE};
 use glam::Vec2;
-use throng_draw::{Anchor, Color, Error, Figure, Mark, Stroke, Theme, palette};
+use throng_draw::{Anchor, Color, Error, Figure, Primitive, Stroke, Theme, palette};
 
-/// Room round the picture, and over each plot for its name.
+/// The margin around the picture and between plots, and the height above each plot for its title.
 const MARGIN: f32 = 24.0;
 const HEAD: f32 = 34.0;
-/// Room for the title, and for a row of the key.
+/// The heights of the title and of the row of the key.
 const TITLE: f32 = 40.0;
 const KEY: f32 = 26.0;
-/// Pixels an entry of the key takes, and its sample.
+/// The widths of an entry of the key and of its line sample, pixels.
 const ENTRY: f32 = 190.0;
 const SAMPLE: f32 = 26.0;
-/// Plots in a row.
+/// The number of plots in a row.
 const COLUMNS: usize = 2;
 const TYPE: f32 = 13.0;
 
-/// A picture of plots under a title, with what the colours of their lines mean.
+/// Returns a picture of plots under a title, with a key of line colours.
 ///
 /// # Errors
-/// There are so many that the picture is too high.
+/// There are so many plots that the picture is too high.
 pub fn figure(title: &str, key: &[(usize, &str)], plots: &[Plot]) -> Result<Figure, Error> {
     let theme = Theme::light();
     let cell = Vec2::new(SIZE[0] as f32, SIZE[1] as f32 + HEAD);
@@ -32,7 +32,7 @@ pub fn figure(title: &str, key: &[(usize, &str)], plots: &[Plot]) -> Result<Figu
     for (k, (line, name)) in key.iter().enumerate() {
         let at = Vec2::new(MARGIN + ENTRY * k as f32, MARGIN + TITLE + 10.0);
         let stroke = Stroke::plain(2.0, palette(*line));
-        marks.push(Mark::Line {
+        marks.push(Primitive::Line {
             points: vec![at - 4.0 * Vec2::Y, at + Vec2::new(SAMPLE, -4.0)],
             closed: false,
             stroke,
@@ -46,13 +46,13 @@ pub fn figure(title: &str, key: &[(usize, &str)], plots: &[Plot]) -> Result<Figu
     Figure::of((size.x as u32, size.y as u32), theme.ground, marks)
 }
 
-/// A plot with its upper left corner somewhere.
-fn marks_of(plot: &Plot, corner: Vec2, theme: &Theme) -> Vec<Mark> {
+/// Returns the primitives of a plot with its upper left corner at `corner`.
+fn marks_of(plot: &Plot, corner: Vec2, theme: &Theme) -> Vec<Primitive> {
     let scales = plot.scales();
     let low = corner + Vec2::new(0.0, HEAD);
     let at = |x: f64, y: f64| low + Vec2::new(x as f32, y as f32);
     let (left, right, base) = (CORNER[0], SIZE[0] - ROOM[0], SIZE[1] - CORNER[1]);
-    let thin = |from: Vec2, to: Vec2, color: Color| Mark::Line {
+    let thin = |from: Vec2, to: Vec2, color: Color| Primitive::Line {
         points: vec![from, to],
         closed: false,
         stroke: Stroke::plain(1.0, color),
@@ -72,7 +72,7 @@ fn marks_of(plot: &Plot, corner: Vec2, theme: &Theme) -> Vec<Mark> {
     marks.push(thin(at(left, base), at(right, base), theme.edge));
     marks.push(text(plot.axis, at(right, SIZE[1] - 4.0), Anchor::End, TYPE, theme.quiet));
     for (k, line) in plot.lines.iter().enumerate() {
-        let piece = |piece: Vec<[f64; 2]>| Mark::Line {
+        let piece = |piece: Vec<[f64; 2]>| Primitive::Line {
             points: piece.into_iter().map(|[x, y]| at(x, y)).collect(),
             closed: false,
             stroke: Stroke::plain(1.8, palette(k % 8)),
@@ -87,6 +87,6 @@ fn marks_of(plot: &Plot, corner: Vec2, theme: &Theme) -> Vec<Mark> {
     marks
 }
 
-fn text(text: &str, at: Vec2, anchor: Anchor, size: f32, color: Color) -> Mark {
-    Mark::Text { text: text.to_owned(), at, anchor, size, color }
+fn text(text: &str, at: Vec2, anchor: Anchor, size: f32, color: Color) -> Primitive {
+    Primitive::Text { text: text.to_owned(), at, anchor, size, color }
 }

@@ -1,4 +1,4 @@
-//! What `throng convert` and `throng render` are told, and their help.
+//! The command lines of `throng convert` and `throng render`.
 
 use crate::choice::ChoiceArgs;
 use crate::map::MapArgs;
@@ -7,9 +7,9 @@ use crate::tracks::TrackArgs;
 use clap::Args;
 use std::path::PathBuf;
 
-/// After `throng convert --help`.
+/// The formats and examples for `throng convert --help`.
 pub const CONVERT: &str = "\
-Files of trajectories: what `throng info` reads; what `throng run` writes. Each kind is told by the ending of its name.
+Reads the file formats of `throng info` and writes those of `throng run`; the ending of a name determines the format.
 
 Examples:
   throng convert run.rec -o run.parquet
@@ -20,13 +20,13 @@ Examples:
   throng convert run.csv --map office -o run.usda
       with the walls of the scene, which a .csv does not hold";
 
-/// After `throng render --help`.
+/// The outputs and examples for `throng render --help`.
 pub const RENDER: &str = "\
 Outputs, by the ending of the name:
   .mp4, .gif        video
   .png, .svg        one picture: the last moment, or that of --frame
   NAME/             a folder of PNG files, one a picture
-  .avi, .webm, ...  other video, through the program ffmpeg where that is installed
+  .avi, .webm, ...  other video, through the program ffmpeg if it is installed
 
 Examples:
   throng render run.rec
@@ -36,26 +36,26 @@ Examples:
   throng render zara01/obsmat.txt --map zara01/map.xml --map-offset 0.5,16.2 -o street.mp4
   throng render obsmat.txt --frame-rate 25 --from 10 --to 30 -o frames/";
 
-/// A file of trajectories, and what is known of it.
+/// A file of trajectories and its map.
 #[derive(Args, Debug)]
 pub struct RecordedArgs {
     /// A file of trajectories (see `throng info`)
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
-    /// Where it was.
+    /// The map.
     #[command(flatten)]
     pub map: MapArgs,
 
-    /// What it does not say itself.
+    /// How the file is read.
     #[command(flatten)]
     pub tracks: TrackArgs,
 }
 
-/// What `throng convert` is told.
+/// The arguments of `throng convert`.
 #[derive(Args, Debug)]
 pub struct ConvertArgs {
-    /// The file that is read.
+    /// The file to read.
     #[command(flatten)]
     pub recorded: RecordedArgs,
 
@@ -63,19 +63,19 @@ pub struct ConvertArgs {
     #[arg(short, long, value_name = "FILE", required = true)]
     pub output: Vec<PathBuf>,
 
-    /// What of it is written.
+    /// What is written.
     #[command(flatten)]
     pub choice: ChoiceArgs,
 
-    /// Shows no progress bar, and does not say what was written
+    /// Shows no progress bar and no list of written files
     #[arg(short, long)]
     pub quiet: bool,
 }
 
-/// What `throng render` is told.
+/// The arguments of `throng render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// The file that is read.
+    /// The file to read.
     #[command(flatten)]
     pub recorded: RecordedArgs,
 
@@ -83,15 +83,15 @@ pub struct RenderArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Vec<PathBuf>,
 
-    /// What of it is written.
+    /// What is drawn.
     #[command(flatten)]
     pub choice: ChoiceArgs,
 
-    /// Which moments pictures show, and how they look.
+    /// The moments that pictures show, and how pictures look.
     #[command(flatten)]
     pub film: FilmArgs,
 
-    /// Shows no progress bar, and does not say what was written
+    /// Shows no progress bar and no list of written files
     #[arg(short, long)]
     pub quiet: bool,
 }

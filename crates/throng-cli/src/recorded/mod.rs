@@ -1,4 +1,4 @@
-//! `throng convert` and `throng render`: what was recorded, written in another way.
+//! `throng convert` and `throng render`: write recorded trajectories in other formats, or draw them.
 
 pub mod args;
 mod recording;
@@ -16,17 +16,17 @@ use throng_draw::record::Plan;
 use throng_draw::{Still, Style, WorldBox};
 use throng_record::{Choice, Format};
 
-/// Writes trajectories as other trajectories.
+/// Converts trajectories to other files.
 ///
 /// # Errors
-/// They cannot be read, a file cannot be written, or what is chosen is not there.
+/// The trajectories cannot be read, a file cannot be written, or a chosen agent, group or column does not exist.
 pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
     if let Some(path) = args.output.iter().find(|path| Format::of(path).is_none_or(|format| !format.is_written())) {
         let text = format!("{}: cannot tell from this name which trajectories to write", path.display());
-        let hint = format!("end it in {}; pictures and video are drawn by `throng render`", files::trajectories());
+        let hint = format!("end it in {}; `throng render` draws pictures and video", files::trajectories());
         return Err(Failure::hint(text, hint));
     }
-    let recording = Recording::open(&args.recorded)?;
+    let recording = Recording::open(&args.recorded, args.quiet)?;
     if !args.quiet {
         note(&recording.notes);
     }
@@ -50,16 +50,16 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
 /// Draws trajectories.
 ///
 /// # Errors
-/// They cannot be read, a file cannot be written, or what is chosen is not there.
+/// The trajectories cannot be read, a file cannot be written, or a chosen agent or group does not exist.
 pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
-    let recording = Recording::open(&args.recorded)?;
+    let recording = Recording::open(&args.recorded, args.quiet)?;
     if !args.quiet {
         note(&recording.notes);
     }
     let choice = args.choice.choice();
     let [min, max] = recording.bounds();
     let mut style = args.film.look.style(&recording.scene, [min, max])?;
-    // all of the ground that somebody comes to, from the first picture on
+    // The view holds all positions of the recording from the first picture on.
     style.view.get_or_insert(WorldBox { min, max });
     let plan = Plan {
         setting: &recording.moments.setting,
@@ -84,7 +84,7 @@ fn write(recording: &Recording, paths: &[PathBuf], plan: &Plan, quiet: bool, out
         recording.lasts(plan)?;
     }
     if let Some(path) = paths.iter().find(|path| recording.is(path)) {
-        let text = format!("{} is what is read", path.display());
+        let text = format!("{} is the file that is read", path.display());
         return Err(Failure::hint(text, "write under another name"));
     }
     interrupt::watch();
@@ -108,24 +108,24 @@ fn write(recording: &Recording, paths: &[PathBuf], plan: &Plan, quiet: bool, out
         paths.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))?;
     }
     if interrupt::asked() {
-        complain(&format!("interrupted at {:.2} s; the files are complete up to there", moments.time(last)));
+        complain(&format!("interrupted at {:.2} s; the files cover the time until then", moments.time(last)));
         return Err(Failure::Interrupted);
     }
     Ok(())
 }
 
 impl Recording {
-    /// When the first picture is due, seconds.
+    /// Returns the time of the first picture, seconds.
     fn start(&self, choice: &Choice) -> f64 {
         choice.from.max(self.moments.time(0))
     }
 
-    /// That something is chosen, and not more than anybody can mean.
+    /// Checks that the choice overlaps the recording and does not have too many moments.
     fn spans(&self, choice: &Choice) -> Result<(), Failure> {
         let (first, last) = (self.moments.time(0), self.moments.time(self.moments.count()));
         if choice.from > last || choice.to < first || choice.from > choice.to {
-            let text = format!("nothing is there from {:.2} to {:.2} s", choice.from.max(0.0), choice.to);
-            return Err(Failure::hint(text, format!("it was recorded from {first:.2} to {last:.2} s")));
+            let text = format!("the recording has no moment from {:.2} to {:.2} s", choice.from.max(0.0), choice.to);
+            return Err(Failure::hint(text, format!("it covers {first:.2} to {last:.2} s")));
         }
         let within = [choice.from.max(first), choice.to.min(last)];
         let count = choice.rate.unwrap_or_default() * (within[1] - within[0]);
@@ -138,7 +138,7 @@ impl Recording {
         )
     }
 
-    /// Checks that it makes no more pictures than the limit.
+    /// Checks that the number of pictures is within the limit.
     fn lasts(&self, plan: &Plan) -> Result<(), Failure> {
         let within = [plan.from, self.moments.time(self.moments.count()).min(plan.choice.to)];
         let count = (within[1] - within[0]) * plan.rate / plan.speed_up;
@@ -146,7 +146,7 @@ impl Recording {
         limit(&self.path, "pictures", count, within, hint)
     }
 
-    /// Whether it was read from this file.
+    /// Whether the recording was read from this file.
     fn is(&self, path: &Path) -> bool {
         path.canonicalize().is_ok_and(|path| self.path.canonicalize().is_ok_and(|own| own == path))
     }

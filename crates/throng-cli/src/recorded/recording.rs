@@ -1,4 +1,4 @@
-//! A file of trajectories, in its place.
+//! A file of trajectories with its map.
 
 use super::args::RecordedArgs;
 use crate::failure::Failure;
@@ -8,35 +8,36 @@ use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
 use throng_draw::WorldBox;
-use throng_record::{Moments, Setting, Tracks, moment};
+use throng_record::{Moments, Setting, Trajectories, moment};
 use throng_scene::Scene;
 use throng_scene::import::plan::is_plan;
 
-/// What was recorded.
+/// A recording.
 pub struct Recording {
     /// The file it was read from.
     pub path: PathBuf,
-    /// The stem of the names of files made from it.
+    /// The stem for the names of output files.
     pub name: String,
-    /// Who was where.
+    /// The positions of people at all moments.
     pub moments: Moments,
-    /// The scene of which the pictures are, if that is known.
+    /// The scene of the map; the default scene if the map is not a scene.
     pub scene: Scene,
-    /// What was found in the file, and what was left out of a floor plan, or changed.
+    /// Notes on the file, and on parts of a floor plan that were left out or changed.
     pub notes: Vec<String>,
 }
 
 impl Recording {
-    /// Reads a file of trajectories and what is said of its place.
+    /// Reads a file of trajectories and its map. If reading takes long, a line on standard error says so, unless
+    /// `quiet`.
     ///
     /// # Errors
-    /// A file cannot be read, or nobody is in it.
-    pub fn open(args: &RecordedArgs) -> Result<Self, Failure> {
+    /// A file cannot be read, or the file has no agents.
+    pub fn open(args: &RecordedArgs, quiet: bool) -> Result<Self, Failure> {
         let path = args.file.clone();
-        let mut tracks = args.tracks.read(&path)?;
+        let mut tracks = args.tracks.read(&path, quiet)?;
         if tracks.spots.is_empty() {
-            let text = format!("{}: nobody is in it", path.display());
-            return Err(Failure::hint(text, "give a file in which somebody is somewhere"));
+            let text = format!("{}: the file has no agents", path.display());
+            return Err(Failure::hint(text, "give a file with at least one position"));
         }
         let name = path.file_stem().map_or_else(|| "run".into(), |stem| stem.to_string_lossy().into_owned());
         if tracks.setting.title.is_empty() {
@@ -44,9 +45,9 @@ impl Recording {
         }
         let mut notes = std::mem::take(&mut tracks.notes);
         let (scene, moments) = match &args.map.map {
-            // scenes have names and goals too
+            // Scenes also have names and goals.
             Some(map) if !(is(map, "xml") || is_plan(map)) => {
-                in_place(tracks, place(map, args.map.map_offset.unwrap_or_default())?)
+                in_place(tracks, place(map, args.map.map_offset.unwrap_or_default(), quiet)?)
             }
             _ => {
                 let map = Map::read(&args.map, &path, &tracks.setting, None)?;
@@ -58,17 +59,17 @@ impl Recording {
         Ok(Self { path, name, moments, scene, notes })
     }
 
-    /// The corners of all there is to see.
+    /// Returns the corners of the box of everything that is drawn.
     pub fn bounds(&self) -> [DVec2; 2] {
-        let seen = WorldBox::of(&self.moments.setting, &self.moments.everybody());
+        let seen = WorldBox::of(&self.moments.setting, &self.moments.all_bodies());
         seen.map_or([DVec2::ZERO, DVec2::ONE], |seen| [seen.min, seen.max])
     }
 }
 
-/// The place of a scene, moved by `offset`.
-fn place(map: &std::path::Path, offset: DVec2) -> Result<(Scene, Setting), Failure> {
+/// Returns a scene and its place, moved by `offset`.
+fn place(map: &std::path::Path, offset: DVec2, quiet: bool) -> Result<(Scene, Setting), Failure> {
     let loaded = Changes::default().load(map)?;
-    let (world, built) = loaded.build()?;
+    let (world, built) = loaded.build(quiet)?;
     let mut setting = moment::setting(&world, &built, loaded.title());
     let mut map = Map { walkable: setting.walkable, obstacles: setting.obstacles, ..Map::default() };
     map.shift(offset);
@@ -77,8 +78,8 @@ fn place(map: &std::path::Path, offset: DVec2) -> Result<(Scene, Setting), Failu
     Ok((loaded.scene, setting))
 }
 
-/// Tracks in a place; one that has other groups gives its ground and obstacles only.
-fn in_place(mut tracks: Tracks, (scene, setting): (Scene, Setting)) -> (Scene, Moments) {
+/// Puts trajectories into the place of a scene. If the groups differ, the scene gives only its ground and obstacles.
+fn in_place(mut tracks: Trajectories, (scene, setting): (Scene, Setting)) -> (Scene, Moments) {
     if tracks.put_into(&setting) {
         return (scene, Moments::of(tracks));
     }

@@ -1,21 +1,21 @@
 //! The figures as JSON; `throng replay --help` describes the keys.
 
 use super::outputs;
-use super::report::{Came, Pauses, Report, mean_and_median};
+use super::report::{ModelResults, Pauses, ReplayReport, mean_and_median};
 use crate::measure::people_json;
 use crate::report::number;
 use serde_json::{Map, Value, json};
 use std::time::Duration;
 use throng_record::pedestrian::Microscopic;
-use throng_record::pedestrian::replay::{Pair, Sample};
+use throng_record::pedestrian::replay::{Pair, PredictionSample};
 
-/// The figures as one object.
-pub fn of(report: &Report, wall: Duration) -> Value {
+/// Returns the figures as one JSON object.
+pub fn of(report: &ReplayReport, wall: Duration) -> Value {
     let setup = report.setup;
     let (args, cast, stage) = (setup.args, &setup.cast, &setup.stages[0]);
     let [from, until] = setup.span();
     let from_entry = report.from_entry.iter().map(|horizon| {
-        let samples: Vec<&[Sample]> = horizon.samples.iter().map(|samples| &samples[..]).collect();
+        let samples: Vec<&[PredictionSample]> = horizon.samples.iter().map(|samples| &samples[..]).collect();
         displacement(report, horizon.seconds, &samples)
     });
     let (compared, pauses) = (&report.models[0].compared, Pauses::of(cast));
@@ -47,8 +47,8 @@ pub fn of(report: &Report, wall: Duration) -> Value {
     })
 }
 
-/// What came of a model.
-fn model(report: &Report, name: &str, came: &Came) -> Value {
+/// Returns the figures of one model.
+fn model(report: &ReplayReport, name: &str, came: &ModelResults) -> Value {
     let (all, summary) = (&came.replayed, &came.replayed.summary);
     let pair = |pair: &Pair| {
         let [mean, median] = [pair.means()[1], pair.medians()[1]].map(number);
@@ -78,8 +78,8 @@ fn model(report: &Report, name: &str, came: &Came) -> Value {
     })
 }
 
-/// How people move next to each other.
-fn microscopic(own: &Microscopic, report: &Report) -> Value {
+/// Returns the microscopic figures: how people move next to each other.
+fn microscopic(own: &Microscopic, report: &ReplayReport) -> Value {
     let [[median, most], [passing, close]] = [own.acceleration, own.passing];
     json!({
         "standing": number(own.standing),
@@ -92,16 +92,16 @@ fn microscopic(own: &Microscopic, report: &Report) -> Value {
     })
 }
 
-fn predicted(report: &Report) -> Option<Value> {
+fn predicted(report: &ReplayReport) -> Option<Value> {
     let predicted = report.predicted.as_ref()?;
     let horizons = report.setup.args.figures.horizons.iter().enumerate().map(|(k, &seconds)| {
-        let samples: Vec<&[Sample]> = predicted.samples.iter().map(|all| &all[k][..]).collect();
+        let samples: Vec<&[PredictionSample]> = predicted.samples.iter().map(|all| &all[k][..]).collect();
         displacement(report, Some(seconds), &samples)
     });
     let split = report.longest().and_then(|(seconds, samples)| {
         let split = samples.into_iter().map(|samples| report.split(samples)).collect::<Option<Vec<_>>>()?;
-        let part = |who: usize| {
-            let samples: Vec<&[Sample]> = split.iter().map(|split| &split[who][..]).collect();
+        let part = |half: usize| {
+            let samples: Vec<&[PredictionSample]> = split.iter().map(|split| &split[half][..]).collect();
             displacement(report, Some(seconds), &samples)
         };
         Some([part(0), part(1)])
@@ -116,8 +116,8 @@ fn predicted(report: &Report) -> Option<Value> {
     }))
 }
 
-/// How far everybody is off, by predictor; the samples are by model.
-fn displacement(report: &Report, seconds: Option<f64>, samples: &[&[Sample]]) -> Value {
+/// Returns the displacements by predictor; the samples are by model.
+fn displacement(report: &ReplayReport, seconds: Option<f64>, samples: &[&[PredictionSample]]) -> Value {
     let (mut average, mut last) = (Map::new(), Map::new());
     for predictor in report.predictors() {
         let own = predictor.samples(samples);

@@ -1,25 +1,25 @@
-//! How people are told apart in pictures: as the recording has groups, else by whether they belong together.
+//! The colour classes of people in pictures: the groups of the recording, else people alone and people in groups.
 
 use super::args::StageArgs;
 use crate::failure::Failure;
 use crate::map::{beside, read};
 use std::path::Path;
-use throng_record::Tracks;
+use throng_record::Trajectories;
 use throng_record::pedestrian::groups;
-use throng_record::pedestrian::replay::Cast;
+use throng_record::pedestrian::replay::RecordedPeople;
 
-/// Kinds of people, a colour each.
+/// The colour classes of people.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kinds {
-    /// What they are called.
+    /// The names of the classes.
     pub names: Vec<String>,
-    /// Which is somebody's, by walk.
+    /// The class of each walk.
     of: Vec<u32>,
 }
 
 impl Kinds {
-    /// Of a recording; `groups` says who belongs together.
-    pub fn of(tracks: &Tracks, cast: &Cast, groups: Option<&[Vec<u32>]>) -> Self {
+    /// Returns the classes of a recording; `groups` lists the people that walk together.
+    pub fn of(tracks: &Trajectories, cast: &RecordedPeople, groups: Option<&[Vec<u32>]>) -> Self {
         let walks = &cast.people.walks;
         let mut of = vec![0; walks.len()];
         if tracks.setting.groups.len() > 1 {
@@ -35,21 +35,21 @@ impl Kinds {
         Self { names: vec!["alone".into(), "in groups".into()], of }
     }
 
-    /// Somebody's, by number.
-    pub fn find(&self, cast: &Cast, number: u32) -> u32 {
+    /// Returns the class of a person, by number.
+    pub fn find(&self, cast: &RecordedPeople, number: u32) -> u32 {
         cast.walk_of(number).map_or(0, |walk| self.of[walk])
     }
 }
 
-/// Whether everybody belongs to somebody, by walk.
-pub fn in_groups(cast: &Cast, groups: &[Vec<u32>]) -> Vec<bool> {
+/// Whether each walk belongs to a member of a group of at least two.
+pub fn in_groups(cast: &RecordedPeople, groups: &[Vec<u32>]) -> Vec<bool> {
     let mut of = vec![false; cast.people.walks.len()];
     let members = groups.iter().filter(|group| group.len() > 1).flatten();
     members.filter_map(|&member| cast.walk_of(member)).for_each(|walk| of[walk] = true);
     of
 }
 
-/// Who belongs together: the groups that are asked for, else those of a `groups.txt` beside the recording.
+/// Returns the groups of people that walk together: from the given file, else from a `groups.txt` beside the recording.
 ///
 /// # Errors
 /// The file cannot be read.

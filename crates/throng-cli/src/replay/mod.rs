@@ -1,4 +1,4 @@
-//! `throng replay`: recorded people once more, by one model or several, beside what they did.
+//! `throng replay`: simulates recorded people by one or several models and compares them with the recording.
 
 pub mod args;
 mod json;
@@ -19,15 +19,16 @@ use crate::interrupt;
 use crate::out::{Out, complain, note};
 use crate::threads;
 use args::ReplayArgs;
-use report::Report;
+use report::ReplayReport;
 use setup::Setup;
 use std::time::Instant;
 use throng_record::Output;
 
-/// Replays recorded people, writes the files and the figures.
+/// Replays recorded people, and writes the files and the figures.
 ///
 /// # Errors
-/// The data, the map or the groups cannot be read, a model is none, a file cannot be written, or it was interrupted.
+/// The data, the map or the groups cannot be read, a model does not exist, a file cannot be written, or the program was
+/// interrupted.
 pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     let begin = Instant::now();
     if let Some(path) = args.table.as_ref().filter(|path| !is(path, "csv")) {
@@ -41,7 +42,7 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     interrupt::watch();
     let (replayed, pages) = threads::with(args.threads.count(), || walk::walk(&setup))?;
     let predicted = walk::predictions(&setup, pages.as_ref())?;
-    let report = Report::new(&setup, replayed, predicted);
+    let report = ReplayReport::new(&setup, replayed, predicted);
     if let Some(path) = &args.table {
         table::table(&report).write_csv(Output::create(path)?)?;
     }
@@ -56,7 +57,7 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     out.flush()?;
     if report.interrupted {
         if !args.quiet {
-            complain("interrupted; the figures and the files are complete up to there");
+            complain("interrupted; the figures and the files cover the time until then");
         }
         return Err(Failure::Interrupted);
     }

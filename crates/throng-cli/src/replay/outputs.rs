@@ -1,7 +1,7 @@
-//! The files of a replay: pictures of the recorded and of every model, trajectories of the replayed, pages.
+//! The output files of a replay: pictures of the recording and every model, trajectories of the agents, pages.
 
-use super::page::Page;
-use super::report::Report;
+use super::page::ReplayPage;
+use super::report::ReplayReport;
 use super::setup::Setup;
 use super::stage;
 use crate::failure::Failure;
@@ -14,8 +14,8 @@ use throng_draw::record::{Files, Plan, Recorder};
 use throng_record::pedestrian::replay::{Replay, Seen};
 use throng_record::{Choice, Format, Frame, Output, Pool};
 
-/// All files. They get their names when they are complete; dropped before that, they leave nothing.
-pub struct Outputs<'a> {
+/// The output files. They get their names when they are complete; files dropped before that are deleted.
+pub struct ReplayOutputs<'a> {
     setup: &'a Setup<'a>,
     files: Files,
     pages: Option<Pages>,
@@ -23,13 +23,13 @@ pub struct Outputs<'a> {
     seen: Seen<'a>,
 }
 
-/// Pages that are begun, and what they play.
+/// The pages under construction.
 pub struct Pages {
     outputs: Vec<Output>,
-    page: Page,
+    page: ReplayPage,
 }
 
-/// The names of all that is written.
+/// Returns the names of all output files.
 pub fn paths(setup: &Setup) -> Vec<PathBuf> {
     let models = 0..setup.models.len();
     let of_each = |path: &PathBuf| match is_table(path) {
@@ -39,12 +39,12 @@ pub fn paths(setup: &Setup) -> Vec<PathBuf> {
     setup.args.output.iter().flat_map(of_each).collect()
 }
 
-/// The name of the trajectories of one of the models.
+/// Returns the name of the trajectory file of one of the models.
 fn of_model(path: &Path, setup: &Setup, model: usize) -> PathBuf {
     if setup.models.len() == 1 {
         return path.to_path_buf();
     }
-    // as it may stand in names of files everywhere
+    // Names of files keep only characters that all systems allow.
     let plain = |c: char| if c.is_alphanumeric() || "._=-".contains(c) { c } else { '-' };
     let name: String = setup.models[model].chars().map(plain).collect();
     let [stem, ending] = [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
@@ -55,11 +55,11 @@ fn is_table(path: &Path) -> bool {
     !path.is_dir() && Format::of(path).is_some_and(|format| format.is_written())
 }
 
-impl<'a> Outputs<'a> {
-    /// Begins all files.
+impl<'a> ReplayOutputs<'a> {
+    /// Creates all files.
     ///
     /// # Errors
-    /// A name does not say what to write or comes twice, or a file cannot be begun.
+    /// The kind of a file does not follow from its name, a name is given twice, or a file cannot be created.
     pub fn create(setup: &'a Setup<'a>) -> Result<Self, Failure> {
         let Setup { args, models, scene, cast, .. } = setup;
         distinct(&paths(setup))?;
@@ -96,12 +96,12 @@ impl<'a> Outputs<'a> {
                 files.push(Recorder::film(files::film(path, sheet, &style, rate, &others)?.still(still)));
             }
         }
-        let pages = (!pages.is_empty()).then(|| Pages { outputs: pages, page: Page::new(setup, &panel) });
+        let pages = (!pages.is_empty()).then(|| Pages { outputs: pages, page: ReplayPage::new(setup, &panel) });
         let files = Files::new(files, plan.pace(), &choice).stopped_by(plan.stop);
         Ok(Self { files, pages, frames: Pool::default(), seen: Seen::new(cast), setup })
     }
 
-    /// Takes in the replays after a step (and before the first).
+    /// Adds the replays' current moment. Called before the first step and after every step.
     ///
     /// # Errors
     /// A file cannot be written.
@@ -117,7 +117,7 @@ impl<'a> Outputs<'a> {
         Ok(self.files.push_all(time, step, || frames)?)
     }
 
-    /// The recorded, and every model's; everybody has the colour of their kind.
+    /// Returns the frames of the recording and of every model, with bodies coloured by class.
     fn capture(&mut self, replays: &[Replay]) -> Vec<Arc<Frame>> {
         let Self { frames, seen, setup, .. } = self;
         let mut make = |capture: &dyn Fn(&mut Frame)| {
@@ -130,7 +130,7 @@ impl<'a> Outputs<'a> {
         std::iter::once(recorded).chain(replays.iter().map(|replay| make(&|frame| replay.capture(frame)))).collect()
     }
 
-    /// Shows the end, if no picture did yet, and completes all files but the pages.
+    /// Adds the last moment if no picture shows it yet, and completes all files except the pages.
     ///
     /// # Errors
     /// A file cannot be completed.
@@ -145,11 +145,11 @@ impl<'a> Outputs<'a> {
 }
 
 impl Pages {
-    /// Completes them.
+    /// Completes the pages.
     ///
     /// # Errors
-    /// One cannot be written.
-    pub fn write(self, report: &Report) -> Result<(), Failure> {
+    /// A page cannot be written.
+    pub fn write(self, report: &ReplayReport) -> Result<(), Failure> {
         let text = self.page.text(report);
         for mut output in self.outputs {
             output.put(text.as_bytes())?;

@@ -1,83 +1,83 @@
-//! What came of a replay.
+//! The results of a replay.
 
 use super::kinds::in_groups;
 use super::setup::Setup;
 use crate::interrupt;
-use throng_record::pedestrian::replay::{Cast, Compared, PREDICTORS, Replayed, Sample, from_entry};
+use throng_record::pedestrian::replay::{Compared, PREDICTORS, PredictionSample, RecordedPeople, Replayed, from_entry};
 use throng_record::pedestrian::{Border, Figures, Microscopic, People, Question, Velocities, median};
 
-/// The predictors that know nothing of others, as keys.
+/// The keys of the predictors without interaction.
 const KEYS: [&str; 2] = ["constant_velocity", "straight"];
 
-/// Predictions that begin anew.
+/// Predictions that restart from the recording at regular intervals.
 pub struct Predicted {
-    /// How often, seconds.
+    /// The interval between starts, seconds.
     pub every: f64,
-    /// How many times.
+    /// The number of starts.
     pub moments: usize,
-    /// How far ahead, seconds: those that were asked for, then those of a page.
+    /// The horizons, seconds: those of the arguments, followed by those of a page.
     pub horizons: Vec<f64>,
-    /// What came of them, by model and horizon.
-    pub samples: Vec<Vec<Vec<Sample>>>,
+    /// The samples, by model and horizon.
+    pub samples: Vec<Vec<Vec<PredictionSample>>>,
 }
 
-/// How far people were off at a horizon.
+/// The displacements at a horizon.
 pub struct Horizon {
-    /// Seconds; `None`: when they were recorded last.
+    /// The horizon, seconds; `None` for the time of the last recorded sample.
     pub seconds: Option<f64>,
-    /// Everybody who was recorded for so long, by model.
-    pub samples: Vec<Vec<Sample>>,
+    /// The samples of all people recorded for that long, by model.
+    pub samples: Vec<Vec<PredictionSample>>,
 }
 
-/// What came of a model.
-pub struct Came {
-    /// What came of everybody.
+/// The results of a model.
+pub struct ModelResults {
+    /// The replayed people.
     pub replayed: Replayed,
     /// Their figures.
     pub figures: Figures,
-    /// How they are distributed, beside the recorded.
+    /// The distributions of recorded and replayed people.
     pub compared: Compared,
-    /// How they move next to each other.
+    /// Their microscopic figures.
     pub microscopic: Microscopic,
 }
 
-/// What came of a replay.
-pub struct Report<'a> {
+/// The results of a replay.
+pub struct ReplayReport<'a> {
     /// What was replayed.
     pub setup: &'a Setup<'a>,
-    /// How many of the recorded walk through what is solid.
+    /// The number of recorded people that walk through solids.
     pub through: usize,
-    /// Whether everybody belongs to somebody, by walk.
+    /// Whether each walk belongs to a member of a group.
     in_groups: Vec<bool>,
-    /// What came of each model.
-    pub models: Vec<Came>,
-    /// How far people are off since they entered.
+    /// The results of each model.
+    pub models: Vec<ModelResults>,
+    /// The displacements since entry.
     pub from_entry: Vec<Horizon>,
-    /// The same of predictions, where they were asked for.
+    /// The predictions, if they were requested.
     pub predicted: Option<Predicted>,
-    /// What is measured of all.
+    /// What is measured of all people.
     pub question: Question,
-    /// Figures of the recorded.
+    /// The figures of the recording.
     pub recorded: Figures,
-    /// How the recorded move next to each other.
+    /// The microscopic figures of the recording.
     pub microscopic: Microscopic,
-    /// Whether it was interrupted.
+    /// Whether the replay was interrupted.
     pub interrupted: bool,
 }
 
-/// The pauses that agents are given.
+/// The pauses of the agents.
 pub struct Pauses {
-    /// How many people pause.
+    /// The number of people with pauses.
     pub people: usize,
-    /// How many pauses they make.
+    /// The number of pauses.
     pub count: usize,
-    /// How long these are together, seconds.
+    /// The total length of the pauses, seconds.
     pub seconds: f64,
 }
 
 impl Pauses {
-    /// Those of all recorded people.
-    pub fn of(cast: &Cast) -> Self {
+    /// Returns the pauses of all recorded people.
+    pub fn of(cast: &RecordedPeople) -> Self {
         let all = || cast.walkers.iter().flat_map(|walker| &walker.pauses);
         Self {
             people: cast.walkers.iter().filter(|walker| !walker.pauses.is_empty()).count(),
@@ -87,33 +87,33 @@ impl Pauses {
     }
 }
 
-/// One of those that say where people will be.
+/// A predictor of positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Predictor<'a> {
-    /// What it is called.
+    /// The name.
     pub name: &'a str,
-    /// By which model its samples are, and which of their figures are its own.
+    /// The index of the model that provides the samples, and the index of the predictor's figures in a sample.
     model: usize,
     own: usize,
 }
 
 impl Predictor<'_> {
-    /// Its displacement over the time, metres.
-    pub fn average(&self, sample: &Sample) -> f64 {
+    /// Returns its average displacement over the time, metres.
+    pub fn average(&self, sample: &PredictionSample) -> f64 {
         sample.average[self.own]
     }
 
-    /// Its displacement at the end, metres.
-    pub fn last(&self, sample: &Sample) -> f64 {
+    /// Returns its displacement at the end, metres.
+    pub fn last(&self, sample: &PredictionSample) -> f64 {
         sample.last[self.own]
     }
 
-    /// Its own of the samples of all models.
-    pub fn samples<'s, S: AsRef<[Sample]>>(&self, all: &'s [S]) -> &'s [Sample] {
+    /// Returns its samples, of the samples of all models.
+    pub fn samples<'s, S: AsRef<[PredictionSample]>>(&self, all: &'s [S]) -> &'s [PredictionSample] {
         all[self.model].as_ref()
     }
 
-    /// Its name as a key.
+    /// Returns its name as a key.
     pub fn key(&self) -> String {
         match self.own {
             0 => self.name.to_owned(),
@@ -122,8 +122,8 @@ impl Predictor<'_> {
     }
 }
 
-impl<'a> Report<'a> {
-    /// Measures all.
+impl<'a> ReplayReport<'a> {
+    /// Measures the recording and all replays.
     pub fn new(setup: &'a Setup<'a>, replayed: Vec<Replayed>, predicted: Option<Predicted>) -> Self {
         let (args, cast) = (setup.args, &setup.cast);
         let horizons = args.figures.horizons.iter().copied().map(Some).chain([None]);
@@ -142,7 +142,7 @@ impl<'a> Report<'a> {
             let both = [(&cast.people, &recorded), (&people, &velocities(&people))];
             let compared = Compared::of(both, args.figures.line);
             let microscopic = Microscopic::of(&people, start);
-            Came { figures: Figures::of(&people, &question), compared, microscopic, replayed }
+            ModelResults { figures: Figures::of(&people, &question), compared, microscopic, replayed }
         };
         let models = replayed.into_iter().map(came).collect();
         let groups = setup.groups.as_deref();
@@ -160,55 +160,55 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The models, and the two that know nothing of others, in order.
+    /// Returns the predictors in order: the models and the two without interaction.
     pub fn predictors(&self) -> Vec<Predictor<'_>> {
         let models = self.setup.models.iter().enumerate().map(|(model, name)| Predictor { name, model, own: 0 });
         let simple = PREDICTORS.iter().enumerate().skip(1).map(|(own, name)| Predictor { name, model: 0, own });
         models.chain(simple).collect()
     }
 
-    /// The longest of the horizons of predictions that were asked for, with the samples of all models.
-    pub fn longest(&self) -> Option<(f64, Vec<&[Sample]>)> {
+    /// Returns the longest requested horizon of predictions, with the samples of all models.
+    pub fn longest(&self) -> Option<(f64, Vec<&[PredictionSample]>)> {
         let predicted = self.predicted.as_ref()?;
-        let asked = self.setup.args.figures.horizons.iter().copied().enumerate();
-        let (at, seconds) = asked.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let requested = self.setup.args.figures.horizons.iter().copied().enumerate();
+        let (at, seconds) = requested.max_by(|a, b| a.1.total_cmp(&b.1))?;
         Some((seconds, predicted.samples.iter().map(|samples| &samples[at][..]).collect()))
     }
 
-    /// Those of some samples who are alone, and those who belong to somebody; `None` where nobody knows.
-    pub fn split(&self, samples: &[Sample]) -> Option<[Vec<Sample>; 2]> {
+    /// Splits samples into people alone and people in groups; `None` without known groups.
+    pub fn split(&self, samples: &[PredictionSample]) -> Option<[Vec<PredictionSample>; 2]> {
         self.setup.groups.as_ref()?;
         let of = |is: bool| samples.iter().filter(|sample| self.in_groups[sample.walk] == is).copied().collect();
         Some([false, true].map(of))
     }
 
-    /// The group of everybody, by number: its place among the groups.
+    /// Returns the group of a person, by number: its index in the list of groups.
     pub fn group_of(&self, number: u32) -> Option<usize> {
         self.setup.groups.as_ref()?.iter().position(|group| group.contains(&number))
     }
 
-    /// By how much those who arrived by a model did so later than the recorded left; of those who stay, who arrives earlier is not
-    /// late. The median, seconds.
-    pub fn delay(&self, came: &Came) -> f64 {
+    /// Returns the median time from the recorded leaving to the arrival by the model, seconds. An agent that waits at
+    /// its goal for the recorded person to leave counts with its arrival, so that an early arrival is not late.
+    pub fn delay(&self, came: &ModelResults) -> f64 {
         let left = self.setup.cast.people.walks.iter().map(|walk| walk.times[walk.times.len() - 1]);
         median(came.replayed.arrived.iter().zip(left).filter_map(|(at, left)| Some((*at)? - left)).collect())
     }
 }
 
-impl Came {
-    /// How many have arrived.
+impl ModelResults {
+    /// Returns the number of agents that have arrived.
     pub fn arrived(&self) -> usize {
         self.replayed.arrived.iter().flatten().count()
     }
 
-    /// How many were on their way at the end.
+    /// Returns the number of agents that were still walking at the end.
     pub fn walking(&self) -> usize {
         self.replayed.entered.saturating_sub(self.arrived())
     }
 }
 
-/// Mean and median of a figure of samples.
-pub fn mean_and_median(samples: &[Sample], figure: impl Fn(&Sample) -> f64) -> [f64; 2] {
+/// Returns mean and median of a figure of samples.
+pub fn mean_and_median(samples: &[PredictionSample], figure: impl Fn(&PredictionSample) -> f64) -> [f64; 2] {
     let all: Vec<f64> = samples.iter().map(figure).collect();
     [all.iter().sum::<f64>() / all.len() as f64, median(all)]
 }

@@ -1,14 +1,14 @@
-//! As whom recorded people walk, and how they are drawn.
+//! The agents of a replay, and how they are drawn.
 
 use super::args::ReplayArgs;
 use crate::failure::Failure;
 use crate::map::Map;
 use glam::DVec2;
 use throng_draw::{Style, WorldBox};
-use throng_record::pedestrian::replay::{Cast, Stage};
+use throng_record::pedestrian::replay::{RecordedPeople, ReplayScene};
 use throng_scene::{Group, Model, Place, Scene};
 
-/// Keys of a group that recorded people have from the recording.
+/// Keys of a group that the recording determines.
 const THEIR_OWN: [&str; 11] = [
     "count",
     "place",
@@ -22,13 +22,13 @@ const THEIR_OWN: [&str; 11] = [
     "start_speed",
     "priority",
 ];
-/// How far beyond everybody pictures reach, metres.
+/// How far beyond the recorded positions pictures reach, metres.
 const MARGIN: f64 = 1.0;
 
-/// The scene with one person that they are like, by a model, who stands at the origin.
+/// Returns the scene of a model, with one person at the origin that stands for all people.
 ///
 /// # Errors
-/// There is no such key, or a value is none of its own.
+/// A key does not exist, or a value is not valid for its key.
 pub fn scene(args: &ReplayArgs, model: &Model) -> Result<Scene, Failure> {
     let asked = &args.stage;
     let person = Group { name: "people".into(), place: Place::Point([0.0; 2]), ..Group::default() };
@@ -41,8 +41,8 @@ pub fn scene(args: &ReplayArgs, model: &Model) -> Result<Scene, Failure> {
         let own = key.strip_prefix("group.people.").or_else(|| key.strip_prefix("group.0.")).unwrap_or(key);
         let is = |name: &&&str| own.strip_prefix(**name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
         if let Some(name) = THEIR_OWN.iter().find(is) {
-            let text = format!("--set {key}: everybody has their own `{name}`, from the recording");
-            return Err(Failure::hint(text, "speeds and bodies are chosen by --speed and --radius"));
+            let text = format!("--set {key}: each agent has its own `{name}`, from the recording");
+            return Err(Failure::hint(text, "use --speed for preferred speeds and --radius for bodies"));
         }
         scene.set(key, value)?;
     }
@@ -51,19 +51,19 @@ pub fn scene(args: &ReplayArgs, model: &Model) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// Where they walk, and as whom.
+/// Returns the ground and the settings of the agents.
 ///
 /// # Errors
 /// The scene cannot be built.
-pub fn stage(args: &ReplayArgs, scene: &Scene, cast: &Cast, map: &Map) -> Result<Stage, Failure> {
+pub fn stage(args: &ReplayArgs, scene: &Scene, cast: &RecordedPeople, map: &Map) -> Result<ReplayScene, Failure> {
     let plan = scene.plan()?;
     let (Some(group), Some(planned)) = (plan.groups.first(), plan.agents.first()) else {
         return Err(Failure::Error("the scene has no agents".into()));
     };
     let [low, high] = bounds(cast);
-    // whole metres: simple coordinates stay simple in f32
+    // Whole metres: simple coordinates stay simple in f32.
     let settings = throng::Settings { origin: ((low + high) * 0.5).round(), ..plan.settings };
-    Ok(Stage {
+    Ok(ReplayScene {
         settings,
         group: group.clone(),
         agent: planned.agent.clone(),
@@ -74,19 +74,19 @@ pub fn stage(args: &ReplayArgs, scene: &Scene, cast: &Cast, map: &Map) -> Result
     })
 }
 
-/// How one panel of pictures looks: it shows where people were recorded, where nothing else is said.
+/// Returns the style of one panel. Without a view, it shows the recorded positions.
 ///
 /// # Errors
-/// The camera sees nothing.
-pub fn style(args: &ReplayArgs, scene: &Scene, cast: &Cast) -> Result<Style, Failure> {
+/// The camera's view is empty.
+pub fn style(args: &ReplayArgs, scene: &Scene, cast: &RecordedPeople) -> Result<Style, Failure> {
     let [low, high] = bounds(cast);
     let shown = WorldBox { min: low - MARGIN, max: high + MARGIN };
     let style = args.film.look.style(scene, [shown.min, shown.max])?;
     Ok(Style { view: style.view.or(Some(shown)), ..style })
 }
 
-/// The corners of where people were recorded.
-pub fn bounds(cast: &Cast) -> [DVec2; 2] {
+/// Returns the corners of the box of recorded positions.
+pub fn bounds(cast: &RecordedPeople) -> [DVec2; 2] {
     let places = cast.people.walks.iter().flat_map(|walk| &walk.places);
     places.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], &at| [low.min(at), high.max(at)])
 }

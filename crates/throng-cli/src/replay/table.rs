@@ -1,11 +1,11 @@
-//! A line a person.
+//! The table of people: one line per person.
 
-use super::report::Report;
+use super::report::ReplayReport;
 use throng_record::Table;
-use throng_record::pedestrian::replay::Sample;
+use throng_record::pedestrian::replay::PredictionSample;
 
-/// Everybody; what is not known is not a number.
-pub fn table(report: &Report) -> Table {
+/// Returns one row for each person; unknown values are NaN.
+pub fn table(report: &ReplayReport) -> Table {
     let setup = report.setup;
     let (walks, walkers) = (&setup.cast.people.walks, &setup.cast.walkers);
     let mut table = Table::default();
@@ -27,7 +27,7 @@ pub fn table(report: &Report) -> Table {
         for predictor in report.predictors() {
             let samples = predictor.samples(&horizon.samples);
             put(&format!("{}_{after}", predictor.key()), &|index| {
-                let at = samples.binary_search_by_key(&index, |sample: &Sample| sample.walk).ok()?;
+                let at = samples.binary_search_by_key(&index, |sample: &PredictionSample| sample.walk).ok()?;
                 Some(predictor.last(&samples[at]))
             });
         }

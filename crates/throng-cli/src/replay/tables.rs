@@ -1,17 +1,17 @@
-//! The figures as tables with a row a model, for the terminal and for pages.
+//! The figures as tables with one row per model, for the terminal and for pages.
 
-use super::report::{Came, Horizon, Predictor, Report, mean_and_median};
+use super::report::{Horizon, ModelResults, Predictor, ReplayReport, mean_and_median};
 use crate::measure::short;
-use throng_record::pedestrian::replay::{Pair, Sample};
+use throng_record::pedestrian::replay::{Pair, PredictionSample};
 use throng_record::pedestrian::{Figures, Microscopic, flow, steady_flow};
 
 /// A table.
 pub struct Grid {
-    /// What is in it.
+    /// The title.
     pub title: String,
-    /// The heads of its columns; that of the first is empty.
+    /// The headings of the columns; the first is empty.
     pub head: Vec<String>,
-    /// Its rows, each with its name first.
+    /// The rows; the first cell is the row's name.
     pub rows: Vec<Vec<String>>,
 }
 
@@ -26,8 +26,8 @@ impl Grid {
     }
 }
 
-/// All tables.
-pub fn tables(report: &Report) -> Vec<Grid> {
+/// Returns all tables.
+pub fn tables(report: &ReplayReport) -> Vec<Grid> {
     let mut out = vec![walked(report), since_entry(report)];
     out.extend(ahead(report));
     out.push(distributions(report));
@@ -36,8 +36,8 @@ pub fn tables(report: &Report) -> Vec<Grid> {
     out
 }
 
-/// How the replays went.
-fn walked(report: &Report) -> Grid {
+/// Returns the counts of the replays.
+fn walked(report: &ReplayReport) -> Grid {
     let head = [
         "entered",
         "overlapping",
@@ -45,13 +45,13 @@ fn walked(report: &Report) -> Grid {
         "refused",
         "arrived",
         "later by, s",
-        "on their way",
+        "walking",
         "stranded",
         "overlaps",
         "separation",
         "guard, %",
     ];
-    let mut grid = Grid::new("How the replays went", &head);
+    let mut grid = Grid::new("Replays", &head);
     for (name, came) in report.setup.models.iter().zip(&report.models) {
         let (all, summary) = (&came.replayed, &came.replayed.summary);
         let counts = [all.entered, all.overlapping, all.moved, all.refused, came.arrived()].map(|n| n.to_string());
@@ -68,58 +68,59 @@ fn walked(report: &Report) -> Grid {
     grid
 }
 
-fn since_entry(report: &Report) -> Grid {
+fn since_entry(report: &ReplayReport) -> Grid {
     let columns = report.from_entry.iter().map(|Horizon { seconds, samples }| {
         let head = seconds.map_or_else(|| "at the end".to_owned(), |seconds| format!("{seconds} s"));
         (head, samples.iter().map(|samples| &samples[..]).collect())
     });
-    displacements(report, "Displacement since they entered, m: average / final, means", columns.collect())
+    displacements(report, "Displacement since entry, m: average / final, means", columns.collect())
 }
 
-fn ahead(report: &Report) -> Option<Grid> {
+fn ahead(report: &ReplayReport) -> Option<Grid> {
     let predicted = report.predicted.as_ref()?;
     let horizons = report.setup.args.figures.horizons.iter().enumerate();
-    let mut columns: Vec<(String, Vec<&[Sample]>)> = horizons
+    let mut columns: Vec<(String, Vec<&[PredictionSample]>)> = horizons
         .map(|(k, seconds)| (format!("{seconds} s"), predicted.samples.iter().map(|all| &all[k][..]).collect()))
         .collect();
     let split = report.longest().and_then(|(seconds, samples)| {
-        let split: Option<Vec<[Vec<Sample>; 2]>> = samples.into_iter().map(|samples| report.split(samples)).collect();
+        let split: Option<Vec<[Vec<PredictionSample>; 2]>> =
+            samples.into_iter().map(|samples| report.split(samples)).collect();
         Some((seconds, split?))
     });
     if let Some((seconds, split)) = &split {
-        for (who, name) in ["alone", "in groups"].into_iter().enumerate() {
-            columns.push((format!("{seconds} s, {name}"), split.iter().map(|split| &split[who][..]).collect()));
+        for (half, name) in ["alone", "in groups"].into_iter().enumerate() {
+            columns.push((format!("{seconds} s, {name}"), split.iter().map(|split| &split[half][..]).collect()));
         }
     }
     let (every, moments) = (predicted.every, predicted.moments);
-    let title = format!("Displacement ahead, begun anew every {every} s ({moments} times), m: average / final, means");
+    let title = format!("Displacement ahead, restarted every {every} s ({moments} times), m: average / final, means");
     Some(displacements(report, &title, columns))
 }
 
-/// A table with a column for each of some samples, by model.
-fn displacements(report: &Report, title: &str, columns: Vec<(String, Vec<&[Sample]>)>) -> Grid {
+/// Returns a table with one column for each set of samples; each set is by model.
+fn displacements(report: &ReplayReport, title: &str, columns: Vec<(String, Vec<&[PredictionSample]>)>) -> Grid {
     let heads: Vec<&str> = columns.iter().map(|(head, _)| head.as_str()).collect();
     let mut grid = Grid::new(title, &heads);
     grid.row("people", columns.iter().map(|(_, samples)| samples[0].len().to_string()));
     for predictor in report.predictors() {
-        let cell = |(_, samples): &(String, Vec<&[Sample]>)| both(predictor, samples);
+        let cell = |(_, samples): &(String, Vec<&[PredictionSample]>)| both(predictor, samples);
         grid.row(predictor.name, columns.iter().map(cell));
     }
     grid
 }
 
-/// Average and final displacement, means.
-fn both(predictor: Predictor, samples: &[&[Sample]]) -> String {
+/// Returns the means of average and final displacement.
+fn both(predictor: Predictor, samples: &[&[PredictionSample]]) -> String {
     let samples = predictor.samples(samples);
     let [average, _] = mean_and_median(samples, |sample| predictor.average(sample));
     let [last, _] = mean_and_median(samples, |sample| predictor.last(sample));
     format!("{} / {}", short(average), short(last))
 }
 
-/// How recorded and replayed are distributed.
-fn distributions(report: &Report) -> Grid {
+/// Returns the distributions of recorded and replayed people.
+fn distributions(report: &ReplayReport) -> Grid {
     let pairs: Vec<Vec<&Pair>> = report.models.iter().map(pairs).collect();
-    let heads = ["speed, m/s", "KS distance", "nearest other, m", "KS distance", "cross the line, s", "KS distance"];
+    let heads = ["speed, m/s", "KS distance", "nearest neighbour, m", "KS distance", "crossing time, s", "KS distance"];
     let mut grid = Grid::new("Recorded and replayed: mean (median)", &heads[..2 * pairs[0].len()]);
     let cell = |pair: &Pair, of: usize| {
         let [mean, median] = [pair.means()[of], pair.medians()[of]].map(short);
@@ -132,14 +133,14 @@ fn distributions(report: &Report) -> Grid {
     grid
 }
 
-/// What is compared of a model.
-fn pairs(came: &Came) -> Vec<&Pair> {
+/// Returns the compared distributions of a model.
+fn pairs(came: &ModelResults) -> Vec<&Pair> {
     let compared = &came.compared;
     [&compared.speed, &compared.nearest].into_iter().chain(&compared.crossings).collect()
 }
 
-/// How people move and how near they come.
-fn motion(report: &Report) -> Grid {
+/// Returns how people move and how near they come to each other.
+fn motion(report: &ReplayReport) -> Grid {
     let head = [
         "acceleration, m/s²",
         "turning, °/s",
@@ -175,8 +176,8 @@ fn motion(report: &Report) -> Grid {
     grid
 }
 
-/// How people move next to each other.
-fn microscopic(report: &Report) -> Grid {
+/// Returns the microscopic figures.
+fn microscopic(report: &ReplayReport) -> Grid {
     let head = [
         "standing, %",
         "sd of own speed, m/s",

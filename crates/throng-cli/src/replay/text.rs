@@ -1,19 +1,19 @@
 //! The figures for the terminal.
 
 use super::outputs;
-use super::report::{Pauses, Report};
+use super::report::{Pauses, ReplayReport};
 use super::tables::{Grid, tables};
 use crate::columns::aligned;
 use crate::files::title;
 use std::fmt::Write;
 
-/// The figures of a replay.
-pub fn of(report: &Report) -> String {
+/// Returns the figures of a replay as text.
+pub fn of(report: &ReplayReport) -> String {
     let setup = report.setup;
     let mut out = format!("{}: {}\n", setup.args.data.display(), facts(report).join("\n  "));
     for Grid { title, head, rows } in tables(report) {
         let lines: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();
-        // writing to a string does not fail
+        // Writing to a string does not fail.
         let _ = write!(out, "\n{title}\n{}", aligned(&lines));
     }
     let files = outputs::paths(setup);
@@ -23,14 +23,14 @@ pub fn of(report: &Report) -> String {
     out
 }
 
-/// What was replayed, and where, in words.
-pub fn facts(report: &Report) -> Vec<String> {
+/// Describes the recording, the ground and the groups.
+pub fn facts(report: &ReplayReport) -> Vec<String> {
     let setup = report.setup;
     let (cast, stage, [from, until]) = (&setup.cast, &setup.stages[0], setup.span());
     let count = cast.people.walks.len();
     let mut facts = vec![format!("{count} people, {from:.2} to {until:.2} s, step {} s", stage.settings.step)];
     if cast.seen_once > 0 {
-        facts.push(format!("{} were seen only once", cast.seen_once));
+        facts.push(format!("{} people have only one sample", cast.seen_once));
     }
     let pauses = Pauses::of(cast);
     if pauses.count > 0 {
@@ -41,7 +41,7 @@ pub fn facts(report: &Report) -> Vec<String> {
         let of = setup.map.as_ref().map_or_else(|| "the recording".to_owned(), |path| title(path));
         let through = report.through;
         facts.push(format!(
-            "map of {of}: {areas} areas, {walls} obstacles, {through} of the recorded walk through what is solid"
+            "map of {of}: {areas} areas, {walls} obstacles, {through} recorded people walk through solids"
         ));
     }
     if let Some(groups) = &setup.groups {
@@ -49,7 +49,7 @@ pub fn facts(report: &Report) -> Vec<String> {
     }
     let solid = report.models.iter().map(|came| came.replayed.goals_moved).max().unwrap_or(0);
     if solid > 0 {
-        facts.push(format!("{solid} goals are in something solid"));
+        facts.push(format!("{solid} goals are inside solids"));
     }
     facts
 }

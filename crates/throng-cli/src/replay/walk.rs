@@ -1,6 +1,6 @@
-//! Everybody walks, by all models on one clock; and what is ahead of them, from moment to moment.
+//! Runs the replay of all models on one clock, and the predictions from regular starts.
 
-use super::outputs::{Outputs, Pages};
+use super::outputs::{Pages, ReplayOutputs};
 use super::report::Predicted;
 use super::setup::{ROUNDING, Setup};
 use crate::failure::Failure;
@@ -10,15 +10,15 @@ use crate::threads::Workers;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use throng_record::pedestrian::replay::{Replay, Replayed, predict};
 
-/// Lets everybody walk, by every model, and writes the files; the pages are not written yet.
+/// Replays the people by every model and writes the files, except the pages, which are not written yet.
 ///
 /// # Errors
-/// The world refuses something, or a file cannot be written.
+/// The world returns an error, or a file cannot be written.
 pub fn walk(setup: &Setup) -> Result<(Vec<Replayed>, Option<Pages>), Failure> {
     let Setup { args, stages, cast, .. } = setup;
     let times = cast.times();
     let (start, end) = (times[0], times[times.len() - 1]);
-    let mut outputs = Outputs::create(setup)?;
+    let mut outputs = ReplayOutputs::create(setup)?;
     let refused = |error| setup.refused(error);
     let replays = stages.iter().map(|stage| Replay::new(stage, cast, start, times.clone()));
     let mut replays = replays.collect::<Result<Vec<_>, _>>().map_err(refused)?;
@@ -37,10 +37,10 @@ pub fn walk(setup: &Setup) -> Result<(Vec<Replayed>, Option<Pages>), Failure> {
     Ok((replays.into_iter().map(Replay::finish).collect(), pages))
 }
 
-/// Begins anew so often, and looks ahead by every model; as far as the horizons that are asked for, and as a page shows.
+/// Makes predictions by every model from regular starts, up to the requested horizons and those of a page.
 ///
 /// # Errors
-/// The world refuses something.
+/// The world returns an error.
 pub fn predictions(setup: &Setup, pages: Option<&Pages>) -> Result<Option<Predicted>, Failure> {
     let Setup { args, stages, cast, .. } = setup;
     let every = args.figures.every;
@@ -76,12 +76,12 @@ pub fn predictions(setup: &Setup, pages: Option<&Pages>) -> Result<Option<Predic
     let mut samples = vec![vec![Vec::new(); horizons.len()]; stages.len()];
     let mut moments = 0;
     let mut all = all.map_err(|error| setup.refused(error))?;
-    // models are compared where all of them came that far
+    // Models are compared only at starts that all of them completed.
     for all in all.chunks_mut(stages.len()).filter(|all| all.iter().all(Option::is_some)) {
         moments += 1;
-        for (samples, one) in samples.iter_mut().zip(all) {
-            let one = one.take().into_iter().flatten();
-            samples.iter_mut().zip(one).for_each(|(samples, more)| samples.extend(more));
+        for (samples, ahead) in samples.iter_mut().zip(all) {
+            let ahead = ahead.take().into_iter().flatten();
+            samples.iter_mut().zip(ahead).for_each(|(samples, more)| samples.extend(more));
         }
     }
     Ok(Some(Predicted { every, moments, horizons, samples }))

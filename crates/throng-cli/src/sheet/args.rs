@@ -1,4 +1,4 @@
-//! What `throng sheet` is told, and its help.
+//! The command line of `throng sheet`.
 
 use crate::field::FieldArgs;
 use crate::look::parse_not_negative;
@@ -6,19 +6,19 @@ use crate::options::ThreadArgs;
 use clap::Args;
 use std::path::PathBuf;
 
-/// After `throng sheet -h` and `--help`.
+/// The examples for `throng sheet -h` and `--help`.
 pub const EXAMPLES: &str = "\
 Examples:
   throng sheet                                every scene of the gallery, sheet.png
   throng sheet walls flocks -o walls.svg --columns 5
   throng sheet circle box my-scene.toml --at 4 --trails 4
 
-Ctrl-C ends it and writes nothing.";
+Ctrl-C ends the command without writing the picture.";
 
-/// What `throng sheet` is told.
+/// The arguments of `throng sheet`.
 #[derive(Args, Debug)]
 pub struct SheetArgs {
-    /// Scenes: groups of the gallery and names of single ones (see `throng list`), and files [default: all groups]
+    /// Groups of the gallery, names of scenes (see `throng list`), and scene files [default: all groups]
     #[arg(value_name = "GROUP|SCENE")]
     pub scenes: Vec<PathBuf>,
 
@@ -26,12 +26,12 @@ pub struct SheetArgs {
     #[arg(short, long, value_name = "FILE", default_value = "sheet.png")]
     pub output: PathBuf,
 
-    /// The moment of all panels [default: of each scene its `view.moment`, else a third of its `expect.within`, else a
-    /// third of its `time.limit`]
+    /// The moment of all panels [default: each scene's `view.moment`, else a third of its `expect.within`, else a third
+    /// of its `time.limit`]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative)]
     pub at: Option<f64>,
 
-    /// How many threads.
+    /// The number of threads.
     #[command(flatten)]
     pub threads: ThreadArgs,
 
@@ -39,7 +39,7 @@ pub struct SheetArgs {
     #[arg(short, long)]
     pub quiet: bool,
 
-    /// Width of the picture, pixels; it is as high as needed
+    /// Width of the picture, pixels; the height follows
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(16..=16384),
         default_value_t = 1600, help_heading = "Pictures")]
     pub width: u32,
@@ -49,7 +49,7 @@ pub struct SheetArgs {
         help_heading = "Pictures")]
     pub columns: u16,
 
-    /// How long the trails behind agents are, seconds; 0 for none [default: the scene's `view.trails`, else 3]
+    /// Length of the trails behind agents, seconds; 0 for none [default: the scene's `view.trails`, else 3]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub trails: Option<f64>,
 

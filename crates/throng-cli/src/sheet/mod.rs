@@ -1,4 +1,4 @@
-//! `throng sheet`: a contact sheet, a still of each of many scenes.
+//! `throng sheet`: a contact sheet with a still of each of many scenes.
 
 pub mod args;
 mod pick;
@@ -15,10 +15,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use still::{Look, still};
 use throng_draw::Contact;
 
-/// Runs the scenes to their moments and draws them.
+/// Runs the scenes to their moments and draws the contact sheet.
 ///
 /// # Errors
-/// A scene is not there or cannot be built, the picture cannot be written, or it was interrupted.
+/// A scene does not exist or cannot be built, the picture cannot be written, or the program was interrupted.
 pub fn sheet(args: &SheetArgs, out: &mut Out) -> Result<(), Failure> {
     one_picture(&args.output, "sheet")?;
     let (sections, scenes) = pick::pick(&args.scenes)?;

@@ -1,4 +1,4 @@
-//! Which scenes stand on a sheet.
+//! Picks the scenes of a sheet.
 
 use crate::failure::Failure;
 use crate::source::{Changes, Loaded};
@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use throng_draw::Section;
 use throng_scene::gallery;
 
-/// The scenes that `names` are, and their sections: a group of the gallery has one of its own, scenes named one by one
-/// share one without a heading. Without names, the whole gallery.
+/// Returns the scenes that `names` stand for, and their sections. A group of the gallery has its own section; scenes
+/// named individually share a section without a heading. Without names, returns the whole gallery.
 ///
 /// # Errors
-/// A name is none of a group or a scene, or a file is no scene.
+/// A name is neither a group nor a scene, or a file is not a scene.
 pub fn pick(names: &[PathBuf]) -> Result<(Vec<Section>, Vec<Loaded>), Failure> {
     let all: Vec<PathBuf> = gallery::groups().map(|(group, _)| group.into()).collect();
     let (mut sections, mut scenes): (Vec<Section>, Vec<Loaded>) = (Vec::new(), Vec::new());
@@ -31,7 +31,7 @@ pub fn pick(names: &[PathBuf]) -> Result<(Vec<Section>, Vec<Loaded>), Failure> {
     Ok((sections, scenes))
 }
 
-/// Reads a scene; to a name that is none of the gallery, the groups are told as well.
+/// Reads a scene. The error for an unknown name lists the groups too.
 fn load(path: &Path) -> Result<Loaded, Failure> {
     Changes::default().load(path).map_err(|failure| match failure {
         Failure::Error(text) if !path.exists() && path.extension().is_none() => {

@@ -1,4 +1,4 @@
-//! A scene at the moment that tells what it is about.
+//! The still of a scene at a typical moment.
 
 use crate::failure::Failure;
 use crate::field::FieldArgs;
@@ -9,29 +9,29 @@ use throng_draw::{Painter, Style};
 use throng_record::{Frame, moment};
 use throng_scene::Scene;
 
-/// How long trails are that nobody chose, seconds.
+/// The length of trails without a given length, seconds.
 const TRAILS: f64 = 3.0;
 
 /// What all stills have in common.
 pub struct Look {
     /// Width and height, pixels.
     pub panel: (u32, u32),
-    /// The moment, if it is the same of all.
+    /// The moment, if all stills show the same.
     pub at: Option<f64>,
-    /// How long trails are, if they are the same in all, seconds.
+    /// The length of trails, if it is the same in all stills, seconds.
     pub trails: Option<f64>,
     /// How fields are drawn.
     pub field: FieldArgs,
 }
 
-/// Runs the scene to its moment, or to its end where that comes first: a painter that has followed it, and where
-/// everybody is.
+/// Runs the scene to its moment, or to its end if that comes first. Returns a painter that has followed the run, and
+/// the last frame.
 ///
 /// # Errors
-/// The scene cannot be built, or it was interrupted.
+/// The scene cannot be built, or the program was interrupted.
 pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> {
     let scene = &loaded.scene;
-    let (mut world, built) = loaded.build()?;
+    let (mut world, built) = loaded.build(true)?;
     let style = Style { legend: false, ..style(scene, look).style(scene, built.bounds)? };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);

@@ -1,4 +1,4 @@
-//! `throng validate families`: random variants of scenes, and what has to hold in all of them.
+//! `throng validate families`: random variants of scenes, and the conditions that hold in all of them.
 
 use super::args::ValidateArgs;
 use crate::columns::aligned;
@@ -12,20 +12,20 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use throng_record::Output;
-use throng_record::validate::families::{FAMILIES, Flaw, Trial};
+use throng_record::validate::families::{FAMILIES, Trial, TrialFlaw};
 use throng_scene::{Model, Scene};
 
-/// The name that stands for the families where experiments are named.
+/// The name of the families among the names of experiments.
 pub const NAME: &str = "families";
 
-/// A trial that ran: what does not hold, or why its scene cannot be built.
-struct Outcome {
+/// The outcome of a trial: the violated conditions, or the error if its scene cannot be built.
+struct TrialOutcome {
     trial: Trial,
-    flaws: Vec<Flaw>,
+    flaws: Vec<TrialFlaw>,
     error: Option<String>,
 }
 
-impl Outcome {
+impl TrialOutcome {
     fn failed(&self) -> bool {
         !self.flaws.is_empty() || self.error.is_some()
     }
@@ -37,10 +37,10 @@ impl Outcome {
     }
 }
 
-/// Runs trials, writes the failures counted by family, and the scenes of those that failed where `--keep` says so.
+/// Runs trials and writes the failures by family. With `--keep`, also writes the scenes of failed trials.
 ///
 /// # Errors
-/// There is no such model or key, a file cannot be written, it was interrupted, or a trial failed.
+/// The model or a key does not exist, a file cannot be written, the program was interrupted, or a trial failed.
 pub fn families(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     let begin = Instant::now();
     let model = args.model()?;
@@ -57,7 +57,8 @@ pub fn families(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
         outcome
     });
     progress.done();
-    let outcomes: Vec<Outcome> = outcomes.into_iter().filter_map(Result::transpose).collect::<Result<_, Failure>>()?;
+    let outcomes: Vec<TrialOutcome> =
+        outcomes.into_iter().filter_map(Result::transpose).collect::<Result<_, Failure>>()?;
     if let Some(folder) = &args.keep {
         keep(&outcomes, args.trial.is_some(), folder)?;
     }
@@ -73,24 +74,24 @@ pub fn families(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
         }
         return Err(Failure::Interrupted);
     }
-    if outcomes.iter().any(Outcome::failed) { Err(Failure::Expectation) } else { Ok(()) }
+    if outcomes.iter().any(TrialOutcome::failed) { Err(Failure::Expectation) } else { Ok(()) }
 }
 
-/// Runs a trial; `None` where it was interrupted.
-fn run(args: &ValidateArgs, model: Option<&Model>, trial: Trial) -> Result<Option<Outcome>, Failure> {
+/// Runs a trial; returns `None` if it was interrupted.
+fn run(args: &ValidateArgs, model: Option<&Model>, trial: Trial) -> Result<Option<TrialOutcome>, Failure> {
     if interrupt::asked() {
         return Ok(None);
     }
     let scene = scene(args, model, &trial)?;
     let outcome = match Trial::check(&scene, |_| !interrupt::asked()) {
         Ok(None) => return Ok(None),
-        Ok(Some(flaws)) => Outcome { trial, flaws, error: None },
-        Err(error) => Outcome { trial, flaws: vec![], error: Some(error.to_string()) },
+        Ok(Some(flaws)) => TrialOutcome { trial, flaws, error: None },
+        Err(error) => TrialOutcome { trial, flaws: vec![], error: Some(error.to_string()) },
     };
     Ok(Some(outcome))
 }
 
-/// The scene of a trial, with the model and the changes that are asked for.
+/// Returns the scene of a trial with the given model and changes.
 fn scene(args: &ValidateArgs, model: Option<&Model>, trial: &Trial) -> Result<Scene, Failure> {
     let mut scene = trial.scene()?;
     for (key, value) in &args.set {
@@ -102,8 +103,8 @@ fn scene(args: &ValidateArgs, model: Option<&Model>, trial: &Trial) -> Result<Sc
     })
 }
 
-/// Writes the scenes of the trials that failed, or of all.
-fn keep(outcomes: &[Outcome], all: bool, folder: &Path) -> Result<(), Failure> {
+/// Writes the scenes of failed trials, or of all trials.
+fn keep(outcomes: &[TrialOutcome], all: bool, folder: &Path) -> Result<(), Failure> {
     super::make_folder(folder)?;
     for outcome in outcomes.iter().filter(|outcome| all || outcome.failed()) {
         let mut output = Output::create(folder.join(format!("{}.toml", outcome.trial.name())))?;
@@ -113,23 +114,23 @@ fn keep(outcomes: &[Outcome], all: bool, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// How many trials of a family ran, how many failed, and how many by each kind of flaw.
-fn counts(family: usize, outcomes: &[Outcome]) -> Vec<usize> {
-    let of_family: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.trial.family == family).collect();
+/// Returns the number of trials of a family, of failed trials, and of trials with each kind of flaw.
+fn counts(family: usize, outcomes: &[TrialOutcome]) -> Vec<usize> {
+    let of_family: Vec<&TrialOutcome> = outcomes.iter().filter(|outcome| outcome.trial.family == family).collect();
     let failed = of_family.iter().filter(|outcome| outcome.failed()).count();
     let kind = |kind| of_family.iter().filter(|outcome| outcome.flaws.iter().any(|flaw| flaw.kind() == kind)).count();
-    [of_family.len(), failed].into_iter().chain((0..Flaw::KINDS.len()).map(kind)).collect()
+    [of_family.len(), failed].into_iter().chain((0..TrialFlaw::KINDS.len()).map(kind)).collect()
 }
 
-fn text(seed: u64, outcomes: &[Outcome]) -> String {
-    let heads = ["family", "runs", "failed"].iter().chain(&Flaw::KINDS).map(ToString::to_string).collect();
+fn text(seed: u64, outcomes: &[TrialOutcome]) -> String {
+    let heads = ["family", "runs", "failed"].iter().chain(&TrialFlaw::KINDS).map(ToString::to_string).collect();
     let row = |(k, family): (usize, &throng_record::validate::families::Family)| {
         let counts = counts(k, outcomes);
         std::iter::once(family.name.to_owned()).chain(counts.iter().map(ToString::to_string)).collect::<Vec<_>>()
     };
     let lines: Vec<Vec<String>> = std::iter::once(heads).chain(FAMILIES.iter().enumerate().map(row)).collect();
     let mut out = aligned(&lines);
-    let failed: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.failed()).collect();
+    let failed: Vec<&TrialOutcome> = outcomes.iter().filter(|outcome| outcome.failed()).collect();
     out.push_str(&format!("\n{} of {} runs failed; seed {seed}\n", failed.len(), outcomes.len()));
     for outcome in &failed {
         out.push_str(&format!("  {}: {}\n", outcome.trial.name(), outcome.words()));
@@ -143,14 +144,14 @@ fn text(seed: u64, outcomes: &[Outcome]) -> String {
     out
 }
 
-fn as_json(args: &ValidateArgs, outcomes: &[Outcome], begin: Instant) -> Value {
+fn as_json(args: &ValidateArgs, outcomes: &[TrialOutcome], begin: Instant) -> Value {
     let family = |(k, family): (usize, &throng_record::validate::families::Family)| {
         let counts = counts(k, outcomes);
         let kinds: serde_json::Map<String, Value> =
-            Flaw::KINDS.iter().zip(&counts[2..]).map(|(kind, count)| ((*kind).to_owned(), json!(count))).collect();
+            TrialFlaw::KINDS.iter().zip(&counts[2..]).map(|(kind, count)| ((*kind).to_owned(), json!(count))).collect();
         json!({ "name": family.name, "runs": counts[0], "failed": counts[1], "flaws": kinds })
     };
-    let failed = |outcome: &Outcome| json!({ "trial": outcome.trial.index, "name": outcome.trial.name(), "flaws": outcome.words() });
+    let failed = |outcome: &TrialOutcome| json!({ "trial": outcome.trial.index, "name": outcome.trial.name(), "flaws": outcome.words() });
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "model": args.model,

@@ -1,4 +1,4 @@
-//! `throng validate`: the experiments with people, beside what a model makes of them.
+//! `throng validate`: repeats experiments with people by a model and compares the results.
 
 pub mod args;
 mod families;
@@ -14,21 +14,22 @@ use crate::out::{Out, complain};
 use crate::progress::Progress;
 use crate::threads::Workers;
 use args::ValidateArgs;
-use race::Plan;
-use results::Results;
+use race::ValidatePlan;
+use results::ValidateResults;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use throng_record::Output;
 use throng_record::validate::Experiment;
 use throng_record::validate::families::FAMILIES;
 
-/// A way to write the results.
-type Written = fn(&Results, Duration) -> Result<String, Failure>;
+/// A function that formats the results for a file.
+type ResultsFormat = fn(&ValidateResults, Duration) -> Result<String, Failure>;
 
-/// Runs the experiments, writes the table and the files.
+/// Runs the experiments, and writes the table and the files.
 ///
 /// # Errors
-/// There is no such experiment, model or key, a file cannot be written, it was interrupted, or a figure is outside of its tolerance.
+/// An experiment, a model or a key does not exist, a file cannot be written, the program was interrupted, or a figure
+/// is outside its tolerance.
 pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     let begin = Instant::now();
     if args.asks_families()? {
@@ -41,7 +42,7 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     let cases = |experiment: &'static Experiment| {
         (experiment, experiment.cases().into_iter().filter(|case| case.quick || !args.quick).collect())
     };
-    let plan = Plan {
+    let plan = ValidatePlan {
         experiments: experiments.into_iter().map(cases).collect(),
         model: args.model()?,
         set: args.set.clone(),
@@ -55,7 +56,7 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     let count = plan.experiments.iter().map(|(_, cases)| cases.len()).sum::<usize>() * plan.seeds.len();
     let workers = Workers::new(args.threads.count(), count)?;
     let validated = plan.run(&workers, &Progress::new(args.quiet))?;
-    let results = Results {
+    let results = ValidateResults {
         model: args.model.clone(),
         set: plan.set,
         seeds: plan.seeds,
@@ -86,12 +87,12 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     if met < required { Err(Failure::Expectation) } else { Ok(()) }
 }
 
-/// Begins the files, so that what is wrong with them is said before the work.
-fn outputs(args: &ValidateArgs) -> Result<Vec<(Output, Written)>, Failure> {
+/// Creates the output files before the runs, so that errors in their names appear first.
+fn outputs(args: &ValidateArgs) -> Result<Vec<(Output, ResultsFormat)>, Failure> {
     distinct(&args.output)?;
-    let mut outputs: Vec<(Output, Written)> = Vec::new();
+    let mut outputs: Vec<(Output, ResultsFormat)> = Vec::new();
     for path in &args.output {
-        let write: Written = if is(path, "html") {
+        let write: ResultsFormat = if is(path, "html") {
             page::page
         } else if is(path, "json") {
             |results, wall| Ok(format!("{:#}\n", results.json(wall)))
@@ -104,14 +105,14 @@ fn outputs(args: &ValidateArgs) -> Result<Vec<(Output, Written)>, Failure> {
     Ok(outputs)
 }
 
-/// Makes a folder, where there is none.
+/// Creates a folder if it does not exist.
 fn make_folder(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::Error(format!("cannot make the folder {}: {error}", folder.display())))
+        .map_err(|error| Failure::Error(format!("cannot create the folder {}: {error}", folder.display())))
 }
 
-/// Writes the scene files of all cases, of the first seed.
-fn keep(plan: &Plan, folder: &Path) -> Result<(), Failure> {
+/// Writes the scene files of all cases with the first seed.
+fn keep(plan: &ValidatePlan, folder: &Path) -> Result<(), Failure> {
     make_folder(folder)?;
     for (experiment, cases) in &plan.experiments {
         for case in cases {
@@ -125,7 +126,7 @@ fn keep(plan: &Plan, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Lists experiments and cases; those outside of the quick selection stand in brackets.
+/// Lists experiments and cases; cases outside the quick selection stand in brackets.
 fn list(experiments: &[&'static Experiment], out: &mut Out) -> Result<(), Failure> {
     let widest = experiments.iter().map(|experiment| experiment.name.len()).max().unwrap_or(0);
     for experiment in experiments {

@@ -1,6 +1,6 @@
-//! The page: one file without network, with the tables and the measured points of the experiments.
+//! The page: one self-contained file with the tables and the measured points of the experiments.
 
-use super::results::{Results, Row, Validated};
+use super::results::{ValidateResults, Validated, ValidationRow};
 use super::table::{HEADS, rows, verdict};
 use crate::failure::Failure;
 use crate::page::{Dots, Height, Plot, document, escape, swatch};
@@ -17,11 +17,11 @@ struct Chart {
     dots: Vec<Dots>,
 }
 
-/// The page of the results.
+/// Returns the page of the results.
 ///
 /// # Errors
-/// None; the type is that of all ways to write the results.
-pub fn page(results: &Results, wall: Duration) -> Result<String, Failure> {
+/// None; the return type is that of all functions that format results.
+pub fn page(results: &ValidateResults, wall: Duration) -> Result<String, Failure> {
     let mut body = format!(
         "<h1>Validation</h1>\n<p class=\"lead\">{}; {:.0} s of computing. Tolerances, measures and sources: docs/validation.md.</p>\n",
         escape(&verdict(results)),
@@ -45,10 +45,10 @@ pub fn page(results: &Results, wall: Duration) -> Result<String, Failure> {
     Ok(document("Validation of throng", &body, ""))
 }
 
-/// The table of an experiment; what is outside of its tolerance stands out.
+/// Returns the table of an experiment; figures outside their tolerances are highlighted.
 fn table(validated: &Validated) -> String {
     let heads: String = HEADS.iter().map(|head| format!("<th>{head}</th>")).collect();
-    let row = |(cells, row): (Vec<String>, &Row)| {
+    let row = |(cells, row): (Vec<String>, &ValidationRow)| {
         let class = if row.is_met() == Some(false) { " class=\"outside\"" } else { "" };
         let cell = |(k, cell): (usize, &String)| {
             let cell = escape(cell);
@@ -64,17 +64,17 @@ fn table(validated: &Validated) -> String {
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n")
 }
 
-/// The mean of a figure of each case that has it, with the case.
-fn means<'v>(validated: &'v Validated, name: &str) -> Vec<(&'v Row, f64)> {
+/// Returns the mean of a figure for each case that has it.
+fn means<'v>(validated: &'v Validated, name: &str) -> Vec<(&'v ValidationRow, f64)> {
     validated.rows.iter().filter(|row| row.figure.name == name).map(|row| (row, row.mean())).collect()
 }
 
-/// The number that the name of a case begins with.
-fn leading(row: &Row) -> f64 {
+/// Returns the number at the start of the case's name.
+fn leading(row: &ValidationRow) -> f64 {
     row.case.split(' ').next().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
 }
 
-/// The plot of an experiment, where there is something to plot.
+/// Returns the plot of an experiment, if it has one.
 fn chart(validated: &Validated) -> Option<Chart> {
     let pairs = |x: &str, y: &str| {
         let xs = means(validated, x).into_iter().map(|(_, x)| x);
@@ -112,7 +112,7 @@ fn chart(validated: &Validated) -> Option<Chart> {
         ),
         "door" => {
             let all = means(validated, "J/b");
-            let of = |value: fn(&Row, f64) -> f64| {
+            let of = |value: fn(&ValidationRow, f64) -> f64| {
                 all.iter().map(|&(row, mean)| (leading(row), leading(row) * value(row, mean))).collect()
             };
             let dots = vec![
@@ -130,7 +130,7 @@ fn chart(validated: &Validated) -> Option<Chart> {
             Chart { title: "Flow over width", unit: "1/s", axis: "width, m", ends: [4.0, 10.0], dots }
         }
         "gate" => {
-            let flow = |(row, flow): (&Row, f64)| (leading(row), flow * leading(row));
+            let flow = |(row, flow): (&ValidationRow, f64)| (leading(row), flow * leading(row));
             let ours = ours(means(validated, "J/b").into_iter().map(flow).collect());
             Chart {
                 title: "Flow over width; people: doors",

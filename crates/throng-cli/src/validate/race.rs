@@ -1,6 +1,6 @@
 //! Runs every case of every experiment with every seed.
 
-use super::results::{Row, Validated};
+use super::results::{Validated, ValidationRow};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::{Progress, share};
@@ -9,15 +9,15 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use throng_record::validate::{Case, Experiment, Figure, Run};
 use throng_scene::{Model, Scene};
 
-/// What is to run.
-pub struct Plan {
+/// The runs to make.
+pub struct ValidatePlan {
     /// The experiments with their cases.
     pub experiments: Vec<(&'static Experiment, Vec<Case>)>,
-    /// The model that takes the place of the default.
+    /// The model that replaces the default.
     pub model: Option<Model>,
     /// Changes to every scene.
     pub set: Vec<(String, String)>,
-    /// The seeds, at least one.
+    /// The seeds; at least one.
     pub seeds: Vec<u64>,
 }
 
@@ -30,14 +30,14 @@ struct Task<'p> {
     index: usize,
 }
 
-/// A run is done, in millionths.
+/// A completed run, in millionths.
 const WHOLE: f64 = 1e6;
 
-impl Plan {
-    /// The scene of a case, with the model and the changes.
+impl ValidatePlan {
+    /// Returns the scene of a case, with the model and the changes.
     ///
     /// # Errors
-    /// The scene has no such key, or the model cannot stand in for the scene's.
+    /// The scene has no such key, or the model cannot replace the scene's.
     pub fn scene(&self, experiment: &Experiment, case: &Case, seed: u64) -> Result<Scene, Failure> {
         let place = |mut error: throng_scene::Error| {
             error.file = Some(format!("{} {}", experiment.name, case.name).into());
@@ -53,7 +53,7 @@ impl Plan {
         }
     }
 
-    /// Runs all of it. Cases that were not completed with every seed are left out.
+    /// Makes all runs. Leaves out cases that were not completed with every seed.
     ///
     /// # Errors
     /// A scene cannot be built.
@@ -75,7 +75,7 @@ impl Plan {
         Ok(self.experiments.iter().map(validated).filter(|validated| !validated.rows.is_empty()).collect())
     }
 
-    /// The values of one run; `None` where it was interrupted.
+    /// Returns the values of one run; `None` if it was interrupted.
     fn one(&self, task: Task, done: &[AtomicU64], progress: &Progress) -> Result<Option<Vec<f64>>, Failure> {
         if interrupt::asked() {
             return Ok(None);
@@ -103,14 +103,14 @@ impl Plan {
     }
 }
 
-/// The rows of an experiment from the values of its cases, of each by seed.
-fn rows(experiment: &Experiment, cases: &[Case], values: &[&[Option<Vec<f64>>]]) -> Vec<Row> {
+/// Returns the rows of an experiment from the values of its cases by seed.
+fn rows(experiment: &Experiment, cases: &[Case], values: &[&[Option<Vec<f64>>]]) -> Vec<ValidationRow> {
     let mut rows = Vec::new();
     let mut add = |case: &str, figures: Vec<Figure>, values: Vec<Vec<f64>>| {
         for (k, figure) in figures.into_iter().enumerate() {
             let values = values.iter().map(|values| values.get(k).copied().unwrap_or(f64::NAN)).collect();
             let before = experiment.before(case, figure.name);
-            rows.push(Row { case: case.to_owned(), figure, before, values });
+            rows.push(ValidationRow { case: case.to_owned(), figure, before, values });
         }
     };
     let complete: Vec<Option<Vec<Vec<f64>>>> = values.iter().map(|of_case| of_case.iter().cloned().collect()).collect();
@@ -121,7 +121,7 @@ fn rows(experiment: &Experiment, cases: &[Case], values: &[&[Option<Vec<f64>>]])
     }
     let seeds = values.first().map_or(0, |of_case| of_case.len());
     if let Some(overall) = &experiment.overall {
-        // cases that did not run have no values
+        // Cases that did not run have no values.
         let all = experiment.cases();
         let ran =
             |case: &Case| cases.iter().position(|other| other.name == case.name).and_then(|at| complete[at].as_ref());
@@ -129,7 +129,7 @@ fn rows(experiment: &Experiment, cases: &[Case], values: &[&[Option<Vec<f64>>]])
         let of_seed = |seed: usize| overall.measure(&all.iter().map(|case| of_case(case, seed)).collect::<Vec<_>>());
         add("all", overall.figures(), (0..seeds).map(of_seed).collect());
         if all.iter().any(|case| ran(case).is_none()) {
-            // what needs a case that did not run is left out
+            // Figures that need a case that did not run are left out.
             rows.retain(|row| row.case != "all" || row.mean().is_finite());
         }
     }

@@ -1,36 +1,36 @@
-//! What came of the runs.
+//! The results of the runs.
 
 use serde_json::{Value, json};
 use std::time::Duration;
 use throng_record::validate::{Experiment, Figure};
 
-/// A figure of a case, with its value for each seed.
+/// A figure of a case with its value for each seed.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct ValidationRow {
     /// The case; `all` for figures of all cases together.
     pub case: String,
-    /// What was measured.
+    /// The figure.
     pub figure: Figure,
-    /// What this engine did before.
+    /// The value of this engine before its interaction rules were rebuilt.
     pub before: f64,
     /// The values, by seed.
     pub values: Vec<f64>,
 }
 
-impl Row {
-    /// Mean over the seeds.
+impl ValidationRow {
+    /// Returns the mean over the seeds.
     pub fn mean(&self) -> f64 {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
-    /// Standard deviation over the seeds, of a sample; not a number for one seed.
+    /// Returns the sample standard deviation over the seeds; NaN for one seed.
     pub fn deviation(&self) -> f64 {
         let mean = self.mean();
         let squares: f64 = self.values.iter().map(|value| (value - mean).powi(2)).sum();
         (squares / (self.values.len() as f64 - 1.0)).sqrt()
     }
 
-    /// Whether the mean is within the tolerance; `None`: there is none.
+    /// Whether the mean is within the tolerance; `None` without a tolerance.
     pub fn is_met(&self) -> Option<bool> {
         self.figure.is_met(self.mean())
     }
@@ -39,39 +39,39 @@ impl Row {
 /// The figures of an experiment.
 #[derive(Clone, Debug)]
 pub struct Validated {
-    /// Which.
+    /// The experiment.
     pub experiment: &'static Experiment,
-    /// Its figures, case by case.
-    pub rows: Vec<Row>,
+    /// The figures, case by case.
+    pub rows: Vec<ValidationRow>,
 }
 
 /// The figures of all experiments that ran.
 #[derive(Debug)]
-pub struct Results {
-    /// The model that was asked for.
+pub struct ValidateResults {
+    /// The given model.
     pub model: Option<String>,
-    /// The changes that were asked for.
+    /// The given changes.
     pub set: Vec<(String, String)>,
     /// The seeds.
     pub seeds: Vec<u64>,
     /// Whether only the quick selection ran.
     pub quick: bool,
-    /// By experiment.
+    /// The figures, by experiment.
     pub experiments: Vec<Validated>,
-    /// Whether the runs were interrupted: figures are those of complete cases.
+    /// Whether the runs were interrupted. If so, only complete cases have figures.
     pub interrupted: bool,
 }
 
-impl Results {
-    /// How many figures have a tolerance, and how many of them are within it.
+impl ValidateResults {
+    /// Returns the number of figures with a tolerance, and the number of those within it.
     pub fn required_and_met(&self) -> (usize, usize) {
-        let all = self.experiments.iter().flat_map(|validated| &validated.rows).filter_map(Row::is_met);
+        let all = self.experiments.iter().flat_map(|validated| &validated.rows).filter_map(ValidationRow::is_met);
         all.fold((0, 0), |(required, met), is_met| (required + 1, met + usize::from(is_met)))
     }
 
-    /// All of it as JSON.
+    /// Returns the results as JSON.
     pub fn json(&self, wall: Duration) -> Value {
-        let row = |row: &Row| {
+        let row = |row: &ValidationRow| {
             let Figure { name, unit, tolerance, people, reference, .. } = &row.figure;
             let values: Vec<Value> = row.values.iter().map(|value| number(*value)).collect();
             json!({
@@ -111,7 +111,7 @@ impl Results {
     }
 }
 
-/// A number, or null where it is not finite.
+/// Returns a number as JSON; null if it is not finite.
 fn number(value: f64) -> Value {
     if value.is_finite() { json!(value) } else { Value::Null }
 }

@@ -1,17 +1,17 @@
-//! The figures as a table, for the terminal and for the page.
+//! The figures as a table for the terminal and for the page.
 
-use super::results::{Results, Row, Validated};
+use super::results::{ValidateResults, Validated, ValidationRow};
 use crate::columns::aligned;
 use std::fmt::Write;
 
-/// The heads of the columns.
+/// The headings of the columns.
 pub const HEADS: [&str; 9] = ["case", "figure", "ours", "people", "JuPedSim", "RVO2", "before", "tolerance", ""];
 
-/// The table of an experiment, without its heads. A case is named in its first row.
+/// Returns the table of an experiment without headings. Only the first row of a case names it.
 pub fn rows<'v>(validated: &'v Validated) -> Vec<Vec<String>> {
     let mut last = "";
-    let mut row = |row: &'v Row| {
-        let Row { case, figure, .. } = row;
+    let mut row = |row: &'v ValidationRow| {
+        let ValidationRow { case, figure, .. } = row;
         let name = if case == last { String::new() } else { case.clone() };
         last = case;
         let unit = if figure.unit.is_empty() { String::new() } else { format!(" {}", figure.unit) };
@@ -34,29 +34,29 @@ pub fn rows<'v>(validated: &'v Validated) -> Vec<Vec<String>> {
     validated.rows.iter().map(&mut row).collect()
 }
 
-/// Mean and standard deviation of a figure.
-fn ours(row: &Row) -> String {
+/// Returns mean and standard deviation of a figure as text.
+fn ours(row: &ValidationRow) -> String {
     let (mean, deviation) = (row.mean(), row.deviation());
     if deviation.is_nan() { written(mean) } else { format!("{} ± {}", written(mean), written(deviation)) }
 }
 
-/// A value with two decimals, one from ten on.
+/// Formats a value with two decimals, from ten on with one.
 pub fn written(value: f64) -> String {
     match value.abs() {
         _ if !value.is_finite() => "–".into(),
         size if size >= 9.995 => format!("{value:.1}"),
-        // no negative zero
+        // Adding 0 turns -0 into 0.
         _ => format!("{:.2}", value + 0.0).replace("-0.00", "0.00"),
     }
 }
 
-/// A tolerance, without needless zeros.
+/// Formats a tolerance without trailing zeros.
 fn tolerated([low, high]: [f64; 2]) -> String {
     if high.is_finite() { format!("{low}–{high}") } else { format!("≥ {low}") }
 }
 
-/// All tables for the terminal.
-pub fn text(results: &Results) -> String {
+/// Returns all tables as text.
+pub fn text(results: &ValidateResults) -> String {
     let mut out = String::new();
     for validated in &results.experiments {
         let heads = HEADS.map(str::to_owned).to_vec();
@@ -67,8 +67,8 @@ pub fn text(results: &Results) -> String {
     out
 }
 
-/// How many figures are within their tolerances, and of which runs.
-pub fn verdict(results: &Results) -> String {
+/// Returns how many figures are within their tolerances, with the seeds and the model.
+pub fn verdict(results: &ValidateResults) -> String {
     let (required, met) = results.required_and_met();
     let seeds: Vec<String> = results.seeds.iter().map(u64::to_string).collect();
     let model = results.model.as_deref().map_or(String::new(), |model| format!(", model {model}"));

@@ -4,7 +4,7 @@ use crate::shared::{call, folder, names, stderr, stdout};
 use serde_json::Value;
 use std::path::Path;
 
-/// The keys of `--json` in their order: they are documented and stay.
+/// The keys of `--json` in their order. They are documented and must stay.
 const KEYS: [&str; 18] = [
     "work",
     "agents",
@@ -51,7 +51,7 @@ fn runs_have_the_documented_keys() {
         assert!(number("least_ns_per_agent_step") <= number("ns_per_agent_step"));
         let stages = run["stages"].as_object().unwrap().values().map(|ns| ns.as_f64().unwrap());
         assert!(stages.clone().all(|ns| ns > 0.0) && stages.sum::<f64>() > 0.5 * number("ns_per_agent_step"));
-        // a position, a velocity and a radius alone are 20 bytes
+        // A position, a velocity and a radius alone take 20 bytes.
         assert!((20.0..1e6).contains(&number("bytes_per_agent")));
     }
     let which = |run: &Value| (run["agents"].as_u64(), run["guard"] == "on", run["threads"].as_u64());
@@ -104,12 +104,12 @@ fn the_table_and_the_files() {
 }
 
 #[test]
-fn mistakes() {
+fn errors_name_the_argument() {
     let folder = folder();
     let refuses = |arguments: &str, wanted: &[&str]| {
-        let told = stderr(&call(folder.path(), &format!("bench {arguments}")).code(2));
+        let message = stderr(&call(folder.path(), &format!("bench {arguments}")).code(2));
         for part in wanted {
-            assert!(told.contains(part), "{part:?} is not in:\n{told}");
+            assert!(message.contains(part), "{part:?} is not in:\n{message}");
         }
         assert_eq!(names(folder.path()), Vec::<String>::new());
     };

@@ -1,16 +1,16 @@
-//! The commands other than `run`.
+//! The commands without a file of their own in this folder.
 
 use crate::shared::{call, folder, names, stderr, stdout, throng};
 
 #[test]
-fn every_scene_of_the_list_is_right() {
+fn every_scene_of_the_list_is_valid() {
     let folder = folder();
     let list = stdout(&call(folder.path(), "list --names").success());
     assert!(list.lines().count() >= 15);
     for name in list.lines() {
         let checked = stdout(&call(folder.path(), &format!("check {name}")).success());
         assert!(checked.starts_with(&format!("{name}: ")), "{checked}");
-        assert!(checked.ends_with("it is right\n"), "{checked}");
+        assert!(checked.ends_with("the scene is valid\n"), "{checked}");
     }
 }
 
@@ -61,7 +61,7 @@ fn every_command_has_help() {
 
 #[cfg(unix)]
 #[test]
-fn a_reader_that_goes_is_no_error() {
+fn a_closed_pipe_is_not_an_error() {
     use std::process::{Command, Stdio};
     for arguments in [&["list"][..], &["schema"], &["completions", "zsh"], &["run", "headon", "--no-files", "--json"]] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_throng"))

@@ -12,7 +12,7 @@ fn read(folder: &Path, name: &str) -> String {
     std::fs::read_to_string(folder.join(name)).unwrap()
 }
 
-/// What depends on the machine.
+/// The figures that depend on the machine.
 const SPEEDS: [&str; 2] = ["agent_steps_per_second", "us_per_agent_step"];
 
 #[test]
@@ -42,11 +42,11 @@ fn figures_are_those_of_the_same_run() {
         assert!((median - 0.5 * (time(0) + time(1))).abs() < 1e-9, "{median}");
         assert_eq!(model["least"]["time"], time(0).min(time(1)));
     }
-    assert!(names(folder.path()).is_empty(), "without -o nothing is written");
+    assert!(names(folder.path()).is_empty(), "no file is written without -o");
 }
 
 #[test]
-fn the_table_holds_every_model_and_every_run_where_asked() {
+fn the_table_holds_every_model_and_on_request_every_run() {
     let folder = folder();
     let table = stdout(&call(folder.path(), "compare doorway --models orca,none --seeds 1..3 --limit 2").success());
     assert!(table.starts_with("doorway: seeds 1 to 3, medians"), "{table}");
@@ -95,13 +95,13 @@ fn results_are_the_same_for_any_number_of_threads() {
     assert!(data(1) == data(3));
 }
 
-/// What a page's script reads.
+/// Returns the data of a page's script.
 fn page_data(page: &str) -> Value {
     let (_, rest) = page.split_once("<script type=\"application/json\" id=\"data\">").unwrap();
     serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
 }
 
-/// That every tag that is opened is closed, in order; how many of each there are comes back.
+/// Asserts that every opened tag is closed, in order. Returns the number of tags by name.
 fn balanced(page: &str) -> std::collections::BTreeMap<String, usize> {
     const VOID: [&str; 8] = ["meta", "input", "br", "path", "circle", "polygon", "polyline", "!doctype"];
     let (mut open, mut counts, mut rest) = (Vec::new(), std::collections::BTreeMap::new(), page);
@@ -139,7 +139,7 @@ fn decoded(text: &str) -> Vec<u8> {
 }
 
 #[test]
-fn a_page_holds_every_frame_where_everybody_was() {
+fn a_page_holds_the_positions_of_all_agents_in_every_frame() {
     let folder = folder();
     call(folder.path(), "compare circle -m vo,orca -o a.html -o a.csv --duration 4 -q").success();
     call(folder.path(), "run circle -o b.csv --duration 4 --no-expect -q").success();
@@ -148,11 +148,11 @@ fn a_page_holds_every_frame_where_everybody_was() {
     assert_eq!((counts["canvas"], counts["table"], counts["h1"]), (2, 1, 1));
     assert_eq!(page.matches("<figure class=\"plot\">").count(), 5);
     assert_eq!(page.matches("class=\"three\"").count(), 2);
-    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("{{"), "no network, no holes");
+    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("{{"), "no links, no gaps");
     let data = page_data(&page);
     let tracks = &data["tracks"];
     assert_eq!((&data["agents"], tracks["radius"].as_array().unwrap().len()), (&Value::from(36), 36));
-    // 100 steps, the start and the end
+    // 100 steps, the start and the end.
     for run in tracks["runs"].as_array().unwrap() {
         assert_eq!((&run["frames"], &run["end"]), (&Value::from(102), &Value::from(4.0)));
     }
@@ -203,18 +203,18 @@ fn films_show_all_models_on_one_sheet() {
 }
 
 #[test]
-fn mistakes_are_told_before_anything_runs() {
+fn errors_appear_before_anything_runs() {
     let refuses = |arguments: &str, wanted: &[&str]| {
         let folder = folder();
-        let told = stderr(&call(folder.path(), &format!("compare circle {arguments}")).code(2));
-        wanted.iter().for_each(|part| assert!(told.contains(part), "{part:?} is not in:\n{told}"));
+        let message = stderr(&call(folder.path(), &format!("compare circle {arguments}")).code(2));
+        wanted.iter().for_each(|part| assert!(message.contains(part), "{part:?} is not in:\n{message}"));
         assert!(names(folder.path()).is_empty());
     };
     refuses("-m orcs", &["error: --models orcs: there is no model `orcs`", "did you mean `orca`?", "hrvo"]);
     refuses("-m rvo,rvo", &["--models: rvo is given twice"]);
     refuses("-m orca:horizon=4", &["--models orca:horizon=4", "did you mean `time_horizon`?"]);
     refuses("-m orca:time_horizon=-1", &["orca:time_horizon=-1 with seed 1", "time_horizon is -1", "more than 0"]);
-    for (seeds, wanted) in [("5..1", "5 is more than 1"), ("a", "`a` is no seed"), ("1,1", "1 is given twice")] {
+    for (seeds, wanted) in [("5..1", "5 is more than 1"), ("a", "`a` is not a seed"), ("1,1", "1 is given twice")] {
         refuses(&format!("--seeds {seeds}"), &["--seeds", wanted, "hint: write 1..5, or 1,3,7"]);
     }
     refuses("--seeds 1..99999999999", &["more than 10000 seeds"]);

@@ -9,7 +9,7 @@ fn explained(folder: &Path, arguments: &str) -> Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 fn vector(value: &Value) -> [f64; 2] {
@@ -17,10 +17,10 @@ fn vector(value: &Value) -> [f64; 2] {
 }
 
 #[test]
-fn it_draws_an_svg_named_after_the_scene_or_what_it_is_told() {
+fn it_draws_an_svg_named_after_the_scene_or_the_given_files() {
     let folder = folder();
-    let told = call(folder.path(), "explain headon --agent 1 --time 2").success();
-    assert_eq!(stdout(&told), "wrote headon-agent-1.svg\n");
+    let output = call(folder.path(), "explain headon --agent 1 --time 2").success();
+    assert_eq!(stdout(&output), "wrote headon-agent-1.svg\n");
     call(folder.path(), "explain headon -a 1 -t 2 -o a.png -o a.svg --size 400x300 --dark").success();
     assert_eq!(names(folder.path()), ["a.png", "a.svg", "headon-agent-1.svg"]);
     let svg = std::fs::read_to_string(folder.path().join("headon-agent-1.svg")).unwrap();
@@ -51,7 +51,7 @@ fn every_model_and_every_scene_can_be_explained() {
 fn the_keys_of_the_help_are_those_of_the_json() {
     let folder = folder();
     let why = explained(folder.path(), "circle --agent 3 --time 2");
-    assert_eq!(names(folder.path()), Vec::<String>::new(), "--json writes no picture unless asked");
+    assert_eq!(names(folder.path()), Vec::<String>::new(), "--json alone writes no picture");
     let help = stdout(&call(folder.path(), "explain --help").success());
     let keys = help.split("Keys of --json").nth(1).unwrap();
     for key in why.as_object().unwrap().keys().chain(why["neighbours"][0].as_object().unwrap().keys()) {
@@ -65,7 +65,7 @@ fn the_keys_of_the_help_are_those_of_the_json() {
 }
 
 #[test]
-fn nobody_in_the_way_nothing_to_explain() {
+fn an_agent_without_neighbours_has_nothing_to_avoid() {
     let folder = folder();
     std::fs::write(folder.path().join("walk.toml"), WALK).unwrap();
     let why = explained(folder.path(), "walk.toml --agent 0 --time 1");
@@ -75,7 +75,7 @@ fn nobody_in_the_way_nothing_to_explain() {
 }
 
 #[test]
-fn who_is_not_there_is_told_apart() {
+fn errors_say_why_an_agent_is_not_present() {
     let folder = folder();
     let late = "\
 [[group]]
@@ -86,15 +86,15 @@ source = { start = 1.0, count = 1, rate = 1.0 }
 ";
     std::fs::write(folder.path().join("two.toml"), format!("{WALK}{late}")).unwrap();
     let refused = |arguments: &str, wanted: &[&str]| {
-        let told = stderr(&call(folder.path(), &format!("explain {arguments}")).code(2));
+        let message = stderr(&call(folder.path(), &format!("explain {arguments}")).code(2));
         for part in wanted {
-            assert!(told.contains(part), "{part:?} is not in:\n{told}");
+            assert!(message.contains(part), "{part:?} is not in:\n{message}");
         }
         assert_eq!(names(folder.path()), ["two.toml"]);
     };
     refused("two.toml --agent 7", &["there is no agent 7 in two", "0 to 1"]);
-    refused("two.toml --agent 1", &["agent 1 has not entered at 0.00 s", "there are then: 0"]);
-    refused("two.toml --agent 1 --time 3.5", &["agent 1 has left at 3.52 s", "there are then: 0"]);
+    refused("two.toml --agent 1", &["agent 1 has not entered at 0.00 s", "agents present at that time: 0"]);
+    refused("two.toml --agent 1 --time 3.5", &["agent 1 has left at 3.52 s", "agents present at that time: 0"]);
     refused("two.toml --agent 0 --time 90", &["--time 90: two ends at", "give at most --time "]);
     refused("two.toml --agent 0 -o a.mp4", &["a.mp4: `explain` draws one picture", ".png or .svg"]);
     refused("two.toml --agent 0 -o no/a.png", &["there is no folder no"]);

@@ -6,12 +6,12 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// Interrupts the program with these arguments when it has begun; what it says then.
+/// Interrupts the program with these arguments once `begun` returns true. Returns its output as JSON.
 fn interrupted(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Value {
     serde_json::from_slice(&output(folder, arguments, begun).stdout).unwrap()
 }
 
-/// Interrupts the program with these arguments when it has begun.
+/// Interrupts the program with these arguments once `begun` returns true. Returns its output.
 fn output(folder: &Path, arguments: &str, begun: impl Fn() -> bool) -> Output {
     let child = Command::new(env!("CARGO_BIN_EXE_throng"))
         .current_dir(folder)
@@ -45,16 +45,15 @@ fn an_interrupted_comparison_finishes_its_files() {
     }
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
     assert_eq!(read("a.csv").lines().count(), 3);
-    assert!(
-        read("a.html").contains("Interrupted: figures are those up to there.") && read("a.html").ends_with("</html>\n")
-    );
+    let page = read("a.html");
+    assert!(page.contains("Interrupted: figures cover the time until then.") && page.ends_with("</html>\n"));
 }
 
 #[test]
 fn an_interrupted_run_finishes_its_files() {
     let folder = folder();
     let files = "-o a.mp4 -o a.csv --size 160x120";
-    // files grow under other names until they are complete
+    // Files grow under other names until they are complete.
     let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.len() > 50_000);
     let begun = || std::fs::read_dir(folder.path()).unwrap().flatten().any(grown);
     let report = interrupted(folder.path(), &format!("run circle {files} --json --duration 100000"), begun);
@@ -63,12 +62,12 @@ fn an_interrupted_run_finishes_its_files() {
     let steps = report["steps"].as_u64().unwrap();
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
     assert!(table.ends_with('\n'));
-    assert_eq!(table.lines().count() as u64, 1 + (steps + 1) * 36, "everybody at every step");
+    assert_eq!(table.lines().count() as u64, 1 + (steps + 1) * 36, "all agents at every step");
     let video = std::fs::read(folder.path().join("a.mp4")).unwrap();
     assert!(holds(&video, b"moov") && holds(&video, b"mdat"), "the video has its index");
 }
 
-/// Begins a run without an end that writes a file, until some of it is in the folder.
+/// Starts an endless run that writes a file, and waits until the folder holds a part of it.
 #[cfg(unix)]
 fn endless(folder: &Path, file: &str) -> Child {
     let child = Command::new(env!("CARGO_BIN_EXE_throng"))
@@ -99,20 +98,20 @@ fn a_second_run_into_the_same_record_is_refused() {
     let first = endless(folder.path(), "a.rec");
     let second = call(folder.path(), "run headon -q --no-expect -o a.rec");
     kill(first);
-    let told = stderr(&second.code(2));
-    assert!(told.contains("cannot write a.rec: another process is writing it; wait"), "{told}");
-    let tracks = throng_record::Tracks::read(folder.path().join("a.rec.part")).unwrap();
+    let message = stderr(&second.code(2));
+    assert!(message.contains("cannot write a.rec: another process is writing it; wait"), "{message}");
+    let tracks = throng_record::Trajectories::read(folder.path().join("a.rec.part")).unwrap();
     assert_eq!(tracks.moments(0).next().unwrap().1.len(), 36, "the first run");
-    // what a killed run left is not in the way
+    // The remains of a killed run do not block the next run.
     call(folder.path(), "run headon -q --no-expect -o a.rec").success();
     assert_eq!(names(folder.path()), ["a.rec"]);
-    let tracks = throng_record::Tracks::read(folder.path().join("a.rec")).unwrap();
+    let tracks = throng_record::Trajectories::read(folder.path().join("a.rec")).unwrap();
     assert_eq!(tracks.setting.groups, ["left", "right"], "the other run");
 }
 
 #[cfg(unix)]
 #[test]
-fn what_a_killed_run_leaves_the_next_one_removes() {
+fn the_next_run_removes_the_remains_of_a_killed_one() {
     let folder = folder();
     kill(endless(folder.path(), "a.csv"));
     let left = names(folder.path());
@@ -125,12 +124,12 @@ fn what_a_killed_run_leaves_the_next_one_removes() {
 
 #[cfg(unix)]
 #[test]
-fn a_run_that_is_killed_leaves_what_it_wrote() {
+fn a_killed_run_keeps_what_it_wrote() {
     let folder = folder();
     let part = folder.path().join("a.rec.part");
     kill(endless(folder.path(), "a.rec"));
     assert_eq!(names(folder.path()), ["a.rec.part"]);
-    let tracks = throng_record::Tracks::read(&part).unwrap();
+    let tracks = throng_record::Trajectories::read(&part).unwrap();
     let moments: Vec<_> = tracks.moments(0).collect();
     assert!(moments.len() > 100 && moments.iter().all(|(_, people)| people.len() == 36));
     let even = |(k, (time, _)): (usize, &(f64, _))| (time - moments[1].0 * k as f64).abs() < 1e-6;
@@ -142,11 +141,11 @@ fn holds(bytes: &[u8], part: &[u8]) -> bool {
 }
 
 #[test]
-fn an_interrupted_measurement_writes_what_it_has() {
+fn an_interrupted_measurement_writes_its_figures() {
     let folder = folder();
     let begin = Instant::now();
     let arguments = "bench crossing --agents 50 --threads 1 --steps 1000 --repeat 1000 --json -o a.md";
-    // long enough for a repeat on a busy machine, and far from all of them
+    // Long enough for one repeat on a busy machine, and much shorter than all repeats.
     let runs = interrupted(folder.path(), arguments, || begin.elapsed() > Duration::from_secs(3));
     let repeats = runs[0]["repeats"].as_u64().unwrap();
     assert!((1..1000).contains(&repeats), "{runs}");
@@ -178,7 +177,7 @@ fn an_interrupt_ends_a_long_gap() {
     output(path, "render gap.csv -o f/ --size 64x64", || path.join("f/frame_000009.png").exists());
     let written = names(&path.join("f")).len();
     assert!((10..1_000_000).contains(&written), "{written}");
-    // a file grows under another name until it is complete
+    // A file grows under another name until it is complete.
     let grown = |entry: std::fs::DirEntry| entry.metadata().is_ok_and(|m| m.is_file() && m.len() > 10_000);
     let begun = || std::fs::read_dir(path).unwrap().flatten().any(grown);
     output(path, "convert gap.csv -o a.csv --rate 100", begun);

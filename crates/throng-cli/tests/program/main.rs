@@ -10,7 +10,10 @@ mod explain;
 mod interrupt;
 mod measure;
 mod mistakes;
+#[cfg(target_os = "linux")]
+mod pages;
 mod recorded;
+mod reference;
 mod replay;
 mod run;
 mod shared;

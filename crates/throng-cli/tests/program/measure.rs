@@ -10,10 +10,10 @@ fn measured(folder: &Path, arguments: &str) -> Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// Three who fly round circles at 2 m/s, and one of another group who stands.
+/// Returns three agents that fly in circles at 2 m/s, and a standing agent of another group.
 fn circles() -> String {
     let mut text = "number,group,time,x,y,z\n".to_owned();
     for k in 0..400u32 {
@@ -38,7 +38,7 @@ fn a_table_is_measured_group_by_group() {
     assert!((number(&flies["nearest"]["least"]) - 10.0).abs() < 0.2, "{}", flies["nearest"]);
     let axes = flies["acceleration"].as_array().unwrap();
     assert!((number(&axes[0]["most"]) - 4.0).abs() < 0.01 && number(&axes[2]["most"]) == 0.0);
-    // round a circle velocities turn: the cosine falls to 1/e where that of the angle does
+    // The velocity on a circle turns: its autocorrelation is the cosine of the angle, which falls to 1/e at acos(1/e).
     let falls = (1f64 / std::f64::consts::E).acos() / 2.0;
     assert!((number(&flies["correlation"]["time"]) - falls).abs() < 2e-3, "{}", flies["correlation"]["time"]);
     assert!(all["groups"][1]["nearest"]["mean"].is_null() && all["groups"][1]["correlation"]["time"].is_null());
@@ -47,7 +47,7 @@ fn a_table_is_measured_group_by_group() {
 }
 
 #[test]
-fn a_scene_is_run_and_the_same_as_its_recording() {
+fn a_scene_has_the_same_figures_as_its_recording() {
     let folder = folder();
     let first = measured(folder.path(), "flocking --to 3");
     call(folder.path(), "run flocking --duration 3 -o flock.csv --no-expect -q").success();
@@ -66,38 +66,41 @@ fn a_scene_is_run_and_the_same_as_its_recording() {
 }
 
 #[test]
-fn it_tells_people_and_writes_a_page() {
+fn it_writes_text_and_a_page() {
     let folder = folder();
     std::fs::write(folder.path().join("run.csv"), circles()).unwrap();
-    let told = stdout(&call(folder.path(), "measure run.csv -o a.html").success());
-    assert!(told.contains("run.csv, flies: 3 agents, 0.00 to 7.98 s, 400 moments") && told.contains("wrote a.html"));
-    assert!(told.contains("autocorrelation falls to 1/e in") && told.contains("radius of gyration"), "{told}");
+    let message = stdout(&call(folder.path(), "measure run.csv -o a.html").success());
+    assert!(
+        message.contains("run.csv, flies: 3 agents, 0.00 to 7.98 s, 400 moments") && message.contains("wrote a.html")
+    );
+    assert!(message.contains("autocorrelation falls to 1/e in") && message.contains("radius of gyration"), "{message}");
     let page = std::fs::read_to_string(folder.path().join("a.html")).unwrap();
-    assert_eq!(page.matches("<svg viewBox=\"0 0 560").count(), 16, "eight plots a group");
+    assert_eq!(page.matches("<svg viewBox=\"0 0 560").count(), 16, "eight plots per group");
     assert!(!page.contains("NaN") && !page.contains("inf") && !page.contains("{{"), "{page}");
     assert_eq!(names(folder.path()), ["a.html", "run.csv"]);
 }
 
 #[test]
-fn mistakes_are_named() {
+fn errors_name_the_problem() {
     let folder = folder();
     std::fs::write(folder.path().join("run.csv"), circles()).unwrap();
     for (arguments, text) in [
-        ("run.csv --group birds", "there is: flies, post"),
-        ("run.csv --seed 3", "what is recorded cannot be changed"),
+        ("run.csv --group birds", "the groups are: flies, post"),
+        ("run.csv --seed 3", "a recording cannot be changed"),
         ("run.csv --from 3 --to 2", "give --to more than --from"),
-        ("run.csv --from 30", "nobody was there from 30 s to the end"),
+        ("run.csv --from 30", "no agent is present from 30 s to the end"),
         ("run.csv -o a.mp4", "end the name in .html"),
         ("none.csv", "cannot read none.csv"),
         ("none.toml", "none.toml"),
     ] {
-        let told = stderr(&call(folder.path(), &format!("measure {arguments}")).code(2));
-        assert!(told.contains(text), "{arguments}: {told}");
+        let message = stderr(&call(folder.path(), &format!("measure {arguments}")).code(2));
+        assert!(message.contains(text), "{arguments}: {message}");
     }
     assert_eq!(names(folder.path()), ["run.csv"]);
 }
 
-/// Two files of people, 1 m apart, who walk east at 1.2 m/s, as the Archive writes them: centimetres, ten frames a second.
+/// Returns people in two files, 1 m apart, walking east at 1.2 m/s, in the Archive's format: centimetres, ten frames
+/// per second.
 fn stream() -> String {
     let mut text = "# framerate: 10\n# id frame x/cm y/cm z/cm\n".to_owned();
     for number in 0..80u32 {
@@ -139,7 +142,7 @@ fn a_stream_of_people_has_its_density_speed_and_flow() {
     assert_eq!((table.lines().count(), table.lines().nth(1).unwrap().split(',').count()), (152, 9));
     assert!(std::fs::read_to_string(folder.path().join("s.html")).unwrap().contains("Fundamental diagram"));
     let plots = std::fs::read_to_string(folder.path().join("s.svg")).unwrap();
-    assert!(plots.contains("N(t): how many have crossed line") && !plots.contains("NaN"), "{plots}");
+    assert!(plots.contains("N(t): people that have crossed line") && !plots.contains("NaN"), "{plots}");
     let text = stdout(&call(folder.path(), "measure stream.txt --line 2,0,2,2").success());
     assert!(text.contains("80 people") && text.contains("steady flow"), "{text}");
 }
@@ -161,7 +164,7 @@ fn several_areas_and_lines_are_measured_at_once() {
     let both = |key: &str| Value::from([one[key][0].clone(), two[key][0].clone()].to_vec());
     assert_eq!((&all["people"]["areas"], &all["people"]["lines"]), (&both("areas"), &both("lines")));
     assert_ne!(one["areas"], two["areas"]);
-    // cells end at the ground less what is solid in it, whichever way a plan says it
+    // Cells end at the walkable ground and at solids in it, whichever file format describes them.
     let plan = |name: &str, text: &str| {
         std::fs::write(folder.path().join(name), text).unwrap();
         let asked = format!("stream.txt --from 10 --to 25 --area 1,0,4,2 --walkable {name}");
@@ -176,8 +179,8 @@ fn several_areas_and_lines_are_measured_at_once() {
         <rect id="floor" width="2000" height="200"/><rect id="column" x="210" y="90" width="20" height="20"/></svg>"#,
     );
     assert!((holed - drawn).abs() < 1e-4 && (holed - whole).abs() > 1e-3, "{whole}, {holed}, {drawn}");
-    let told = stderr(&call(folder.path(), "measure stream.txt --area 1,0,4,2 --walkable drawn.svg").success());
-    assert!(told.contains("note: a pixel, or unit of the view box, is taken to be 0.01 m"), "{told}");
+    let message = stderr(&call(folder.path(), "measure stream.txt --area 1,0,4,2 --walkable drawn.svg").success());
+    assert!(message.contains("note: a pixel, or unit of the view box, is taken to be 0.01 m"), "{message}");
     let table = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
     let heads = "time,people,speed,lane_order,density_1,area_speed_1,voronoi_density_1,voronoi_speed_1,\
                  density_2,area_speed_2,voronoi_density_2,voronoi_speed_2,crossed_1,crossed_2";
@@ -186,7 +189,7 @@ fn several_areas_and_lines_are_measured_at_once() {
 }
 
 #[test]
-fn what_is_in_a_file_is_told() {
+fn info_reports_the_contents_of_a_file() {
     let folder = folder();
     std::fs::write(folder.path().join("stream.txt"), stream()).unwrap();
     std::fs::write(folder.path().join("frames.csv"), "ID,Frame,x,y\n4,10,0,0\n4,20,60,0\n").unwrap();
@@ -203,12 +206,12 @@ fn what_is_in_a_file_is_told() {
     let text = stdout(&call(folder.path(), "info stream.txt").success());
     assert!(text.contains("people     80") && text.contains("unit       0.01 m"), "{text}");
     let wrong = stderr(&call(folder.path(), "info frames.csv").code(2));
-    assert!(wrong.contains("does not say how many") && wrong.contains("--frame-rate 25"), "{wrong}");
+    assert!(wrong.contains("does not state the frame rate") && wrong.contains("--frame-rate 25"), "{wrong}");
     let wrong = stderr(&call(folder.path(), "measure flocking --line 0,0,1,1").code(2));
     assert!(wrong.contains("throng run SCENE -o NAME.csv"), "{wrong}");
 }
 
-/// Coordinates that no place on Earth has are refused, and at the limit nothing panics.
+/// Coordinates beyond the limit (1e8 m) are refused, and at the limit nothing panics.
 #[test]
 fn coordinates_out_of_their_limits_are_refused() {
     let folder = folder();
@@ -217,8 +220,8 @@ fn coordinates_out_of_their_limits_are_refused() {
         let rows = [row(1, 0, 0, ""), row(1, 1, 1, ""), row(2, 0, 5, "-"), row(2, 1, 4, "-"), row(3, 0, 9, "")];
         std::fs::write(folder.path().join("far.csv"), format!("number,time,x,y\n{}", rows.concat())).unwrap();
         for asked in ["", " --area=-1,-1,2,2", " --area=-1,-1,2,2 --cut-off 2 --line 0,0,1,1"] {
-            let told = stderr(&call(folder.path(), &format!("measure far.csv{asked}")).code(code));
-            assert!(code == 0 || told.starts_with("error: far.csv:2: "), "{y}: {told}");
+            let message = stderr(&call(folder.path(), &format!("measure far.csv{asked}")).code(code));
+            assert!(code == 0 || message.starts_with("error: far.csv:2: "), "{y}: {message}");
         }
     }
 }

@@ -1,27 +1,27 @@
-//! What users get wrong, and what they are told: exit code 2, where, what, and a hint; and no file.
+//! Invalid inputs and their messages: exit code 2, with the position, the error and a hint, and no output file.
 
 use crate::shared::{WALK, call, folder, names, stderr};
 
-/// That a scene is refused with a message that holds all of these.
+/// Asserts that a scene is refused with a message that contains all of `wanted`.
 fn refused(scene: &str, wanted: &[&str]) {
     let folder = folder();
     std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
     for command in ["run", "check", "show"] {
-        let told = stderr(&call(folder.path(), &format!("{command} scene.toml")).code(2));
-        assert!(told.starts_with("error: scene.toml:"), "{told}");
+        let message = stderr(&call(folder.path(), &format!("{command} scene.toml")).code(2));
+        assert!(message.starts_with("error: scene.toml:"), "{message}");
         for part in wanted {
-            assert!(told.contains(part), "{part:?} is not in:\n{told}");
+            assert!(message.contains(part), "{part:?} is not in:\n{message}");
         }
     }
     assert_eq!(names(folder.path()), ["scene.toml"]);
 }
 
-/// That these arguments are refused with a message that holds all of these, and leave no file.
+/// Asserts that arguments are refused with a message that contains all of `wanted`, and leave no file.
 fn refuses(arguments: &str, wanted: &[&str]) {
     let folder = folder();
-    let told = stderr(&call(folder.path(), arguments).code(2));
+    let message = stderr(&call(folder.path(), arguments).code(2));
     for part in wanted {
-        assert!(told.contains(part), "{part:?} is not in:\n{told}");
+        assert!(message.contains(part), "{part:?} is not in:\n{message}");
     }
     assert_eq!(names(folder.path()), Vec::<String>::new());
 }
@@ -56,7 +56,7 @@ fn polygon_that_crosses_itself() {
     let ground = "walkable.polygon.outer = [[-5.0, -5.0], [5.0, 5.0], [5.0, -5.0], [-5.0, 5.0]]\n";
     refused(
         &format!("{ground}{WALK}"),
-        &["scene.toml:1:26:", "crosses itself at (0, 0)", "in order round the outline"],
+        &["scene.toml:1:26:", "crosses itself at (0, 0)", "in order along the outline"],
     );
 }
 
@@ -79,8 +79,8 @@ fn goal_in_a_wall() {
 }
 
 #[test]
-fn nobody() {
-    refused("title = \"nobody\"\n", &["the scene has no agents", "add a [[group]]"]);
+fn no_agents() {
+    refused("title = \"empty\"\n", &["the scene has no agents", "add a [[group]]"]);
 }
 
 #[test]
@@ -98,19 +98,19 @@ fn missing_scenes() {
 }
 
 #[test]
-fn outputs_that_cannot_be() {
+fn invalid_outputs() {
     refuses("run headon -o no/a.mp4", &["no/a.mp4", "there is no folder no"]);
     refuses("run headon -o no/a.csv", &["no/a.csv", "there is no folder no"]);
     refuses("run headon -o no/a/", &["no/a"]);
     refuses("run headon -o a.xyz", &["a.xyz", ".csv", "/ for a folder"]);
     refuses("run headon -o .", &["it is a folder", "end the name in /"]);
     refuses("run headon -o a.csv -o a.csv", &["a.csv is given twice"]);
-    // The second cannot be written: the first is not there either.
+    // The second file cannot be written, so the first is not written either.
     refuses("run headon -o a.csv -o no/b.csv", &["there is no folder no"]);
 }
 
 #[test]
-fn values_that_cannot_be() {
+fn invalid_values() {
     refuses("run headon --set foo=1", &["--set foo=1", "no key `foo`"]);
     refuses("run headon --set time.step=abc", &["--set time.step", "should be a number"]);
     refuses("run headon --set time.step=0", &["--set time.step=0", "from 0.00001 to 10"]);
@@ -123,7 +123,7 @@ fn values_that_cannot_be() {
     refuses("run headon --camera 1,1,1", &["four numbers"]);
 }
 
-/// Text of files comes to a terminal without its control characters, in reports and in errors.
+/// Text from files reaches the terminal without control characters, in reports and in errors.
 #[test]
 fn control_characters_are_escaped() {
     let folder = folder();
@@ -133,7 +133,7 @@ fn control_characters_are_escaped() {
     let scene = format!("title = \"t{evil}\"\n{scene}");
     std::fs::write(path.join("scene.toml"), &scene).unwrap();
     std::fs::write(path.join("wrong.toml"), format!("{scene}body.radius = -1\n")).unwrap();
-    // a file that has them as they are
+    // A file with raw control characters.
     std::fs::write(path.join("raw.toml"), "title = \"\u{1b}[31m\"\n").unwrap();
     std::fs::write(path.join("run.csv"), "number,group,time,x,y\n1,g\u{1b}[31m\u{9b}m,0,0,0\n").unwrap();
     call(path, "run scene.toml -o a.csv").success();
@@ -150,10 +150,10 @@ fn control_characters_are_escaped() {
         ("measure run.csv --group b", 2),
     ] {
         let output = call(path, arguments).code(code).get_output().clone();
-        let told = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
-        assert!(told.contains(r"\u001b["), "{arguments}: {told}");
+        let message = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(message.contains(r"\u001b["), "{arguments}: {message}");
         let control = |c: char| c.is_control() && !matches!(c, '\n' | '\t') || c == '\u{202e}';
-        assert!(!told.contains(control), "{arguments}: {told:?}");
+        assert!(!message.contains(control), "{arguments}: {message:?}");
     }
 }
 
@@ -162,8 +162,8 @@ fn control_characters_are_escaped() {
 fn video_without_ffmpeg() {
     let folder = folder();
     let mut command = crate::shared::throng(folder.path());
-    let told = stderr(&command.env("PATH", folder.path()).args(["run", "headon", "-o", "a.mkv"]).assert().code(2));
-    assert!(told.contains("ffmpeg") && told.contains("install it"), "{told}");
+    let message = stderr(&command.env("PATH", folder.path()).args(["run", "headon", "-o", "a.mkv"]).assert().code(2));
+    assert!(message.contains("ffmpeg") && message.contains("install it"), "{message}");
     assert_eq!(names(folder.path()), Vec::<String>::new());
 }
 
@@ -173,8 +173,8 @@ fn full_disk() {
     let folder = folder();
     for name in ["a.csv", "a.mp4", "a.png", "a.gif"] {
         std::os::unix::fs::symlink("/dev/full", folder.path().join(name)).unwrap();
-        let told = stderr(&call(folder.path(), &format!("run headon -q --size 160x120 -o {name}")).code(2));
-        assert!(told.contains(name) && told.contains("the disk is full"), "{told}");
+        let message = stderr(&call(folder.path(), &format!("run headon -q --size 160x120 -o {name}")).code(2));
+        assert!(message.contains(name) && message.contains("the disk is full"), "{message}");
     }
     let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
     let output = std::process::Command::new(env!("CARGO_BIN_EXE_throng")).arg("list").stdout(full).output().unwrap();

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;
 
-/// Two people who walk east at 1 m/s, one of them from 2 s on, ten moments a second.
+/// Returns two people that walk east at 1 m/s, one of them from 2 s on, with ten moments per second.
 fn walk() -> String {
     let mut text = "number,group,time,x,y\n".to_owned();
     for k in 0..=40 {
@@ -18,7 +18,7 @@ fn walk() -> String {
     text
 }
 
-/// The rows of a table, as numbers, under its names.
+/// Returns the heading of a table, and its rows as numbers.
 fn rows(folder: &Path, name: &str) -> (String, Vec<Vec<f64>>) {
     let text = std::fs::read_to_string(folder.join(name)).unwrap();
     let (head, rest) = text.split_once('\n').unwrap();
@@ -27,7 +27,7 @@ fn rows(folder: &Path, name: &str) -> (String, Vec<Vec<f64>>) {
 }
 
 #[test]
-fn all_kinds_come_back() {
+fn all_formats_are_read_back() {
     let folder = folder();
     let path = folder.path();
     std::fs::write(path.join("walk.csv"), walk()).unwrap();
@@ -43,7 +43,7 @@ fn all_kinds_come_back() {
 }
 
 #[test]
-fn moments_and_people_are_chosen() {
+fn options_choose_moments_and_people() {
     let folder = folder();
     let path = folder.path();
     std::fs::write(path.join("walk.csv"), walk()).unwrap();
@@ -55,14 +55,14 @@ fn moments_and_people_are_chosen() {
     assert_eq!(times(&chosen("--from 1 --to 1.2")), [1.0, 1.1, 1.2]);
     assert_eq!(times(&chosen("--rate 2 --agents 1-7")), [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
     assert_eq!(times(&chosen("--groups right --to 2.1")), [2.0, 2.1]);
-    // between two moments everybody goes straight on
+    // Between two moments, positions are interpolated linearly.
     let between = chosen("--rate 40 --from 2.95 --to 3.05 --agents 12");
     assert_eq!(times(&between), [2.95, 2.98, 3.0, 3.03, 3.05]);
     assert!(between.iter().all(|row| (row[2] - row[0]).abs() < 1e-9 && (row[3] - 1.0).abs() < 1e-5), "{between:?}");
 }
 
 #[test]
-fn a_run_writes_what_is_chosen() {
+fn options_choose_what_a_run_writes() {
     let folder = folder();
     let path = folder.path();
     let run = "run doorway --duration 2 --no-expect -q";
@@ -71,7 +71,7 @@ fn a_run_writes_what_is_chosen() {
     let ((_, all), (_, some)) = (rows(path, "all.csv"), rows(path, "some.csv"));
     let count = all.iter().filter(|row| row[2] == 0.0).count();
     assert_eq!(some.len(), 11 * count);
-    // by hand, between the two steps of 0.04 s about each moment
+    // Interpolates independently between the two steps of 0.04 s around each moment.
     for row in &some {
         let place = |step: f64| {
             let time = step * 0.04;
@@ -88,51 +88,52 @@ fn a_run_writes_what_is_chosen() {
 }
 
 #[test]
-fn people_are_drawn_in_their_place() {
+fn recordings_are_drawn_on_their_map() {
     let folder = folder();
     let path = folder.path();
     call(path, "run doorway --duration 2 --no-expect -q -o run.csv -o run.png").success();
     call(path, "render run.csv --map doorway -o again.png -o bare.png -o film.gif --fps 5 -q").success();
     assert_eq!(names(path), ["again.png", "bare.png", "film.gif", "run.csv", "run.png"]);
-    let told = stdout(&call(path, "render run.csv -o run2.svg --from 1 --to 1.5").success());
-    assert!(told.contains("wrote run2.svg"), "{told}");
+    let message = stdout(&call(path, "render run.csv -o run2.svg --from 1 --to 1.5").success());
+    assert!(message.contains("wrote run2.svg"), "{message}");
     let svg = std::fs::read_to_string(path.join("run2.svg")).unwrap();
-    assert!(svg.contains("1.5 s") || svg.contains("1.50 s"), "the picture is of the last moment that is chosen");
+    assert!(svg.contains("1.5 s") || svg.contains("1.50 s"), "the picture shows the last chosen moment");
 }
 
 #[test]
-fn mistakes_are_named() {
+fn errors_name_the_problem() {
     let folder = folder();
     std::fs::write(folder.path().join("walk.csv"), walk()).unwrap();
     std::fs::write(folder.path().join("none.csv"), "number,time,x,y\n").unwrap();
     for (arguments, text) in [
         ("convert walk.csv", "--output"),
-        ("convert walk.csv -o a.mp4", "drawn by `throng render`"),
+        ("convert walk.csv -o a.mp4", "`throng render` draws"),
         ("convert walk.csv -o walk.csv", "write under another name"),
-        ("convert walk.csv -o a.csv --groups up", "there is: left, right"),
+        ("convert walk.csv -o a.csv --groups up", "the groups are: left, right"),
         ("convert walk.csv -o a.rec --columns x,y", "the columns of .rec cannot be chosen"),
         ("convert walk.csv -o a.csv --columns x,y,x", "`x` is named twice"),
         ("convert walk.csv -o a.csv --columns speed", "number, group, time"),
         ("convert walk.csv -o a.csv --agents 9-3", "such as 1,5,10-20"),
-        ("convert walk.csv -o a.csv --from 30", "recorded from 0.00 to 4.00 s"),
+        ("convert walk.csv -o a.csv --from 30", "it covers 0.00 to 4.00 s"),
         ("convert walk.csv -o a.csv --rate 1e9", "write a lower rate"),
-        ("convert none.csv -o a.csv", "nobody is in it"),
+        ("convert none.csv -o a.csv", "the file has no agents"),
         ("render walk.csv -o a.xyz", "cannot tell what to write"),
         ("render missing.rec", "cannot read missing.rec"),
         ("render walk.csv --map nowhere -o a.png", "nowhere"),
         ("render walk.csv --map nowhere.svg -o a.png", "there is no file nowhere.svg"),
-        ("render walk.csv --map-offset 1,0 -o a.png", "say which map: --map FILE"),
+        ("render walk.csv --map-offset 1,0 -o a.png", "give a map: --map FILE"),
         ("run doorway -o a.csv --groups up", "there is no group `up`"),
     ] {
-        let told = stderr(&call(folder.path(), arguments).code(2));
-        assert!(told.contains(text), "{arguments}: {told}");
+        let message = stderr(&call(folder.path(), arguments).code(2));
+        assert!(message.contains(text), "{arguments}: {message}");
     }
     assert_eq!(names(folder.path()), ["none.csv", "walk.csv"]);
 }
 
-/// One time stamp far from the others: trajectories are written at once, and pictures are refused or end with `--to`.
+/// One time stamp far from all others: trajectories are written directly, pictures are refused unless `--to` limits
+/// them.
 #[test]
-fn a_time_far_away_is_no_endless_loop() {
+fn a_distant_time_does_not_loop_endlessly() {
     let folder = folder();
     let path = folder.path();
     std::fs::write(path.join("far.csv"), "number,time,x,y\n1,0,0,0\n1,0.04,0.05,0\n1,1e9,1,0\n").unwrap();
@@ -142,19 +143,25 @@ fn a_time_far_away_is_no_endless_loop() {
         call(&format!("convert far.csv -o a.{kind} -q")).success();
     }
     for output in ["a.mp4", "a.gif", "a.png", "a.svg", "a/"] {
-        let told = stderr(&call(&format!("render far.csv -o {output} -q")).code(2));
+        let message = stderr(&call(&format!("render far.csv -o {output} -q")).code(2));
         let pictures = "error: far.csv: 25000000000 pictures from 0.00 to 1000000000.00 s";
-        assert!(told.starts_with(pictures) && told.contains("--from and --to"), "{told}");
+        assert!(message.starts_with(pictures) && message.contains("--from and --to"), "{message}");
         call(&format!("render far.csv -o {output} --size 64x64 --to 1 -q")).success();
     }
-    assert_eq!(names(&path.join("a")).len(), 26, "25 pictures a second, and none after the end");
-    let told = stderr(&call("convert far.csv -o b.csv --rate 1").code(2));
-    assert!(told.contains("far.csv: 1000000000 moments of --rate from 0.00 to 1000000000.00 s"), "{told}");
-    let told = stderr(&call("info far.csv").success());
-    assert_eq!(told, "");
-    let told = stderr(&call("measure far.csv -o a.html").code(2));
-    assert!(told.contains("far.csv: 25000000000 moments of a page") && told.contains("--from and --to"), "{told}");
+    assert_eq!(names(&path.join("a")).len(), 26, "25 pictures per second, and none after the end");
+    let message = stderr(&call("convert far.csv -o b.csv --rate 1").code(2));
+    assert!(message.contains("far.csv: 1000000000 moments of --rate from 0.00 to 1000000000.00 s"), "{message}");
+    let message = stderr(&call("info far.csv").success());
+    assert_eq!(message, "");
+    let message = stderr(&call("measure far.csv -o a.html").code(2));
+    assert!(
+        message.contains("far.csv: 25000000000 moments of a page") && message.contains("--from and --to"),
+        "{message}"
+    );
     call("measure far.csv -o a.html --to 1").success();
-    let told = stderr(&call("replay far.csv").code(2));
-    assert!(told.contains("far.csv: 25000000000 steps from 0.00") && told.contains("--from and --until"), "{told}");
+    let message = stderr(&call("replay far.csv").code(2));
+    assert!(
+        message.contains("far.csv: 25000000000 steps from 0.00") && message.contains("--from and --until"),
+        "{message}"
+    );
 }

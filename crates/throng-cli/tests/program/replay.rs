@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Three who walk alone.
+/// Three agents that walk without meeting.
 const ALONE: &str = "\
 [time]
 step = 0.1
@@ -24,10 +24,10 @@ fn replayed(folder: &Path, arguments: &str) -> Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// Two streams against each other through a corridor, as the Archive writes them; 25 frames a second.
+/// Returns two opposite streams in a corridor, in the Archive's format, with 25 frames per second.
 fn streams() -> String {
     let mut text = "# framerate: 25\n# id frame x/m y/m\n".to_owned();
     for number in 0..12u32 {
@@ -41,7 +41,7 @@ fn streams() -> String {
 }
 
 #[test]
-fn a_run_of_the_same_model_comes_out_the_same() {
+fn a_replay_with_the_same_model_reproduces_the_run() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("alone.toml"), ALONE).unwrap();
@@ -52,7 +52,7 @@ fn a_run_of_the_same_model_comes_out_the_same() {
     assert_eq!((&orca["entered"], &orca["overlapping"]), (&3.into(), &0.into()));
     let horizons = all["from_entry"].as_array().unwrap();
     assert_eq!((horizons.len(), &horizons[3]["horizon"]), (4, &Value::Null));
-    // an agent that stood at the start goes on with the velocity after it: a little ahead
+    // The agents stood at the start of the run but enter with the velocity after it, and so are a little ahead.
     assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
     assert!(number(&ahead["final"]["orca"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
@@ -61,7 +61,7 @@ fn a_run_of_the_same_model_comes_out_the_same() {
 }
 
 #[test]
-fn walls_groups_and_lines_are_told() {
+fn walls_groups_and_lines_are_used() {
     let folder = folder();
     let at = folder.path();
     let write = |name: &str, text: &str| std::fs::write(at.join(name), text).unwrap();
@@ -73,7 +73,7 @@ fn walls_groups_and_lines_are_told() {
     assert_eq!((&all["map"]["areas"], &all["map"]["through"]), (&1.into(), &0.into()));
     let orca = &all["models"][0];
     assert_eq!((&orca["entered"], &orca["moved"]), (&12.into(), &0.into()));
-    let [alone, together] = ["alone", "in_groups"].map(|who| number(&all["predicted"][who]["people"]));
+    let [alone, together] = ["alone", "in_groups"].map(|key| number(&all["predicted"][key]["people"]));
     assert_eq!(alone + together, number(&all["predicted"]["horizons"][2]["people"]));
     assert!(alone > 0.0 && together > 0.0 && !orca["crossings"].is_null());
     assert_eq!(all["recorded"]["people"]["lines"][0]["crossed"], 12);
@@ -81,12 +81,12 @@ fn walls_groups_and_lines_are_told() {
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!((lines.len(), lines[0].len(), lines[0][7]), (13, 7 + 12, "orca_1"));
     assert!(lines.iter().all(|line| line.len() == 19) && (lines[5][1], lines[6][1], lines[7][1]) == ("0", "1", ""));
-    // straight on at constant speed, both simple predictions are right
+    // People walk straight at constant speed: both simple predictors are exact.
     assert!(lines[1..].iter().all(|line| line[8].parse::<f64>().unwrap() < 1e-3), "{table}");
-    // the replayed are at the recording's times
+    // The replay has the recording's times.
     let info: Value = serde_json::from_str(&stdout(&call(at, "info again.csv --json").success())).unwrap();
     assert_eq!(info["people"], 12);
-    // the same corridor, drawn in millimetres
+    // The same corridor, drawn in millimetres.
     let corners = "10 -8000 20 -2000 10 8000 20 -2000 10 8000 20 2000 10 -8000 20 2000";
     let drawn = format!("0 SECTION 2 ENTITIES 0 LWPOLYLINE 8 floor 70 1 {corners} 0 ENDSEC\n").replace(' ', "\n");
     write("corridor.dxf", &drawn);
@@ -98,7 +98,7 @@ fn walls_groups_and_lines_are_told() {
     let text = stdout(&call(at, "replay streams.txt --map corridor.wkt --every 0").success());
     assert!(text.contains("12 people") && text.contains("KS distance") && text.contains("2 groups"), "{text}");
     assert!(!text.contains("ahead") && text.contains("at the end"), "{text}");
-    // walls that are elsewhere, and the same moved to where they belong
+    // Walls in other coordinates, moved to the recording by an offset.
     write("map.xml", "<a><Line x1='-9' y1='98' x2='9' y2='98'/><Line x1='-9' y1='102' x2='9' y2='102'/></a>");
     let moved = replayed(at, "streams.txt --map-offset 0,-100 --every 0 --from 1 --until 4");
     assert_eq!(
@@ -114,7 +114,7 @@ fn walls_groups_and_lines_are_told() {
 }
 
 #[test]
-fn both_are_drawn_side_by_side() {
+fn recording_and_replay_are_drawn_side_by_side() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("streams.txt"), streams()).unwrap();
@@ -124,12 +124,12 @@ fn both_are_drawn_side_by_side() {
     let picture = std::fs::read_to_string(at.join("a.svg")).unwrap();
     assert!(picture.contains("recorded") && picture.contains("rvo") && picture.contains("streams.txt"));
     assert!(names(&at.join("f")).len() > 10);
-    assert!(throng_record::Tracks::read(at.join("a.rec")).unwrap().spots[0].time < 1e-6);
+    assert!(throng_record::Trajectories::read(at.join("a.rec")).unwrap().spots[0].time < 1e-6);
 }
 
-/// Every figure of several models is that of each alone, under its name.
+/// The figures of each of several models equal those of a replay by that model alone.
 #[test]
-fn several_models_are_as_each_alone() {
+fn several_models_have_the_figures_of_each_alone() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("streams.txt"), streams()).unwrap();
@@ -172,27 +172,27 @@ fn several_models_are_as_each_alone() {
 }
 
 #[test]
-fn a_page_has_tables_plots_and_everybody() {
+fn a_page_has_tables_plots_and_all_people() {
     let folder = folder();
     let at = folder.path();
     std::fs::create_dir(at.join("deep")).unwrap();
     std::fs::write(at.join("deep/streams.txt"), streams()).unwrap();
-    let told = stdout(&call(at, "replay deep/streams.txt --model orca,rvo --line 0,-2,0,2 -o a.html").success());
-    assert!(told.contains("wrote a.html"), "{told}");
+    let message = stdout(&call(at, "replay deep/streams.txt --model orca,rvo --line 0,-2,0,2 -o a.html").success());
+    assert!(message.contains("wrote a.html"), "{message}");
     let page = std::fs::read_to_string(at.join("a.html")).unwrap();
     assert!(page.contains("<title>streams.txt: replayed</title>") && page.contains("<h1>streams.txt</h1>"));
-    assert!(!page.contains("{{") && !page.contains("http"), "nothing is left to fill in or to fetch");
+    assert!(!page.contains("{{") && !page.contains("http"), "no unfilled names and no network access");
     assert_eq!(page.matches("class=\"panel\"").count(), 3);
-    for plot in ["Displacement since entry", "Displacement ahead", "Speed", "nearest other", "People", "N(t)"] {
+    for plot in ["Displacement since entry", "Displacement ahead", "Speed", "nearest neighbour", "People", "N(t)"] {
         assert!(page.contains(&format!("<figcaption>{plot}")) || page.contains(plot), "{plot}");
     }
-    // the same figures as in the terminal
-    let rows = told.lines().filter(|line| line.starts_with("  rvo"));
+    // The same figures as in the terminal.
+    let rows = message.lines().filter(|line| line.starts_with("  rvo"));
     let cells: Vec<&str> =
         rows.flat_map(|row| row.split("  ").map(str::trim)).filter(|cell| !cell.is_empty()).collect();
     assert!(cells.len() > 20);
     cells.iter().for_each(|cell| assert!(page.contains(&format!(">{cell}</t")), "{cell}"));
-    // everybody is in the player, at 25 frames a second for 10 s
+    // All people are in the player, at 25 frames per second for 10 s.
     let data = page.split("id=\"data\">").nth(1).and_then(|rest| rest.split("</script>").next()).unwrap();
     let data: Value = serde_json::from_str(data).unwrap();
     let runs = data["tracks"]["runs"].as_array().unwrap();
@@ -203,7 +203,7 @@ fn a_page_has_tables_plots_and_everybody() {
 }
 
 #[test]
-fn mistakes_are_named() {
+fn errors_name_the_problem() {
     let folder = folder();
     let at = folder.path();
     let write = |name: &str, text: &str| std::fs::write(at.join(name), text).unwrap();
@@ -217,35 +217,36 @@ fn mistakes_are_named() {
     for (arguments, text) in [
         ("streams.txt --map bad.xml", "bad.xml:2: x2=\"x\" is no number"),
         ("streams.txt --map none.xml", "cannot read none.xml"),
-        ("streams.txt --groups bad.txt", "bad.txt:2: `you` is no number of a person"),
-        ("streams.txt --map-offset 0,1", "say which map: --map FILE"),
+        ("streams.txt --groups bad.txt", "bad.txt:2: `you` is not an agent number"),
+        ("streams.txt --map-offset 0,1", "give a map: --map FILE"),
         ("streams.txt --model orcs", "did you mean `orca`?"),
         ("streams.txt --model orca --model orca", "--model: orca is given twice"),
         ("streams.txt -o a.rec -o a.rec", "a.rec is given twice"),
-        ("streams.txt --set speed.preferred=1", "chosen by --speed and --radius"),
+        ("streams.txt --set speed.preferred=1", "use --speed for preferred speeds"),
         ("streams.txt --set avoid.orca.horizon=1", "time_horizon"),
         ("streams.txt --table a.txt", "end the name in .csv"),
         ("streams.txt -o a.xyz", "a.xyz: cannot tell what to write from this name"),
         ("streams.txt --from 3 --until 2", "give --until more than --from"),
-        ("streams.txt --from 300", "nobody was seen twice"),
+        ("streams.txt --from 300", "no person has two samples"),
         (
             "streams.txt -o a.png --model vo,rvo,hrvo,none,orca,orca:time_horizon=1,orca:time_horizon=2,orca:time_horizon=3,orca:time_horizon=4",
             "10 panels",
         ),
         ("streams.txt --speed fast", "a part such as 50%"),
-        ("once.csv", "nobody was seen twice"),
+        ("once.csv", "no person has two samples"),
         ("flies.csv", "above the ground"),
         ("none.txt", "cannot read none.txt"),
     ] {
-        let told = stderr(&call(at, &format!("replay {arguments}")).code(2));
-        assert!(told.contains(text), "{arguments}: {told}");
+        let message = stderr(&call(at, &format!("replay {arguments}")).code(2));
+        assert!(message.contains(text), "{arguments}: {message}");
     }
     assert_eq!(names(at), before);
     let all = replayed(at, "streams.txt --map only-walls.toml --every 0 --until 2");
-    assert_eq!(all["map"]["obstacles"], 1, "a map needs nobody in it");
+    assert_eq!(all["map"]["obstacles"], 1, "a map needs no agents");
 }
 
-/// Two people 20 m apart, a row each 6 frames, as OpenTraj has them of a video of 15 frames a second, with velocities. The first stands for 6 s.
+/// Returns two people 20 m apart with velocities, one row every 6 frames, as OpenTraj writes a video of 15 frames per
+/// second. The first person stands for 6 s.
 fn of_15_frames() -> String {
     let speed = |number: u32, row: u32| f64::from(u8::from(number == 2 || !(10..25).contains(&row)));
     let mut text = String::new();
@@ -260,7 +261,7 @@ fn of_15_frames() -> String {
 }
 
 #[test]
-fn a_frame_rate_that_velocities_contradict_is_told_wherever_trajectories_are_read() {
+fn every_command_notes_a_frame_rate_that_velocities_contradict() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("obsmat.txt"), of_15_frames()).unwrap();
@@ -272,18 +273,18 @@ fn a_frame_rate_that_velocities_contradict_is_told_wherever_trajectories_are_rea
         "render obsmat.txt -o a.png",
     ];
     for command in commands {
-        let told = stderr(&call(at, command).success());
+        let message = stderr(&call(at, command).success());
         assert!(
-            told.contains("note: obsmat.txt: its velocities say that it has 15 frames a second"),
-            "{command}: {told}"
+            message.contains("note: obsmat.txt: the velocities imply 15 frames per second"),
+            "{command}: {message}"
         );
-        let told = stderr(&call(at, &format!("{command} --frame-rate 25")).success());
+        let message = stderr(&call(at, &format!("{command} --frame-rate 25")).success());
         assert!(
-            told.contains("note: ") && told.contains("at --frame-rate 15 they would agree, not at 25"),
-            "{command}: {told}"
+            message.contains("note: ") && message.contains("at --frame-rate 15 they would agree, not at 25"),
+            "{command}: {message}"
         );
-        let told = stderr(&call(at, &format!("{command} --frame-rate 15")).success());
-        assert!(!told.contains("note: "), "{command}: {told}");
+        let message = stderr(&call(at, &format!("{command} --frame-rate 15")).success());
+        assert!(!message.contains("note: "), "{command}: {message}");
         if !command.starts_with("info") {
             assert_eq!(stderr(&call(at, &format!("{command} -q")).success()), "", "{command}");
         }
@@ -293,7 +294,7 @@ fn a_frame_rate_that_velocities_contradict_is_told_wherever_trajectories_are_rea
 }
 
 #[test]
-fn people_who_stand_stand_again() {
+fn recorded_pauses_are_replayed() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("obsmat.txt"), of_15_frames()).unwrap();
@@ -303,7 +304,7 @@ fn people_who_stand_stand_again() {
         (of(&all["recorded"]), of(&all["models"][0]), all["recorded"]["pauses"]["count"].clone())
     };
     let (recorded, again, pauses) = standing("");
-    // 15 of 78 steps
+    // 15 of 78 steps.
     assert!((recorded - 15.0 / 78.0).abs() < 1e-3 && (again - recorded).abs() < 0.03, "{recorded} {again}");
     assert_eq!(pauses, 1);
     let (same, none, pauses) = standing("--no-pauses");

@@ -4,7 +4,7 @@ use crate::shared::{WALK, call, folder, names, stderr, stdout};
 use serde_json::Value;
 use std::path::Path;
 
-/// The keys of `--json` in their order: they are documented and stay.
+/// The keys of `--json` in their order. They are documented and must stay.
 const KEYS: [&str; 35] = [
     "scene",
     "agents",
@@ -47,7 +47,7 @@ fn json(folder: &Path, arguments: &str) -> Value {
     serde_json::from_str(&stdout(&call(folder, &format!("{arguments} --json")).success())).unwrap()
 }
 
-/// The lines of a table without the first.
+/// Returns the lines of a table without the heading.
 fn rows(path: &Path) -> Vec<Vec<String>> {
     let text = std::fs::read_to_string(path).unwrap();
     text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
@@ -82,9 +82,9 @@ fn several_files_at_once() {
     let files = "-o a.mp4 -o b.gif -o c.png -o d.svg -o e.csv -o f/";
     call(path, &format!("run headon {files} --size 160x120 --fps 5 --duration 2 --no-expect -q")).success();
     assert_eq!(names(path), ["a.mp4", "b.gif", "c.png", "d.svg", "e.csv", "f"]);
-    // 0 to 2 s at 5 a second
+    // 0 to 2 s at 5 pictures per second.
     assert_eq!(names(&path.join("f")).len(), 11);
-    // 50 steps and the start, two agents each
+    // 50 steps and the start, two agents each.
     let rows = rows(&path.join("e.csv"));
     assert_eq!(rows.len(), 51 * 2);
     assert_eq!((&rows[0][1], &rows[1][1]), (&"left".to_owned(), &"right".to_owned()));
@@ -118,7 +118,7 @@ fn values_of_the_scene_can_be_set() {
 }
 
 #[test]
-fn a_seed_changes_what_is_random_and_nothing_else_does() {
+fn only_the_seed_changes_random_values() {
     let folder = folder();
     let table = |name: &str, options: &str| {
         call(folder.path(), &format!("run doorway -o {name} --duration 1 --no-expect -q {options}")).success();
@@ -139,7 +139,7 @@ fn an_expectation_that_fails_gives_exit_code_1() {
     let report: Value = serde_json::from_str(&stdout(&report)).unwrap();
     assert_eq!(report["expect"]["passed"], false);
     assert_eq!(report["expect"]["checks"][1]["name"], "within");
-    // the files are there all the same
+    // The files are written all the same.
     call(folder.path(), "run headon -q -o a.csv --set expect.within=1").code(1);
     assert_eq!(names(folder.path()), ["a.csv"]);
 }
@@ -160,7 +160,7 @@ fn every_kind_of_expectation_is_measured() {
     let speeds = ["heading_change", "mean_speed", "final_speed"];
     let all = [&["arrived", "within"][..], &separations, &speeds, &hindered, &["flow.0.at_most"]].concat();
     assert_eq!(names, all);
-    // a single person in the open comes near nobody
+    // A single agent in the open has no separation.
     assert!(checks[2]["found"].is_null() && checks[2]["passed"] == true, "{}", checks[2]);
     call(folder.path(), "run walk.toml --no-files --set expect.mean_speed=1.4").code(1);
     call(folder.path(), "run walk.toml --no-files --set expect.arrived=2").code(1);
@@ -188,7 +188,7 @@ fn a_floor_plan_needs_an_exit_and_people() {
 }
 
 #[test]
-fn a_goal_out_of_reach_is_told() {
+fn an_unreachable_goal_is_reported() {
     let folder = folder();
     let wall = "[[obstacle]]\nshape.wall = [[3.0,-2.0], [7.0,-2.0], [7.0,2.0], [3.0,2.0], [3.0,-2.0]]\n";
     std::fs::write(folder.path().join("walk.toml"), format!("{WALK}{wall}")).unwrap();
@@ -198,7 +198,7 @@ fn a_goal_out_of_reach_is_told() {
     assert!(stdout(&checked).contains("agent 0 of a cannot reach its goal: there is no way"), "{}", stdout(&checked));
 }
 
-/// Width and height of a PNG file.
+/// Returns width and height of a PNG file.
 fn size(path: &Path) -> (u32, u32) {
     let bytes = std::fs::read(path).unwrap();
     let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
@@ -206,7 +206,7 @@ fn size(path: &Path) -> (u32, u32) {
 }
 
 #[test]
-fn the_scene_says_how_it_is_seen_and_options_come_first() {
+fn options_override_the_view_of_the_scene() {
     let folder = folder();
     let path = folder.path();
     let view = "view = { size = [320, 200], fps = 10 }\n";
@@ -218,12 +218,12 @@ fn the_scene_says_how_it_is_seen_and_options_come_first() {
     assert!(std::fs::read_to_string(path.join("a.svg")).unwrap().contains("#00ff00"));
     run("-o b.png -o b/ --size 160x120 --fps 5");
     assert_eq!((size(&path.join("b.png")), names(&path.join("b")).len()), ((160, 120), 6));
-    // the labs' video
+    // The size of the labs' video.
     call(path, "show circle").success();
     assert_eq!(size(&path.join("circle.png")), (640, 480));
 }
 
-/// The summary of swarms, beside what `throng measure` finds in a table of every step.
+/// Compares the summary of swarms with the figures of `throng measure` for a table of every step.
 #[test]
 fn swarms_are_measured_as_they_run() {
     let folder = folder();
@@ -240,7 +240,7 @@ fn swarms_are_measured_as_they_run() {
         (&swarm["correlation_time"], &group["correlation"]["time"]),
     ] {
         let (found, expected) = (found.as_f64().unwrap(), expected.as_f64().unwrap());
-        // every second step, where the table has each: speeds over longer times are a little lower
+        // The run measures every second step, the table every step: speeds over longer times are slightly lower.
         assert!((found / expected - 1.0).abs() < 0.1, "{found}, not {expected}");
     }
     let text = stdout(&call(folder.path(), "run swarm-aggregation --limit 1 --no-expect --no-files").success());
@@ -249,7 +249,7 @@ fn swarms_are_measured_as_they_run() {
 }
 
 #[test]
-fn the_hash_is_that_of_the_last_state() {
+fn the_hash_is_of_the_last_state() {
     let folder = folder();
     let report = json(folder.path(), "run circle --no-files --duration 4 --no-expect");
     let (mut world, _) = throng_scene::gallery::scene("circle").unwrap().build().unwrap();

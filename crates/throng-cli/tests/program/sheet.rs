@@ -1,4 +1,4 @@
-//! `throng sheet`: stills of many scenes on one picture.
+//! `throng sheet`: stills of many scenes in one picture.
 
 use crate::shared::{WALK, call, folder, names, stderr};
 use std::path::Path;
@@ -7,7 +7,7 @@ fn read(folder: &Path, name: &str) -> String {
     std::fs::read_to_string(folder.join(name)).unwrap()
 }
 
-/// What follows `key="` in each line that has `tag`.
+/// Returns the value of `key` in each line that starts with `tag`.
 fn values<'a>(svg: &'a str, tag: &str, key: &str) -> Vec<&'a str> {
     let key = format!(" {key}=\"");
     let lines = svg.lines().filter(|line| line.starts_with(tag));
@@ -23,10 +23,10 @@ fn three_scenes_have_three_panels_of_one_size_with_their_names() {
     let svg = read(folder.path(), "a.svg");
     let panels = "<svg x=";
     assert_eq!(values(&svg, panels, "width"), ["277"; 3], "three side by side");
-    assert_eq!(values(&svg, panels, "height"), ["207"; 3], "four to three");
+    assert_eq!(values(&svg, panels, "height"), ["207"; 3], "aspect ratio 4:3");
     assert!(values(&svg, panels, "y").iter().all(|y| *y == values(&svg, panels, "y")[0]));
     let texts: Vec<&str> = svg.lines().filter(|line| line.starts_with("<text")).collect();
-    assert_eq!(texts.len(), 6, "a name and a time each, and nothing within the panels: {texts:?}");
+    assert_eq!(texts.len(), 6, "one name and one time per panel, and no other text: {texts:?}");
     for name in ["circle", "walk", "sphere"] {
         assert!(texts.iter().any(|text| text.contains(&format!(">{name}</text>"))), "{name}: {texts:?}");
     }
@@ -34,7 +34,7 @@ fn three_scenes_have_three_panels_of_one_size_with_their_names() {
 }
 
 #[test]
-fn a_group_is_all_of_its_scenes_under_its_name() {
+fn a_group_shows_all_its_scenes_under_its_name() {
     let folder = folder();
     call(folder.path(), "sheet air bodies --columns 2 --width 400 --at 1 -o a.svg").success();
     let svg = read(folder.path(), "a.svg");
@@ -45,7 +45,7 @@ fn a_group_is_all_of_its_scenes_under_its_name() {
 }
 
 #[test]
-fn a_scene_says_which_moment_tells_what_it_is_about() {
+fn the_scene_defines_the_moment_of_its_panel() {
     let folder = folder();
     let moments = [("key", "view.moment = 3.0"), ("third", "expect.within = 6.0"), ("end", "time.limit = 1.0")];
     for (name, line) in moments {
@@ -55,7 +55,7 @@ fn a_scene_says_which_moment_tells_what_it_is_about() {
     let svg = read(folder.path(), "a.svg");
     assert!(svg.contains(">3 s</text>") && svg.contains(">2 s</text>"), "{svg}");
     call(folder.path(), "sheet end.toml --at 5 -o b.svg").success();
-    assert!(read(folder.path(), "b.svg").contains(">1 s</text>"), "no run goes on after its end");
+    assert!(read(folder.path(), "b.svg").contains(">1 s</text>"), "no run continues after its end");
 }
 
 #[test]
@@ -74,14 +74,14 @@ fn sheets_are_the_same_for_any_number_of_threads() {
 }
 
 #[test]
-fn what_is_no_sheet_is_told_before_anything_runs() {
+fn errors_appear_before_anything_runs() {
     let folder = folder();
-    let told = |arguments: &str| stderr(&call(folder.path(), arguments).code(2));
-    let unknown = told("sheet circle wals");
+    let message = |arguments: &str| stderr(&call(folder.path(), arguments).code(2));
+    let unknown = message("sheet circle wals");
     assert!(unknown.contains("there is no scene `wals`") && unknown.contains("groups: labs, meetings"), "{unknown}");
     assert!(unknown.contains("columns, circle, box"), "{unknown}");
-    assert!(told("sheet -o a.mp4").contains("end the name in .png or .svg"));
-    assert!(told("sheet -o nowhere/a.png").contains("nowhere"));
-    assert!(told("sheet labs --columns 5 --width 60").contains("pixels, but must be"));
+    assert!(message("sheet -o a.mp4").contains("end the name in .png or .svg"));
+    assert!(message("sheet -o nowhere/a.png").contains("nowhere"));
+    assert!(message("sheet labs --columns 5 --width 60").contains("pixels, but must be"));
     assert!(names(folder.path()).is_empty());
 }

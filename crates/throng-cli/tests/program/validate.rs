@@ -4,7 +4,7 @@ use crate::shared::{call, folder, names, stderr, stdout};
 use serde_json::Value;
 
 #[test]
-fn figures_have_the_documented_keys_and_say_the_exit_code() {
+fn figures_have_the_documented_keys_and_determine_the_exit_code() {
     let folder = folder();
     let assert =
         call(folder.path(), "validate head-on --seeds 1 --set keep_right=0 --json -q -o a.html -o b.json").code(1);
@@ -59,7 +59,7 @@ fn scenes_are_kept_and_run() {
 }
 
 #[test]
-fn experiments_are_listed_and_mistakes_named() {
+fn experiments_are_listed_and_errors_name_the_problem() {
     let folder = folder();
     let list = stdout(&call(folder.path(), "validate --list").success());
     assert!(
@@ -69,16 +69,16 @@ fn experiments_are_listed_and_mistakes_named() {
             && list.contains("counterflow"),
         "{list}"
     );
-    let told = |arguments: &str| stderr(&call(folder.path(), &format!("validate {arguments}")).code(2));
-    assert!(told("doors").contains("there is no experiment `doors`") && told("doors").contains("corridor, door"));
-    assert!(told("door --model orcs").contains("there is no model `orcs`"));
+    let message = |arguments: &str| stderr(&call(folder.path(), &format!("validate {arguments}")).code(2));
+    assert!(message("doors").contains("there is no experiment `doors`") && message("doors").contains("corridor, door"));
+    assert!(message("door --model orcs").contains("there is no model `orcs`"));
     assert!(
-        told("lone-walker --set nothing=1").contains("lone-walker 24 m"),
+        message("lone-walker --set nothing=1").contains("lone-walker 24 m"),
         "{}",
-        told("lone-walker --set nothing=1")
+        message("lone-walker --set nothing=1")
     );
-    assert!(told("door -o a.png").contains("end it in .html or .json"));
-    assert!(told("door families").contains("one of the two"));
+    assert!(message("door -o a.png").contains("end it in .html or .json"));
+    assert!(message("door families").contains("cannot be combined"));
 }
 
 #[test]

@@ -1,14 +1,15 @@
-//! How long things take.
+//! Time measurements.
 
 use std::time::Instant;
 
-/// Seconds this thread has worked, where the system says (Linux); on a busy machine they tell more than the clock.
+/// Returns the seconds that this thread has run, where the system reports them (Linux). Unlike wall-clock time, they do
+/// not depend on other load.
 fn worked() -> Option<f64> {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     Some(text.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
 }
 
-/// Says how long each of `count` pictures took.
+/// Prints the time of each of `count` pictures.
 pub fn report(what: &str, count: usize, start: (Instant, Option<f64>)) {
     let each = |seconds: f64| seconds * 1e3 / count as f64;
     let clock = start.0.elapsed().as_secs_f64();
@@ -19,7 +20,7 @@ pub fn report(what: &str, count: usize, start: (Instant, Option<f64>)) {
     }
 }
 
-/// When it is, by both clocks.
+/// Returns the current time of both clocks.
 pub fn now() -> (Instant, Option<f64>) {
     (Instant::now(), worked())
 }

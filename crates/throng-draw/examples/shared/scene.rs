@@ -1,10 +1,10 @@
-//! A made-up recording: two streams cross a hall with pillars while a few people gather in a ring.
+//! A generated recording: two streams cross a hall with pillars while a few people gather in a ring.
 
 use glam::{DVec2, Vec2};
 use throng::{Goal, Obstacle, Status, Walkable};
 use throng_record::{Body, Frame, Setting};
 
-/// The hall.
+/// Returns the hall.
 pub fn crossing() -> Setting {
     let corners = |x0: f64, y0: f64, x1: f64, y1: f64| {
         vec![DVec2::new(x0, y0), DVec2::new(x1, y0), DVec2::new(x1, y1), DVec2::new(x0, y1)]
@@ -30,7 +30,7 @@ pub fn crossing() -> Setting {
     }
 }
 
-/// The hall at step `k`, 25 steps a second.
+/// Returns the hall at step `k`, with 25 steps per second.
 pub fn moment(k: usize) -> Frame {
     let time = k as f64 * 0.04;
     let mut bodies = Vec::new();
@@ -51,7 +51,7 @@ pub fn moment(k: usize) -> Frame {
             position: DVec2::new(x, sway(along)),
             velocity,
             altitude: 0.0,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             heading: velocity.y.atan2(velocity.x),
             basis: None,
             radius: 0.24,
@@ -72,7 +72,7 @@ pub fn moment(k: usize) -> Frame {
             position: DVec2::new(17.0, 12.8) + outward * DVec2::new(distance, distance.min(2.0)),
             velocity: if there { Vec2::ZERO } else { outward.as_vec2() * -0.35 },
             altitude: 0.0,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             heading: (angle + std::f64::consts::PI) as f32,
             basis: None,
             radius: 0.24,

@@ -1,37 +1,37 @@
-//! What the lines beside agents are, and what is drawn on the ground.
+//! The key: the meanings of the lines beside agents and of what is drawn on the ground.
 
 use super::Annotation;
 use crate::Style;
-use crate::mark::{Anchor, Mark, Stroke};
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::text::Type;
 use glam::Vec2;
 
-/// How much of what is below the key it hides.
+/// The opacity of the key's background.
 const PAPER: f32 = 0.82;
 
-/// One thing, and what it is.
+/// A row of the key: a sample and its meaning.
 pub(crate) struct Row<'a> {
-    /// How wide it is, pixels.
+    /// The width of the sample, pixels.
     pub length: f32,
     pub says: String,
-    /// Draws it to the right of a point, half of it above that.
-    pub draw: Box<dyn Fn(Vec2) -> Vec<Mark> + 'a>,
+    /// Draws the sample to the right of a point, centred vertically on it.
+    pub draw: Box<dyn Fn(Vec2) -> Vec<Primitive> + 'a>,
 }
 
-/// A line for each kind that is drawn beside agents, for type of this size.
+/// Returns a row for each kind that is drawn beside agents. `size` is the size of the type.
 pub(crate) fn rows<'a>(kinds: &[Annotation], style: &'a Style, size: f32) -> Vec<Row<'a>> {
     let length = 1.6 * size;
     let row = |&kind: &Annotation| {
         let (width, dash) = (0.11 * size * kind.width().max(1.0), kind.is_dashed().then_some(0.27 * size));
         let stroke = Stroke { width, color: kind.color(&style.theme), dash };
-        let draw = move |at| vec![Mark::Line { points: vec![at, at + Vec2::X * length], closed: false, stroke }];
+        let draw = move |at| vec![Primitive::Line { points: vec![at, at + Vec2::X * length], closed: false, stroke }];
         Row { length, says: kind.says().into(), draw: Box::new(draw) }
     };
     kinds.iter().map(row).collect()
 }
 
-/// The rows one below the other from `at` down; `size` is that of the type.
-pub(crate) fn key(rows: &[Row<'_>], style: &Style, at: Vec2, size: f32, typeface: &Type) -> Vec<Mark> {
+/// Returns the rows below each other, from `at` down. `size` is the size of the type.
+pub(crate) fn key(rows: &[Row<'_>], style: &Style, at: Vec2, size: f32, typeface: &Type) -> Vec<Primitive> {
     if rows.is_empty() {
         return Vec::new();
     }
@@ -39,13 +39,13 @@ pub(crate) fn key(rows: &[Row<'_>], style: &Style, at: Vec2, size: f32, typeface
     let widest = rows.iter().map(|row| row.length + gap + typeface.width(&row.says, size)).fold(0.0, f32::max);
     let (low, high) = (at - size, at + Vec2::new(widest + gap, (rows.len() as f32 - 0.4) * step));
     let paper = vec![low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
-    let paper = Mark::Area { rings: vec![paper], fill: style.theme.ground.alpha(PAPER) };
+    let paper = Primitive::Area { rings: vec![paper], fill: style.theme.ground.alpha(PAPER) };
     let row = |(k, row): (usize, &Row<'_>)| {
         let from = at + Vec2::new(0.0, k as f32 * step);
         let at = from + Vec2::new(row.length + gap, 0.0);
         let color = style.theme.quiet;
         let mut marks = (row.draw)(from - Vec2::new(0.0, 0.32 * size));
-        marks.push(Mark::Text { text: row.says.clone(), at, anchor: Anchor::Start, size, color });
+        marks.push(Primitive::Text { text: row.says.clone(), at, anchor: Anchor::Start, size, color });
         marks
     };
     std::iter::once(paper).chain(rows.iter().enumerate().flat_map(row)).collect()

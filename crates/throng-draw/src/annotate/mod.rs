@@ -1,4 +1,4 @@
-//! What agents have in mind, drawn beside them: thin quiet lines, and a key that says what they are.
+//! Annotations: thin lines beside agents that show what they perceive and choose, and the key of these lines.
 
 mod key;
 mod layers;
@@ -8,37 +8,37 @@ pub(crate) use key::{Row, key, rows};
 pub use layers::Annotator;
 
 use crate::{Color, Theme};
-use throng::Asked;
-use throng::steer::Reason;
+use throng::TraceRequest;
+use throng::steer::SteeringReason;
 use throng_record::{Body, Frame};
 
-/// One of the things that can be drawn beside agents, in the order in which they are drawn.
+/// A kind of annotation, in drawing order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Annotation {
-    /// How far they look, and whom they see.
+    /// The distance that an agent perceives, and the agents it perceives.
     Neighbourhoods,
-    /// Where they have been for the last ten seconds.
+    /// The agent's positions of the last ten seconds.
     Trails,
-    /// The paths they follow.
+    /// The path that the agent follows.
     Paths,
-    /// What they feel their way along.
+    /// The feelers for obstacles.
     Feelers,
-    /// Where they expect others, or themselves, to be.
+    /// Predicted positions of other agents, or of the agent itself.
     Predictions,
-    /// Where they aim at.
+    /// The points that the agent aims at.
     Targets,
-    /// Who will come too near, and where the two will be then.
+    /// Agents that will come too near, with the predicted positions of both.
     Threats,
-    /// The velocity they would like: the way of half a second.
+    /// The preferred velocity, as the motion in half a second.
     Preferred,
-    /// The velocity they have: the way of half a second.
+    /// The velocity, as the motion in half a second.
     Velocity,
-    /// The force they steer by, over their mass: a metre for every 4 m/s².
+    /// The steering force per mass: 1 m of arrow for 4 m/s².
     Force,
 }
 
 impl Annotation {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 10] = [
         Self::Neighbourhoods,
         Self::Trails,
@@ -52,7 +52,7 @@ impl Annotation {
         Self::Force,
     ];
 
-    /// What it is called in files and on the command line.
+    /// Returns the name in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Neighbourhoods => "neighbourhoods",
@@ -68,7 +68,7 @@ impl Annotation {
         }
     }
 
-    /// What the key says.
+    /// Returns the text of the key.
     pub fn says(self) -> &'static str {
         match self {
             Self::Preferred => "preferred velocity",
@@ -77,7 +77,7 @@ impl Annotation {
         }
     }
 
-    /// Its colour; the colour of the agent where it is the agent's.
+    /// Returns the colour; trails use the colour of the agent instead.
     pub fn color(self, theme: &Theme) -> Color {
         match self {
             Self::Neighbourhoods => theme.quiet.alpha(0.5),
@@ -92,7 +92,7 @@ impl Annotation {
         }
     }
 
-    /// How thick its lines are, in units of the layout.
+    /// Returns the width of lines, in units of the layout.
     fn width(self) -> f32 {
         match self {
             Self::Neighbourhoods => 0.7,
@@ -101,63 +101,63 @@ impl Annotation {
         }
     }
 
-    /// Whether its lines are dashed: what is not there, or not yet.
+    /// Whether lines are dashed: they show something planned or predicted.
     pub fn is_dashed(self) -> bool {
         matches!(self, Self::Paths | Self::Preferred | Self::Predictions)
     }
 
-    /// Whether what is told is of this kind.
-    fn shows(self, reason: &Reason) -> bool {
+    /// Whether a reason belongs to this kind.
+    fn shows(self, reason: &SteeringReason) -> bool {
         match reason {
-            Reason::Looks { distance, .. } => self == Self::Neighbourhoods && distance.is_finite(),
-            Reason::Regards(_) => self == Self::Neighbourhoods,
-            Reason::Via(_) => self == Self::Paths,
-            Reason::Feels(_) => self == Self::Feelers,
-            Reason::Expects(_) => self == Self::Predictions,
-            Reason::Aim(_) => self == Self::Targets,
-            Reason::Threat { .. } => self == Self::Threats,
-            Reason::Wishes(_) => self == Self::Preferred,
+            SteeringReason::Looks { distance, .. } => self == Self::Neighbourhoods && distance.is_finite(),
+            SteeringReason::Regards(_) => self == Self::Neighbourhoods,
+            SteeringReason::Via(_) => self == Self::Paths,
+            SteeringReason::Feels(_) => self == Self::Feelers,
+            SteeringReason::Expects(_) => self == Self::Predictions,
+            SteeringReason::Aim(_) => self == Self::Targets,
+            SteeringReason::Threat { .. } => self == Self::Threats,
+            SteeringReason::Wishes(_) => self == Self::Preferred,
             _ => false,
         }
     }
 
-    /// Whether anything of this kind is in a frame.
+    /// Whether a frame has something of this kind.
     fn is_in(self, frame: &Frame) -> bool {
         let accounts = || frame.accounts.iter();
         match self {
             Self::Trails | Self::Velocity => !frame.bodies.is_empty(),
             Self::Preferred => accounts().next().is_some(),
             Self::Force => accounts().any(|account| account.steering != glam::Vec3::ZERO),
-            _ => accounts().any(|account| account.told.iter().any(|told| self.shows(&told.reason))),
+            _ => accounts().any(|account| account.entries.iter().any(|told| self.shows(&told.reason))),
         }
     }
 }
 
-/// What is drawn beside whom.
+/// The annotations to draw, and the agents to draw them for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Annotations {
-    /// What.
+    /// The kinds.
     pub kinds: Vec<Annotation>,
-    /// Beside whom, by number; `None`: everybody.
+    /// The numbers of the agents; `None` for all agents.
     pub agents: Option<Vec<u32>>,
 }
 
 impl Annotations {
-    /// Who must be asked for it ([`throng::World::ask`]).
-    pub fn asked(&self) -> Asked {
+    /// Returns the agents to request traces of ([`throng::World::request_traces`]).
+    pub fn asked(&self) -> TraceRequest {
         match &self.agents {
-            _ if self.kinds.is_empty() => Asked::Nobody,
-            None => Asked::Everybody,
-            Some(numbers) => Asked::Numbers(numbers.clone()),
+            _ if self.kinds.is_empty() => TraceRequest::None,
+            None => TraceRequest::All,
+            Some(numbers) => TraceRequest::Numbers(numbers.clone()),
         }
     }
 
-    /// Whether something is drawn beside this one.
+    /// Whether something is drawn for this body.
     pub(crate) fn concern(&self, body: &Body) -> bool {
         !self.kinds.is_empty() && self.agents.as_ref().is_none_or(|numbers| numbers.contains(&body.number))
     }
 
-    /// The kinds that are asked for and that there is something of in a frame.
+    /// Returns the requested kinds that a frame has something of.
     pub fn in_frame(&self, frame: &Frame) -> impl Iterator<Item = Annotation> {
         self.kinds.iter().copied().filter(|kind| kind.is_in(frame))
     }

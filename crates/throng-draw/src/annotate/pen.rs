@@ -1,41 +1,41 @@
-//! Thin lines in the world, however it is projected.
+//! Thin lines in the world, for any projection.
 
 use crate::Color;
 use crate::figure::arrow;
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
 use glam::DVec3;
 
-/// Arrows shorter than this are left out, in units of the layout.
+/// The least length of arrows, in units of the layout; shorter arrows are left out.
 const LEAST_ARROW: f32 = 4.0;
 
-/// Draws in one colour and width.
+/// A pen with one colour and width.
 #[derive(Debug)]
-pub(super) struct Pen<'a> {
+pub(super) struct AnnotationPen<'a> {
     pub projector: &'a Projector,
     pub unit: f32,
     pub color: Color,
     pub width: f32,
     pub dashed: bool,
-    pub marks: &'a mut Vec<Mark>,
+    pub marks: &'a mut Vec<Primitive>,
 }
 
-impl Pen<'_> {
+impl AnnotationPen<'_> {
     fn stroke(&self) -> Stroke {
         let dash = self.dashed.then_some(3.0 * self.unit);
         Stroke { width: self.width * self.unit, color: self.color, dash }
     }
 
-    /// A line from point to point.
+    /// Draws a line through points.
     pub fn line(&mut self, points: impl IntoIterator<Item = DVec3>) {
         let pixels: Vec<_> = points.into_iter().map(|point| self.projector.pixel(point)).collect();
         for part in pixels.split(|pixel| pixel.is_none()).filter(|part| part.len() > 1) {
             let points = part.iter().copied().flatten().collect();
-            self.marks.push(Mark::Line { points, closed: false, stroke: self.stroke() });
+            self.marks.push(Primitive::Line { points, closed: false, stroke: self.stroke() });
         }
     }
 
-    /// An arrow, if it is long enough to be seen.
+    /// Draws an arrow, if it is long enough.
     pub fn arrow(&mut self, from: DVec3, along: DVec3) {
         if let Some([from, to]) = self.projector.line(from, from + along)
             && from.distance(to) >= LEAST_ARROW * self.unit
@@ -44,18 +44,18 @@ impl Pen<'_> {
         }
     }
 
-    /// A ring of so many pixels, in units of the layout, round a point.
+    /// Draws a ring around a point. `radius` is in units of the layout.
     pub fn ring(&mut self, center: DVec3, radius: f32) {
         if let Some(center) = self.projector.pixel(center) {
             let stroke = Stroke { dash: None, ..self.stroke() };
-            self.marks.push(Mark::Ring { center, radius: radius * self.unit, stroke });
+            self.marks.push(Primitive::Ring { center, radius: radius * self.unit, stroke });
         }
     }
 
-    /// A dot on a point.
+    /// Draws a dot on a point. `radius` is in units of the layout.
     pub fn dot(&mut self, center: DVec3, radius: f32) {
         if let Some(center) = self.projector.pixel(center) {
-            self.marks.push(Mark::Disc { center, radius: radius * self.unit, fill: self.color });
+            self.marks.push(Primitive::Disc { center, radius: radius * self.unit, fill: self.color });
         }
     }
 }

@@ -1,9 +1,9 @@
-//! Where labels go, so that none lies on another.
+//! Placement of labels without overlaps.
 
 use super::sheet::Rect;
 use glam::Vec2;
 
-/// What is taken of a panel.
+/// The occupied parts of a panel.
 pub(super) struct Labels {
     room: Rect,
     taken: Vec<Rect>,
@@ -14,7 +14,7 @@ impl Labels {
         Self { room, taken: Vec::new() }
     }
 
-    /// Keeps labels away from a square round `center`.
+    /// Keeps labels away from a square around `center`.
     pub(super) fn keep(&mut self, center: Vec2, half: f32) {
         self.taken.push(Rect::around(center, Vec2::splat(half)));
     }
@@ -27,13 +27,13 @@ impl Labels {
         }
     }
 
-    /// Whether a label of this size fits round `center`.
+    /// Whether a label of this size fits around `center`.
     pub(super) fn fits(&self, center: Vec2, half: Vec2) -> bool {
         let label = Rect::around(center, half);
         self.room.contains(&label) && !self.taken.iter().any(|other| other.overlaps(&label))
     }
 
-    /// The first of the centres where a label of this size fits, which is taken from now on.
+    /// Returns the first of the centres where a label of this size fits, and marks the space as occupied.
     pub(super) fn place(&mut self, half: Vec2, centers: impl IntoIterator<Item = Vec2>) -> Option<Vec2> {
         let center = centers.into_iter().find(|&center| self.fits(center, half))?;
         self.taken.push(Rect::around(center, half));
@@ -41,9 +41,10 @@ impl Labels {
     }
 }
 
-/// Centres for a label beside a point: those round it that lie most in `direction` first, then farther and farther off.
+/// Returns centres for a label beside a point: nearest first, and at the same distance those closest to `direction`
+/// first.
 pub(super) fn beside(point: Vec2, half: Vec2, gap: f32, direction: Vec2) -> impl Iterator<Item = Vec2> {
-    // at the middle of a side, or at a corner
+    // At the middle of a side, or at a corner.
     let mut ways: Vec<Vec2> = [-1.0f32, 0.0, 1.0]
         .into_iter()
         .flat_map(|x| [Vec2::new(x, -1.0), Vec2::new(x, 1.0)])

@@ -1,8 +1,8 @@
-//! Why one agent goes where it goes: the figure that papers on velocity obstacles draw by hand.
+//! The figure that explains why an agent chooses its velocity, like the figures in papers on velocity obstacles.
 //!
-//! Left the agent and what is near it, to scale; right its velocities: what each neighbour and each wall forbids, what is
-//! left, and the velocities that the agent has, would like, and gets. See van den Berg, Guy, Lin, Manocha, Reciprocal
-//! n-body collision avoidance, ISRR 2009, figures 2 and 4.
+//! Left the agent and what is near it, to scale; right its velocity space: the velocities that each neighbour and each
+//! wall forbids, those that remain, and the agent's current, preferred and resulting velocity. See van den Berg, Guy,
+//! Lin, Manocha, Reciprocal n-body collision avoidance, ISRR 2009, figures 2 and 4.
 
 mod arrow;
 mod labels;
@@ -15,12 +15,12 @@ mod words;
 
 pub(crate) use arrow::arrow;
 
-use crate::mark::Mark;
 use crate::picture::Picture;
+use crate::primitive::Primitive;
 use crate::sink::Kind;
 use crate::text::{Type, Typeface};
 use crate::{Color, Error, Image, Style, raster, svg};
-use sheet::Sheet;
+use sheet::FigureLayout;
 use std::path::Path;
 use throng::Explanation;
 use throng_record::{Frame, Output, Setting};
@@ -33,7 +33,7 @@ use throng_record::{Frame, Output, Setting};
 /// use throng_record::{Frame, Setting};
 /// let mut world = World::new(Settings::default())?;
 /// let id = world.add_agent(Agent::default())?;
-/// let why = world.explain(id).expect("it is there");
+/// let why = world.explain(id).expect("the agent is in the world");
 /// let figure = Figure::explain(&Setting::of(&world, "Alone"), &Frame::of(&world), &why, &Style::default())?;
 /// assert!(figure.svg().contains("Alone"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -43,28 +43,28 @@ pub struct Figure {
     size: (u32, u32),
     base: Color,
     typeface: Typeface,
-    marks: Vec<Mark>,
+    marks: Vec<Primitive>,
 }
 
 impl Figure {
-    /// A picture of marks on a ground of one colour, in the usual typeface.
+    /// Creates a picture of primitives on a ground of one colour, in the default typeface.
     ///
     /// # Errors
     /// [`Error::Size`] if width or height is out of the limits of pictures.
-    pub fn of((width, height): (u32, u32), base: Color, marks: Vec<Mark>) -> Result<Self, Error> {
+    pub fn of((width, height): (u32, u32), base: Color, marks: Vec<Primitive>) -> Result<Self, Error> {
         Error::check_size(width, height)?;
         Ok(Self { size: (width, height), base, typeface: Typeface::default(), marks })
     }
 
-    /// The figure of an explanation: `frame` is the world at its time, `setting` the place. Of the style, size, theme
-    /// and typeface matter; a figure of 1200 by 760 pixels has room for everything.
+    /// Draws an explanation: `frame` is the world at its time, `setting` the place. Of the style, only size, theme and
+    /// typeface matter. A figure of 1200 by 760 pixels has room for everything.
     ///
     /// # Errors
     /// [`Error::Size`] if the style's width or height is out of its limits.
     pub fn explain(setting: &Setting, frame: &Frame, why: &Explanation, style: &Style) -> Result<Self, Error> {
         Error::check_size(style.width, style.height)?;
         let key = velocities::key(why);
-        let sheet = Sheet::new(style, words::caption(why), key);
+        let sheet = FigureLayout::new(style, words::caption(why), key);
         let [near, scale] = near::marks(setting, frame, why, &sheet);
         let [plot, numbers] = velocities::marks(why, &sheet);
         let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
@@ -74,14 +74,14 @@ impl Figure {
         Ok(Self { size: (style.width, style.height), base: style.theme.ground, typeface, marks })
     }
 
-    /// The figure in pixels.
+    /// Returns the figure as pixels.
     pub fn image(&self) -> Image {
         let mut image = Image::new(self.size.0, self.size.1, self.base);
         raster::draw(&mut image, &mut Type::of(&self.typeface), &self.marks);
         image
     }
 
-    /// The figure as an SVG document.
+    /// Returns the figure as an SVG document.
     pub fn svg(&self) -> String {
         svg::picture(self.size, self.base, &self.marks)
     }
@@ -89,7 +89,7 @@ impl Figure {
     /// Writes the figure, a `.png` or `.svg` by the ending of the name.
     ///
     /// # Errors
-    /// [`Error::Still`] if it ends otherwise; the file cannot be written.
+    /// [`Error::Still`] if the name has another ending; or the file cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         let path = path.as_ref();
         let picture = match Kind::of(path) {

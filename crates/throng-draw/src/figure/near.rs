@@ -2,20 +2,20 @@
 
 use super::arrow::{Quantity, thin};
 use super::labels::{Labels, beside};
-use super::sheet::Sheet;
+use super::sheet::FigureLayout;
 use super::tint::{self, ACCENT};
-use crate::mark::{Anchor, Mark, Stroke};
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::{Camera, Color, WorldBox, legend, place};
 use glam::{DVec2, Vec2};
 use throng::Explanation;
 use throng_record::{Body, Frame, Setting};
 
-/// What is shown of the agent itself: the others stand in the plot.
+/// The velocities drawn at the agent. The plot shows all of them.
 const SHOWN: [Quantity; 3] = [Quantity::Now, Quantity::Preferred, Quantity::Chosen];
 
-/// What is within the panel, which may hang over its edges, and what stands below it.
-pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
+/// Returns the primitives of the panel, which can extend beyond its edges, and those below the panel.
+pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: &FigureLayout) -> [Vec<Primitive>; 2] {
     let camera = camera(why, sheet);
     let (place, own) = around(setting, frame, why);
     let mut marks = place::marks(&place, sheet.style, &camera, sheet.unit, &own);
@@ -24,11 +24,11 @@ pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: 
     let mut numbers = Vec::new();
     let mut ways = Vec::new();
     for body in &frame.bodies {
-        let (at, radius) = (camera.pixel(body.position), camera.length(f64::from(body.shape().girth())));
+        let (at, radius) = (camera.pixel(body.position), camera.length(f64::from(body.shape().clearance_radius())));
         let index = why.neighbours.iter().position(|other| other.number == body.number);
         let own = (body.number == why.number).then_some(ACCENT);
         let color = own.or(index.map(tint::neighbour));
-        marks.push(Mark::Agent(rounded(body, color, at, &camera, sheet)));
+        marks.push(Primitive::Agent(rounded(body, color, at, &camera, sheet)));
         labels.keep(at, radius);
         let Some(color) = color else { continue };
         numbers.push((body.number, color, at, radius));
@@ -60,15 +60,15 @@ pub(super) fn marks(setting: &Setting, frame: &Frame, why: &Explanation, sheet: 
     [marks, scale_bar(&camera, sheet)]
 }
 
-/// The way of the front of a body in a second.
+/// Returns the motion of the front of a body in one second.
 fn way(velocity: Vec2, at: Vec2, radius: f32, camera: &Camera) -> (Vec2, Vec2) {
     let way = Vec2::new(velocity.x, -velocity.y) * camera.scale as f32;
     let front = at + way.normalize_or_zero() * radius;
     (front, front + way)
 }
 
-/// A view that holds the agent, its neighbours, and where they are in a second.
-fn camera(why: &Explanation, sheet: &Sheet) -> Camera {
+/// Returns a view that holds the agent, its neighbours, and their positions after one second.
+fn camera(why: &Explanation, sheet: &FigureLayout) -> Camera {
     let mut view = WorldBox::NOTHING;
     let mut show = |at: DVec2, velocity: Vec2, radius: f32| {
         view.add(at, f64::from(radius));
@@ -82,7 +82,7 @@ fn camera(why: &Explanation, sheet: &Sheet) -> Camera {
     Camera::fit(view.at_least(4.0), room.low, room.high)
 }
 
-/// The place with the agent's own goal only, and a moment with the agent only.
+/// Returns the place with only the agent's own goal, and a frame with only the agent.
 fn around(setting: &Setting, frame: &Frame, why: &Explanation) -> (Setting, Frame) {
     let own = frame.bodies.iter().find(|body| body.number == why.number);
     let goal = own.and_then(|body| setting.goals.get(body.goal? as usize)).cloned();
@@ -91,8 +91,8 @@ fn around(setting: &Setting, frame: &Frame, why: &Explanation) -> (Setting, Fram
     (place, Frame { bodies: bodies.into_iter().collect(), ..Frame::default() })
 }
 
-/// A body; the notch makes room for a number.
-fn rounded(body: &Body, color: Option<Color>, center: Vec2, camera: &Camera, sheet: &Sheet) -> Rounded {
+/// Returns the shape of a body. The notch is left out where a number needs the space.
+fn rounded(body: &Body, color: Option<Color>, center: Vec2, camera: &Camera, sheet: &FigureLayout) -> Rounded {
     let theme = &sheet.style.theme;
     let (sin, cos) = body.heading.sin_cos();
     let (radius, core) = (camera.length(f64::from(body.radius)), body.core * camera.scale as f32);
@@ -104,8 +104,8 @@ fn rounded(body: &Body, color: Option<Color>, center: Vec2, camera: &Camera, she
     Rounded { center, core, along, radius, fill, rim: fill.mix(theme.text, 0.42), rim_width: sheet.unit, notch }
 }
 
-/// A bar of a round number of metres, below the panel.
-fn scale_bar(camera: &Camera, sheet: &Sheet) -> Vec<Mark> {
+/// Returns a bar of a round number of metres below the panel.
+fn scale_bar(camera: &Camera, sheet: &FigureLayout) -> Vec<Primitive> {
     let unit = sheet.unit;
     let metres = legend::round_length(f64::from(sheet.near.high.x - sheet.near.low.x) / 5.0 / camera.scale);
     let left = Vec2::new(sheet.near.low.x, sheet.near.high.y + 16.0 * unit);
@@ -115,7 +115,7 @@ fn scale_bar(camera: &Camera, sheet: &Sheet) -> Vec<Mark> {
     let line = vec![left - tick, left, right, right - tick];
     let at = right + Vec2::new(8.0 * unit, 2.0 * unit);
     vec![
-        Mark::Line { points: line, closed: false, stroke: Stroke::plain(1.2 * unit, quiet) },
-        sheet.text(format!("{metres} m; arrows: the way of a second"), at, Anchor::Start, quiet),
+        Primitive::Line { points: line, closed: false, stroke: Stroke::plain(1.2 * unit, quiet) },
+        sheet.text(format!("{metres} m; arrows: motion in 1 s"), at, Anchor::Start, quiet),
     ]
 }

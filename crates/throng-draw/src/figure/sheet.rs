@@ -1,7 +1,7 @@
-//! The sheet that a figure is drawn on: where its parts are, and what stands round them.
+//! The layout of a figure: its parts, and the texts around them.
 
 use super::velocities::Entry;
-use crate::mark::{Anchor, Mark, Stroke};
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::text::Type;
 use crate::{Color, Style};
 use glam::Vec2;
@@ -30,12 +30,12 @@ impl Rect {
         self.low.cmple(other.low).all() && other.high.cmple(self.high).all()
     }
 
-    /// What of some marks lies within.
-    pub(super) fn clip(self, marks: Vec<Mark>) -> Mark {
-        Mark::Within { low: self.low, high: self.high, marks }
+    /// Returns the part of the primitives inside this rectangle.
+    pub(super) fn clip(self, marks: Vec<Primitive>) -> Primitive {
+        Primitive::Within { low: self.low, high: self.high, marks }
     }
 
-    /// The nearest rectangle of whole pixels.
+    /// Returns the nearest rectangle of whole pixels.
     fn whole(self) -> Self {
         Self { low: self.low.round(), high: self.high.max(self.low).round() }
     }
@@ -45,35 +45,35 @@ impl Rect {
     }
 }
 
-/// Where the parts of a figure are.
-pub(super) struct Sheet<'a> {
+/// The layout of a figure.
+pub(super) struct FigureLayout<'a> {
     pub style: &'a Style,
     pub typeface: Type,
-    /// Everything scales with this: 1 for 1200 by 760 pixels.
+    /// The scale of everything: 1 for 1200 by 760 pixels.
     pub unit: f32,
-    /// Size of the type.
+    /// The size of the type.
     pub size: f32,
-    /// The agent and what is near it.
+    /// The panel of the agent and what is near it.
     pub near: Rect,
-    /// Its velocities.
+    /// The panel of its velocities.
     pub plot: Rect,
     margin: f32,
     caption: Vec<String>,
     key: Vec<Vec<Entry>>,
 }
 
-/// Parts of the sheet, in units.
+/// The sizes of the parts, in units.
 const MARGIN: f32 = 26.0;
 const HEAD: f32 = 84.0;
 const LINE: f32 = 22.0;
-/// Room for the numbers of the axes: beside, below.
+/// The space for the numbers of the axes: beside and below the plot.
 const BESIDE: f32 = 44.0;
 const BELOW: f32 = 36.0;
 const GAP: f32 = 26.0;
-/// A sample in the key.
+/// The width of a sample in the key.
 const SAMPLE: f32 = 30.0;
 
-impl<'a> Sheet<'a> {
+impl<'a> FigureLayout<'a> {
     pub(super) fn new(style: &'a Style, caption: Vec<String>, key: Vec<Entry>) -> Self {
         let (width, height) = (style.width as f32, style.height as f32);
         let unit = (width / 1200.0).min(height / 760.0).max(0.05);
@@ -91,39 +91,39 @@ impl<'a> Sheet<'a> {
         Self { style, typeface, unit, size, near, plot, margin, caption, key }
     }
 
-    pub(super) fn text(&self, text: impl Into<String>, at: Vec2, anchor: Anchor, color: Color) -> Mark {
-        Mark::Text { text: text.into(), at, anchor, size: self.size, color }
+    pub(super) fn text(&self, text: impl Into<String>, at: Vec2, anchor: Anchor, color: Color) -> Primitive {
+        Primitive::Text { text: text.into(), at, anchor, size: self.size, color }
     }
 
-    /// Half the size of a label.
+    /// Returns half the size of a label.
     pub(super) fn half(&self, text: &str) -> Vec2 {
         Vec2::new(0.5 * self.typeface.width(text, self.size) + 2.0 * self.unit, 0.62 * self.size)
     }
 
-    /// A label round `center`, on a little of the ground.
-    pub(super) fn label(&self, text: &str, center: Vec2, marks: &mut Vec<Mark>) {
+    /// Draws a label around `center` on a translucent background.
+    pub(super) fn label(&self, text: &str, center: Vec2, marks: &mut Vec<Primitive>) {
         let theme = &self.style.theme;
         let chip = Rect::around(center, self.half(text));
-        marks.push(Mark::Area { rings: vec![chip.corners()], fill: theme.ground.alpha(0.78) });
+        marks.push(Primitive::Area { rings: vec![chip.corners()], fill: theme.ground.alpha(0.78) });
         marks.push(self.text(text, center + Vec2::new(0.0, 0.34 * self.size), Anchor::Middle, theme.text));
     }
 
-    /// What stands round the parts: their edges, titles, key and caption.
-    pub(super) fn frame(&self, [title, subtitle]: [String; 2]) -> Vec<Mark> {
+    /// Returns the edges, titles, key and caption.
+    pub(super) fn frame(&self, [title, subtitle]: [String; 2]) -> Vec<Primitive> {
         let (theme, unit) = (&self.style.theme, self.unit);
         let panels = [self.near, self.plot];
         let stroke = Stroke::plain(unit, theme.edge);
-        let edge = |rect: Rect| Mark::Line { points: rect.corners(), closed: true, stroke };
+        let edge = |rect: Rect| Primitive::Line { points: rect.corners(), closed: true, stroke };
         let mut marks = panels.map(edge).to_vec();
 
         let (left, room) = (self.margin, self.style.width as f32 - 2.0 * self.margin);
         let mut line = |text: &str, at: Vec2, size: f32, room: f32, color: Color| {
             let text = self.typeface.clip(text, size, room);
-            marks.push(Mark::Text { text, at, anchor: Anchor::Start, size, color });
+            marks.push(Primitive::Text { text, at, anchor: Anchor::Start, size, color });
         };
         line(&title, Vec2::new(left, self.margin + 16.0 * unit), 1.45 * self.size, room, theme.text);
         line(&subtitle, Vec2::new(left, self.margin + 39.0 * unit), self.size, room, theme.quiet);
-        for (panel, name) in panels.iter().zip(["what is near", "its velocities, m/s"]) {
+        for (panel, name) in panels.iter().zip(["surroundings", "velocities, m/s"]) {
             let at = panel.low - Vec2::new(0.0, 8.0 * unit);
             line(name, at, self.size, panel.high.x - panel.low.x, theme.quiet);
         }
@@ -150,16 +150,16 @@ fn entry_width(entry: &Entry, typeface: &Type, size: f32, unit: f32) -> f32 {
     typeface.width(entry.says(), size) + (SAMPLE + 7.0 + 20.0) * unit
 }
 
-/// Fills rows of this width, one after the other.
+/// Distributes entries to rows of a maximum width.
 fn rows<T>(all: Vec<T>, room: f32, width: impl Fn(&T) -> f32) -> Vec<Vec<T>> {
     let (mut rows, mut used): (Vec<Vec<T>>, f32) = (Vec::new(), f32::INFINITY);
-    for one in all {
-        let wide = width(&one);
+    for entry in all {
+        let wide = width(&entry);
         used += wide;
         match rows.last_mut() {
-            Some(row) if used <= room => row.push(one),
+            Some(row) if used <= room => row.push(entry),
             _ => {
-                rows.push(vec![one]);
+                rows.push(vec![entry]);
                 used = wide;
             }
         }

@@ -1,22 +1,22 @@
-//! The velocities of the agent: what is forbidden, what is left, what was tried, and what came of it.
+//! The velocity space of the agent: forbidden and permitted velocities, candidates, and the result.
 
 use super::arrow::{self, Quantity};
 use super::labels::{Labels, beside};
-use super::sheet::{Rect, Sheet};
+use super::sheet::{FigureLayout, Rect};
 use super::{region, tint};
 use crate::color::ramp;
-use crate::mark::{Anchor, Mark, Stroke};
+use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::{Camera, Color, WorldBox, legend};
 use glam::{DVec2, Vec2};
 use throng::Explanation;
-use throng::avoid::{Cause, Reason};
+use throng::avoid::{AvoidanceReason, Cause};
 
-/// How much more than the greatest speed is shown.
+/// The range of the plot over the greatest speed.
 const AROUND: f32 = 1.28;
-/// Opacity of what a single reason forbids.
+/// The opacity of the region of a single reason.
 const SHADE: f32 = 0.28;
 
-/// A line of the key.
+/// An entry of the key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entry {
     Velocity(Quantity),
@@ -29,7 +29,7 @@ pub(super) enum Entry {
     Refused,
 }
 
-/// What of the key this figure needs.
+/// Returns the entries of the key that this figure needs.
 pub(super) fn key(why: &Explanation) -> Vec<Entry> {
     let has = |test: fn(Cause) -> bool| {
         why.reasons.iter().any(|reason| reason.depth(Vec2::ZERO).is_some_and(|(c, _)| test(c)))
@@ -53,17 +53,17 @@ impl Entry {
         match self {
             Self::Velocity(quantity) => quantity.says(),
             Self::Neighbour => "forbidden by a neighbour",
-            Self::Wall => "by a wall",
-            Self::Left => "permitted by all",
-            Self::Speed => "within its greatest speed",
+            Self::Wall => "forbidden by a wall",
+            Self::Left => "permitted by all constraints",
+            Self::Speed => "within the maximum speed",
             Self::Push => "push of a neighbour or a wall",
             Self::Candidate => "tried: costly to cheap",
             Self::Refused => "tried: forbidden",
         }
     }
 
-    /// A sample of it between two points.
-    pub(super) fn sample(self, from: Vec2, to: Vec2, sheet: &Sheet, marks: &mut Vec<Mark>) {
+    /// Draws a sample between two points.
+    pub(super) fn sample(self, from: Vec2, to: Vec2, sheet: &FigureLayout, marks: &mut Vec<Primitive>) {
         let (theme, unit) = (&sheet.style.theme, sheet.unit);
         let half = Vec2::new(0.0, 7.0 * unit);
         let area = vec![from - half, to - half, to + half, from + half];
@@ -78,8 +78,8 @@ impl Entry {
             Self::Speed => {
                 let (center, radius) = (from.midpoint(to), 8.0 * unit);
                 let stroke = Stroke { width: 1.2 * unit, color: theme.quiet, dash: Some(3.0 * unit) };
-                marks.push(Mark::Disc { center, radius, fill: theme.notch.alpha(0.75) });
-                marks.push(Mark::Ring { center, radius, stroke });
+                marks.push(Primitive::Disc { center, radius, fill: theme.notch.alpha(0.75) });
+                marks.push(Primitive::Ring { center, radius, stroke });
             }
             Self::Push => arrow::thin(from, to, tint::neighbour(0), unit, marks),
             Self::Candidate => {
@@ -92,8 +92,8 @@ impl Entry {
     }
 }
 
-/// What is within the plot, which may hang over its edges, and the numbers that stand outside.
-pub(super) fn marks(why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
+/// Returns the primitives of the plot, which can extend beyond its edges, and the numbers outside.
+pub(super) fn marks(why: &Explanation, sheet: &FigureLayout) -> [Vec<Primitive>; 2] {
     let mut plot = Plot::new(why, sheet);
     plot.regions();
     plot.candidates();
@@ -104,39 +104,39 @@ pub(super) fn marks(why: &Explanation, sheet: &Sheet) -> [Vec<Mark>; 2] {
     [plot.marks, numbers]
 }
 
-/// What all reasons leave, where it is convex.
+/// Returns the velocities that all reasons permit, where the region is convex.
 fn left(why: &Explanation) -> Option<Vec<Vec2>> {
     region::permitted(&why.reasons, why.max_speed).filter(|polygon| polygon.len() >= 3)
 }
 
-/// What was tried, and its cost.
+/// Returns the candidates and their costs.
 fn candidates(why: &Explanation) -> impl Iterator<Item = (Vec2, f32)> {
     why.reasons.iter().filter_map(|reason| match *reason {
-        Reason::Candidate { velocity, cost } => Some((velocity, cost)),
+        AvoidanceReason::Candidate { velocity, cost } => Some((velocity, cost)),
         _ => None,
     })
 }
 
-/// What repels the agent, and how strongly: an acceleration, m/s^2, or a part of the direction.
+/// Returns the pushes and their causes: accelerations, m/s^2, or shares of the direction.
 fn pushes(why: &Explanation) -> impl Iterator<Item = (Cause, Vec2)> {
     why.reasons.iter().filter_map(|reason| match *reason {
-        Reason::Push(cause, push) => Some((cause, push)),
+        AvoidanceReason::Push(cause, push) => Some((cause, push)),
         _ => None,
     })
 }
 
 struct Plot<'a> {
     why: &'a Explanation,
-    sheet: &'a Sheet<'a>,
+    sheet: &'a FigureLayout<'a>,
     camera: Camera,
-    /// The greatest coordinate that is shown, m/s.
+    /// The greatest coordinate of the plot, m/s.
     reach: f32,
     labels: Labels,
-    marks: Vec<Mark>,
+    marks: Vec<Primitive>,
 }
 
 impl<'a> Plot<'a> {
-    fn new(why: &'a Explanation, sheet: &'a Sheet<'a>) -> Self {
+    fn new(why: &'a Explanation, sheet: &'a FigureLayout<'a>) -> Self {
         let most = Quantity::ALL.map(|quantity| quantity.of(why).abs().max_element());
         let most = most.into_iter().filter(|x| x.is_finite()).fold(why.max_speed, f32::max);
         let reach = if most > 0.0 { AROUND * most } else { 1.0 };
@@ -149,7 +149,7 @@ impl<'a> Plot<'a> {
         self.camera.pixel(velocity.as_dvec2())
     }
 
-    /// Round values along an axis, m/s.
+    /// Returns round values along an axis, m/s.
     fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
         let (step, reach) = (legend::round_length(f64::from(self.reach) / 2.4), f64::from(self.reach));
         let most = (reach / step).floor() as i32;
@@ -165,17 +165,17 @@ impl<'a> Plot<'a> {
             for ends in
                 [[Vec2::new(at.x, low.y), Vec2::new(at.x, high.y)], [Vec2::new(low.x, at.y), Vec2::new(high.x, at.y)]]
             {
-                self.marks.push(Mark::Line { points: ends.to_vec(), closed: false, stroke });
+                self.marks.push(Primitive::Line { points: ends.to_vec(), closed: false, stroke });
             }
         }
     }
 
-    fn numbers(&self) -> Vec<Mark> {
+    fn numbers(&self) -> Vec<Primitive> {
         let (sheet, unit) = (self.sheet, self.sheet.unit);
         let Rect { low, high } = sheet.plot;
         let number = |value: f64| {
             let at = self.camera.pixel(DVec2::splat(value));
-            // rounded to what a multiple of a round number needs
+            // Rounding removes the error of multiples of a decimal step.
             let text = ((value * 1e6).round() / 1e6).to_string().replace('-', "−");
             let below = Vec2::new(at.x, high.y + 18.0 * unit);
             let beside = Vec2::new(low.x - 7.0 * unit, at.y + 0.34 * sheet.size);
@@ -188,12 +188,12 @@ impl<'a> Plot<'a> {
     fn regions(&mut self) {
         let (why, sheet) = (self.why, self.sheet);
         let (zero, radius) = (self.pixel(Vec2::ZERO), self.camera.length(f64::from(why.max_speed)));
-        self.marks.push(Mark::Disc { center: zero, radius, fill: sheet.style.theme.notch.alpha(0.75) });
+        self.marks.push(Primitive::Disc { center: zero, radius, fill: sheet.style.theme.notch.alpha(0.75) });
         self.grid();
-        // what hangs over the edge is covered: the edge of the picture is no edge of a region
+        // The polygons extend beyond the plot, so that its edge does not look like the edge of a region.
         let polygons = why.reasons.iter().filter_map(|reason| region::forbidden(reason, 1.5 * self.reach));
         let polygons: Vec<_> = polygons.collect();
-        // where many overlap, colours stay apart
+        // With many overlapping regions, lower opacity keeps their colours distinct.
         let opacity = SHADE / (polygons.len() as f32).sqrt();
         for (cause, polygon) in polygons {
             let points = polygon.into_iter().map(|v| self.pixel(v)).collect();
@@ -204,20 +204,20 @@ impl<'a> Plot<'a> {
             outline_left(points, sheet, &mut self.marks);
         }
         let stroke = Stroke { width: 1.2 * sheet.unit, color: sheet.style.theme.quiet, dash: Some(3.0 * sheet.unit) };
-        self.marks.push(Mark::Ring { center: zero, radius, stroke });
+        self.marks.push(Primitive::Ring { center: zero, radius, stroke });
     }
 
     fn candidates(&mut self) {
         let costs = || candidates(self.why).map(|(_, cost)| cost).filter(|cost| cost.is_finite());
         let (low, high) = (costs().fold(f32::INFINITY, f32::min), costs().fold(f32::NEG_INFINITY, f32::max));
         for (velocity, cost) in candidates(self.why) {
-            // costs of collisions grow without bound: the root keeps the cheap ones apart
+            // Costs of collisions grow without bound; the root separates the low costs.
             let part = ((cost - low) / (high - low).max(1e-6)).sqrt();
             candidate(self.pixel(velocity), cost.is_finite().then_some(1.0 - part), self.sheet, &mut self.marks);
         }
     }
 
-    /// Pushes, as what they would add to the velocity in a second.
+    /// Draws pushes as the change of velocity in one second.
     fn pushes(&mut self) {
         let velocity = self.why.velocity;
         for (cause, push) in pushes(self.why) {
@@ -227,7 +227,7 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// The agent's velocities, and one name for those that coincide.
+    /// Draws the agent's velocities, with one label for coinciding ones.
     fn quantities(&mut self) {
         let (why, sheet, unit) = (self.why, self.sheet, self.sheet.unit);
         let zero = self.pixel(Vec2::ZERO);
@@ -238,7 +238,7 @@ impl<'a> Plot<'a> {
             self.labels.keep(end, 8.0 * unit);
             self.labels.keep_line(zero, end, 2.0 * unit);
             match ends.iter_mut().find(|(other, _)| other.distance(end) < 6.0 * unit) {
-                // what comes after the choice and changes nothing shows by its mark
+                // Later quantities that equal the chosen velocity need no label: their symbols show them.
                 Some((_, names)) if names.ends_with(Quantity::Chosen.name()) => {}
                 Some((_, names)) => *names += &format!(", {}", quantity.name()),
                 None => ends.push((end, quantity.name().to_owned())),
@@ -252,7 +252,7 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// The numbers of neighbours, each where what it forbids is least covered by others.
+    /// Draws the numbers of neighbours, each where its region is least covered by other regions.
     fn badges(&mut self) {
         let (why, sheet) = (self.why, self.sheet);
         let half = tint::badge_radius(sheet);
@@ -265,8 +265,10 @@ impl<'a> Plot<'a> {
             .collect();
         let needed = f64::from(1.3 * half) / self.camera.scale;
         for (index, other) in why.neighbours.iter().enumerate() {
-            let depth = |reason: &Reason, v: Vec2| reason.depth(v).map_or(f32::NEG_INFINITY, |(_, depth)| depth);
-            let own = |reason: &&Reason| reason.depth(Vec2::ZERO).is_some_and(|(c, _)| c == Cause::Neighbour(index));
+            let depth =
+                |reason: &AvoidanceReason, v: Vec2| reason.depth(v).map_or(f32::NEG_INFINITY, |(_, depth)| depth);
+            let own =
+                |reason: &&AvoidanceReason| reason.depth(Vec2::ZERO).is_some_and(|(c, _)| c == Cause::Neighbour(index));
             let Some(reason) = why.reasons.iter().find(own) else { continue };
             let mut good: Vec<(f32, Vec2)> = Vec::new();
             for &(at, v) in &spots {
@@ -289,25 +291,25 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// What is forbidden.
-fn shade(points: Vec<Vec2>, color: Color, opacity: f32, sheet: &Sheet, marks: &mut Vec<Mark>) {
-    marks.push(Mark::Area { rings: vec![points.clone()], fill: color.alpha(opacity) });
+/// Draws a forbidden region.
+fn shade(points: Vec<Vec2>, color: Color, opacity: f32, sheet: &FigureLayout, marks: &mut Vec<Primitive>) {
+    marks.push(Primitive::Area { rings: vec![points.clone()], fill: color.alpha(opacity) });
     let stroke = Stroke::plain(1.3 * sheet.unit, color.mix(sheet.style.theme.text, 0.15));
-    marks.push(Mark::Line { points, closed: true, stroke });
+    marks.push(Primitive::Line { points, closed: true, stroke });
 }
 
-/// What is left.
-fn outline_left(points: Vec<Vec2>, sheet: &Sheet, marks: &mut Vec<Mark>) {
+/// Draws the permitted region.
+fn outline_left(points: Vec<Vec2>, sheet: &FigureLayout, marks: &mut Vec<Primitive>) {
     let theme = &sheet.style.theme;
-    marks.push(Mark::Area { rings: vec![points.clone()], fill: theme.notch.alpha(0.75) });
-    marks.push(Mark::Line { points, closed: true, stroke: Stroke::plain(2.0 * sheet.unit, theme.text) });
+    marks.push(Primitive::Area { rings: vec![points.clone()], fill: theme.notch.alpha(0.75) });
+    marks.push(Primitive::Line { points, closed: true, stroke: Stroke::plain(2.0 * sheet.unit, theme.text) });
 }
 
-/// A velocity that was tried: `good` from 0 to 1, `None` for a forbidden one.
-fn candidate(center: Vec2, good: Option<f32>, sheet: &Sheet, marks: &mut Vec<Mark>) {
+/// Draws a candidate: `good` is 0 to 1, `None` for a forbidden one.
+fn candidate(center: Vec2, good: Option<f32>, sheet: &FigureLayout, marks: &mut Vec<Primitive>) {
     let radius = 2.2 * sheet.unit;
     marks.push(match good {
-        Some(good) => Mark::Disc { center, radius, fill: ramp(good) },
-        None => Mark::Ring { center, radius, stroke: Stroke::plain(0.8 * sheet.unit, sheet.style.theme.quiet) },
+        Some(good) => Primitive::Disc { center, radius, fill: ramp(good) },
+        None => Primitive::Ring { center, radius, stroke: Stroke::plain(0.8 * sheet.unit, sheet.style.theme.quiet) },
     });
 }

@@ -1,38 +1,38 @@
-//! What a field was sketched by: dots, with the velocities wanted there.
+//! The anchors of sketched fields: dots with their velocities.
 
 use super::blade::arrow;
 use super::{Lay, Vec2};
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
 use throng::field::Anchor;
 
-/// The colour of anchors: nothing else in a field has it.
+/// The colour of anchors, which nothing else in a field has.
 pub(super) const ACCENT: Color = Color::rgb(0xd9741a);
-/// Radius of dots; length of the arrow of the fastest, at least and at most, and half the width of its shaft. In units of the
-/// layout.
+/// The radius of dots, the least and the greatest length of the arrow of the fastest anchor, and half the width of its
+/// shaft, in units of the layout.
 const RADIUS: f32 = 2.4;
 const LEAST: f32 = 8.0;
 const LONGEST: f32 = 22.0;
 const HALF: f32 = 0.85;
 
-/// The anchors that are to be seen.
-pub(super) fn anchors(lay: &Lay<'_>, anchors: &[Anchor]) -> Vec<Mark> {
+/// Returns the visible anchors.
+pub(super) fn anchors(lay: &Lay<'_>, anchors: &[Anchor]) -> Vec<Primitive> {
     let unit = lay.canvas.unit;
     let pixel = |anchor: &Anchor| (lay.canvas.pixel(anchor.place), anchor.velocity.as_vec2());
     let shown: Vec<(Vec2, Vec2)> =
         anchors.iter().map(pixel).filter(|(at, velocity)| lay.canvas.shows(*at) && velocity.is_finite()).collect();
-    // arrows along a stroke do not reach the next of its dots
+    // Arrows along a stroke do not reach its next dot.
     let longest = (0.78 * apart(&shown)).clamp(LEAST * unit, LONGEST * unit);
-    let one = |&(at, velocity): &(Vec2, Vec2)| {
+    let draw = |&(at, velocity): &(Vec2, Vec2)| {
         let flow = Vec2::new(velocity.x, -velocity.y);
         dot(at, flow.normalize_or_zero() * (lay.part(flow).sqrt() * longest), unit, lay.theme)
     };
-    shown.iter().flat_map(one).collect()
+    shown.iter().flat_map(draw).collect()
 }
 
-/// How far most anchors are from the next, pixels: their median.
+/// Returns the median distance from an anchor to the nearest other anchor, pixels.
 fn apart(shown: &[(Vec2, Vec2)]) -> f32 {
-    // of very many, a few tell
+    // A sample of about 200 anchors is enough.
     let few = shown.iter().step_by(shown.len() / 200 + 1);
     let next = |&(at, _): &(Vec2, Vec2)| {
         let others = shown.iter().map(|other| other.0.distance_squared(at)).filter(|&distance| distance > 0.0);
@@ -43,16 +43,16 @@ fn apart(shown: &[(Vec2, Vec2)]) -> f32 {
     all.get(all.len() / 2).copied().unwrap_or(f32::INFINITY)
 }
 
-/// An anchor with its velocity as an arrow from its middle; one without is hollow.
-pub(super) fn dot(at: Vec2, reach: Vec2, unit: f32, theme: &Theme) -> Vec<Mark> {
+/// Returns an anchor as a dot with an arrow for its velocity. An anchor without velocity is hollow.
+pub(super) fn dot(at: Vec2, reach: Vec2, unit: f32, theme: &Theme) -> Vec<Primitive> {
     let radius = RADIUS * unit;
-    let mut marks = vec![Mark::Disc { center: at, radius: radius + 0.9 * unit, fill: theme.ground.alpha(0.85) }];
+    let mut marks = vec![Primitive::Disc { center: at, radius: radius + 0.9 * unit, fill: theme.ground.alpha(0.85) }];
     if reach.length() > radius {
         marks.extend(arrow(at, at + reach, HALF * unit, ACCENT));
-        marks.push(Mark::Disc { center: at, radius, fill: ACCENT });
+        marks.push(Primitive::Disc { center: at, radius, fill: ACCENT });
     } else {
         let stroke = Stroke::plain(1.1 * unit, ACCENT);
-        marks.push(Mark::Ring { center: at, radius: radius - 0.3 * unit, stroke });
+        marks.push(Primitive::Ring { center: at, radius: radius - 0.3 * unit, stroke });
     }
     marks
 }

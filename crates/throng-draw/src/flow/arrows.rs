@@ -1,26 +1,27 @@
-//! Arrows on an even grid.
+//! Arrows on a regular grid.
 
 use super::blade::arrow;
 use super::{Lay, Vec2};
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 
-/// How far apart they are, and the length of the longest; half the width of shafts. In units of the layout.
+/// The spacing of arrows, the length of the longest over the spacing, and half the width of shafts; spacing and width
+/// in units of the layout.
 const SPACING: f32 = 21.0;
 const LONGEST: f32 = 0.88;
 const HALF: f32 = 0.75;
-/// What is shorter is not drawn.
+/// The least length of arrows, in units of the layout.
 const LEAST: f32 = 2.5;
 
-/// An arrow in the middle of each cell where it flows.
-pub(super) fn arrows(lay: &Lay<'_>) -> Vec<Mark> {
+/// Returns an arrow in the middle of each cell where the field is drawn.
+pub(super) fn arrows(lay: &Lay<'_>) -> Vec<Primitive> {
     let unit = lay.canvas.unit;
     let spacing = SPACING * unit * lay.style.spread();
     let counts = (lay.canvas.size / spacing).floor().max(Vec2::ONE);
-    // the grid lies in the middle of the picture; those of several fields lie between each other
+    // The grid is centred in the picture; the grids of several fields are shifted against each other.
     let (turn, of) = lay.turn;
     let low = (lay.canvas.size - counts * spacing) * 0.5 + spacing * (0.5 + turn as f32) / of as f32;
     let cells = (0..counts.y as usize).flat_map(|row| (0..counts.x as usize).map(move |column| (column, row)));
-    let one = |(column, row): (usize, usize)| {
+    let draw = |(column, row): (usize, usize)| {
         let center = low + Vec2::new(column as f32, row as f32) * spacing;
         let flow = lay.flow(center);
         let part = lay.part(flow);
@@ -29,5 +30,5 @@ pub(super) fn arrows(lay: &Lay<'_>) -> Vec<Mark> {
         let half = HALF * unit * (0.7 + 0.3 * part);
         (way.length() >= LEAST * unit).then(|| arrow(center - way * 0.5, center + way * 0.5, half, fill)).flatten()
     };
-    cells.filter_map(one).collect()
+    cells.filter_map(draw).collect()
 }

@@ -1,35 +1,36 @@
-//! Where a field is zero though it flows round it: symbols by what it does there.
+//! Symbols of critical points: isolated zeros of a field, by their kind.
 
 use super::blade::{blade, head};
 use super::speed::is_dark;
 use super::{Lay, Vec2};
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
 use std::f32::consts::{FRAC_PI_2, TAU};
 use throng::field::Critical;
 
-/// Radius of a symbol, in units of the layout.
+/// The radius of a symbol, in units of the layout.
 pub(super) const RADIUS: f32 = 8.5;
-/// What traps who follows the field, on light ground and on dark.
+/// The colour of points that trap agents, on light and on dark ground.
 const WARNING: [Color; 2] = [Color::rgb(0xc8372d), Color::rgb(0xf0705f)];
-/// More than this many are a field that is all whirls: the first of them are shown.
+/// The maximum number of symbols: a field of noise has more.
 const MOST: usize = 300;
-/// How far away the field is looked at, in units of the layout: where it does not flow there either, nothing is shown.
+/// The distance at which the surrounding field is tested, in units of the layout. Without flow there, the point is not
+/// shown.
 const ROUND: f32 = 26.0;
 
-/// A symbol.
+/// The symbol of a critical point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Symbol {
     kind: Critical,
-    /// Whether it leads there, or away, in a spiral.
+    /// Whether the flow goes to or from the point in a spiral.
     spiral: bool,
-    /// 1: it turns clockwise in the picture; -1: counter-clockwise.
+    /// 1: clockwise in the picture; -1: counter-clockwise.
     sense: f32,
-    /// Of a saddle, where it leads away to and where it comes from, in the picture.
+    /// For a saddle, the directions of outflow and inflow in the picture.
     axes: [Vec2; 2],
 }
 
-/// The critical points that are to be seen.
+/// Returns the visible critical points.
 pub(super) fn symbols(lay: &Lay<'_>) -> Vec<(Vec2, Symbol)> {
     let flows = |at: &Vec2| {
         let round = (0..8).filter(|&k| {
@@ -45,12 +46,12 @@ pub(super) fn symbols(lay: &Lay<'_>) -> Vec<(Vec2, Symbol)> {
 }
 
 impl Symbol {
-    /// Of a kind, where the flow changes so with x and with y of the picture.
+    /// Returns the symbol of a kind. `with_x` and `with_y` are the derivatives of the flow by x and y of the picture.
     fn new(kind: Critical, [with_x, with_y]: [Vec2; 2]) -> Self {
         let (curl, divergence) = (with_x.y - with_y.x, with_x.x + with_y.y);
         let root = 0.25 * divergence * divergence - with_x.perp_dot(with_y);
         let along = |value: f32| {
-            // a vector that the slope makes longer by the value: at right angles to a row of what is left without it
+            // An eigenvector of the derivative, perpendicular to a row of the derivative minus the eigenvalue.
             let rows = [Vec2::new(with_x.x - value, with_y.x), Vec2::new(with_x.y, with_y.y - value)];
             let row = if rows[0].length() > rows[1].length() { rows[0] } else { rows[1] };
             row.perp().normalize_or(Vec2::X)
@@ -59,12 +60,12 @@ impl Symbol {
         Self { kind, spiral: root < 0.0, sense: 1f32.copysign(curl), axes: [along(half + part), along(half - part)] }
     }
 
-    /// A kind without a place, for the key.
+    /// Returns the symbol of a kind for the key.
     fn plain(kind: Critical, spiral: bool) -> Self {
         Self { kind, spiral, sense: -1.0, axes: [Vec2::X, Vec2::Y] }
     }
 
-    /// Every symbol that the key may name.
+    /// Returns every symbol that the key can show.
     pub fn all() -> impl Iterator<Item = Self> {
         let kinds = [
             (Critical::Sink, false),
@@ -77,12 +78,12 @@ impl Symbol {
         kinds.into_iter().map(|(kind, spiral)| Self::plain(kind, spiral))
     }
 
-    /// Whether two are of one kind.
+    /// Whether two symbols have the same entry in the key.
     pub fn is_like(&self, other: &Self) -> bool {
         self.says() == other.says()
     }
 
-    /// What the key says.
+    /// Returns the text of the key.
     pub fn says(&self) -> &'static str {
         match (self.kind, self.spiral) {
             (Critical::Sink, false) => "sink: a trap",
@@ -94,11 +95,11 @@ impl Symbol {
         }
     }
 
-    /// The symbol round a pixel.
-    pub fn marks(&self, at: Vec2, radius: f32, theme: &Theme) -> Vec<Mark> {
+    /// Returns the symbol around a pixel.
+    pub fn marks(&self, at: Vec2, radius: f32, theme: &Theme) -> Vec<Primitive> {
         let color = if self.kind.traps() { WARNING[usize::from(is_dark(theme))] } else { theme.text };
-        let mut pen = Pen { at, radius, color, marks: Vec::new() };
-        pen.marks.push(Mark::Disc { center: at, radius: 1.22 * radius, fill: theme.ground.alpha(0.88) });
+        let mut pen = SymbolPen { at, radius, color, marks: Vec::new() };
+        pen.marks.push(Primitive::Disc { center: at, radius: 1.22 * radius, fill: theme.ground.alpha(0.88) });
         let quarters = || (0..4).map(|k| Vec2::from_angle((k as f32 + 0.5) * FRAC_PI_2));
         match (self.kind, self.spiral) {
             (Critical::Sink, false) => {
@@ -134,34 +135,34 @@ impl Symbol {
 }
 
 /// Draws a symbol in one colour; lengths are in radii of the symbol.
-struct Pen {
+struct SymbolPen {
     at: Vec2,
     radius: f32,
     color: Color,
-    marks: Vec<Mark>,
+    marks: Vec<Primitive>,
 }
 
-impl Pen {
+impl SymbolPen {
     /// Half the width of lines, and the length of heads.
     const HALF: f32 = 0.075;
     const HEAD: f32 = 0.48;
 
     fn dot(&mut self, radius: f32) {
-        self.marks.push(Mark::Disc { center: self.at, radius: radius * self.radius, fill: self.color });
+        self.marks.push(Primitive::Disc { center: self.at, radius: radius * self.radius, fill: self.color });
     }
 
     fn ring(&mut self, radius: f32) {
         let stroke = Stroke::plain(2.0 * Self::HALF * self.radius, self.color);
-        self.marks.push(Mark::Ring { center: self.at, radius: (radius - Self::HALF) * self.radius, stroke });
+        self.marks.push(Primitive::Ring { center: self.at, radius: (radius - Self::HALF) * self.radius, stroke });
     }
 
-    /// An arrow along a direction from the middle, from one distance to another.
+    /// Draws an arrow along a direction from the middle, from one distance to another.
     fn ray(&mut self, out: Vec2, from: f32, to: f32) {
         let along = out * (to - from).signum();
         self.path(&[out * from, out * to], along);
     }
 
-    /// Two fifths of a turn with a head, from one distance to another.
+    /// Draws an arm of 0.36 turns with a head, from one distance to another.
     fn arm(&mut self, turn: f32, sense: f32, [from, to]: [f32; 2]) {
         const STEPS: usize = 14;
         let point = |k: usize| {
@@ -169,7 +170,7 @@ impl Pen {
             Vec2::from_angle(sense * TAU * (turn + 0.36 * part)) * (from + (to - from) * part)
         };
         let points: Vec<Vec2> = (0..=STEPS).map(point).collect();
-        // the head points where the arm would go on
+        // The head points along the continuation of the arm.
         let along = (points[STEPS] - points[STEPS - 3]).normalize_or_zero();
         self.path(&points, along);
     }
@@ -180,6 +181,6 @@ impl Pen {
         let line: Vec<(Vec2, f32)> = (0..).zip(points).map(|(k, &point)| (place(point), half(k))).collect();
         self.marks.extend(blade(&line, self.color));
         let tip = place(points[points.len() - 1]) + along * (0.3 * Self::HEAD * self.radius);
-        self.marks.push(Mark::Area { rings: vec![head(tip, along, Self::HEAD * self.radius)], fill: self.color });
+        self.marks.push(Primitive::Area { rings: vec![head(tip, along, Self::HEAD * self.radius)], fill: self.color });
     }
 }

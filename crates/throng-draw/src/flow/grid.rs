@@ -1,37 +1,37 @@
-//! A field at the pixels of a picture.
+//! A field sampled at the pixels of a picture.
 
 use super::{Canvas, Lay};
 use glam::{DVec2, Vec2};
 use throng::field::Sampled;
 use throng_record::Flow;
 
-/// Width of the cells in which a field is sampled, in units of the layout.
+/// The width of the sampling cells, in units of the layout.
 const CELL: f32 = 2.0;
-/// No speed is greater than this, m/s, that the squares of all are finite.
+/// The limit of speeds, m/s, which keeps their squares finite.
 const FASTEST: f32 = 1e12;
-/// Which speed counts as the fastest: what part of the picture's is slower.
+/// The quantile of the speeds in the picture that counts as the fastest.
 const MOST: f64 = 0.98;
 
 /// A field at one moment, on a grid that covers the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Grid {
-    /// Relative to the world's origin.
+    /// The samples; positions are relative to the world's origin.
     pub sampled: Sampled,
     /// The pixel of the first corner, and the width of cells, pixels.
     low: Vec2,
     cell: f32,
     columns: usize,
     rows: usize,
-    /// m/s along the rows and down the columns of the picture, row by row from the top.
+    /// The flow in m/s along the rows and down the columns of the picture, row by row from the top.
     flows: Vec<Vec2>,
 }
 
 impl Grid {
-    /// The field at a time; `None` if the picture does not show a part of the world.
+    /// Samples the field at a time; `None` if the picture does not show a part of the world.
     pub fn of(flow: &Flow, canvas: &Canvas, time: f64) -> Option<Self> {
         let cell = (CELL * canvas.unit).max(1.0);
         let metres = f64::from(cell) / canvas.camera.scale;
-        // its corners are no round numbers, where fields are zero more often than elsewhere
+        // The corners avoid round coordinates, where fields are more often exactly zero.
         let low = Vec2::splat(-0.637 * cell);
         let high = canvas.size + 0.363 * cell;
         let place = |pixel: Vec2| {
@@ -47,7 +47,7 @@ impl Grid {
         Some(Self { sampled, low, cell, columns, rows, flows })
     }
 
-    /// The flow at a pixel, between the corners by bilinear interpolation; zero beyond the rim.
+    /// Returns the flow at a pixel by bilinear interpolation; zero outside the grid.
     pub fn at(&self, pixel: Vec2) -> Vec2 {
         let at = (pixel - self.low) / self.cell;
         let (column, row) = (at.x as usize, at.y as usize);
@@ -59,26 +59,27 @@ impl Grid {
         along(first).lerp(along(first + self.columns), part.y)
     }
 
-    /// How the flow changes at a pixel with x and with y, per pixel.
+    /// Returns the derivatives of the flow at a pixel by x and y, per pixel.
     pub fn slope(&self, pixel: Vec2) -> [Vec2; 2] {
         let step = 0.5 * self.cell;
         [Vec2::X, Vec2::Y].map(|axis| (self.at(pixel + axis * step) - self.at(pixel - axis * step)) / (2.0 * step))
     }
 
-    /// The corners: pixels and flows, row by row from the top.
+    /// Returns the corners: pixels and flows, row by row from the top.
     pub fn corners(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
         let pixel = |index: usize| Vec2::new((index % self.columns) as f32, (index / self.columns) as f32);
         self.flows.iter().enumerate().map(move |(index, &flow)| (self.low + pixel(index) * self.cell, flow))
     }
 }
 
-/// The speed that some fields exceed where they flow in a fiftieth of the picture at most, m/s; `None` if they flow nowhere.
+/// Returns the speed that fields exceed in at most 2 % of the picture where they flow, m/s; `None` if they flow
+/// nowhere.
 pub(super) fn fastest<'a>(grids: impl Iterator<Item = &'a Grid>, canvas: &Canvas) -> Option<f32> {
     let free = |&(pixel, flow): &(Vec2, Vec2)| flow != Vec2::ZERO && canvas.free.at(pixel);
     let mut speeds: Vec<f32> = grids.flat_map(Grid::corners).filter(free).map(|(_, flow)| flow.length()).collect();
     speeds.sort_unstable_by(f32::total_cmp);
     let top = *speeds.last()?;
-    // most of the picture may be all but still: it does not count
+    // A nearly still part of the picture does not count.
     let moving = &speeds[speeds.partition_point(|&speed| speed < Lay::STILL * top)..];
     Some(moving[((moving.len() - 1) as f64 * MOST) as usize])
 }

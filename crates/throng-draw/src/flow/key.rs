@@ -1,29 +1,29 @@
-//! What the key says of fields.
+//! The key's entries for fields.
 
 use super::blade::arrow;
 use super::critical::{RADIUS, Symbol};
 use super::{FlowLayer, FlowStyle, Vec2, anchors, speed};
 use crate::annotate::Row;
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::{Color, Theme};
 
-/// Steps of the ramp of speeds.
+/// The number of steps of the ramp of speeds.
 const STEPS: usize = 40;
 
-/// What there is to say.
+/// The visible parts of fields, for the key.
 #[derive(Clone, Debug)]
 pub(super) struct Said<'a> {
     pub style: &'a FlowStyle,
     pub theme: &'a Theme,
     pub ink: Color,
-    /// m/s.
+    /// The speed drawn as the fastest, m/s.
     pub fastest: Option<f32>,
     pub has_anchors: bool,
     pub symbols: Vec<Symbol>,
 }
 
 impl<'a> Said<'a> {
-    /// A row for each thing that is to be seen, for type of this size.
+    /// Returns a row for each visible part. `size` is the size of the type.
     pub fn rows(self, size: f32) -> Vec<Row<'a>> {
         let Self { style, theme, ink, .. } = self;
         let unit = size / 11.0;
@@ -45,7 +45,7 @@ impl<'a> Said<'a> {
         if style.draws(FlowLayer::Anchors) && self.has_anchors {
             let draw =
                 Box::new(move |at: Vec2| anchors::dot(at + Vec2::X * 0.35 * size, Vec2::X * 1.4 * size, unit, theme));
-            rows.push(Row { length: 1.9 * size, says: "anchor, its velocity".into(), draw });
+            rows.push(Row { length: 1.9 * size, says: "anchor and velocity".into(), draw });
         }
         for symbol in self.symbols {
             let radius = 0.85 * RADIUS * unit;
@@ -56,7 +56,7 @@ impl<'a> Said<'a> {
     }
 }
 
-/// A speed for people: two digits that count.
+/// Formats a speed with two significant digits.
 fn speed_label(speed: f32) -> String {
     let ten = 10f32.powi(speed.log10().floor() as i32 - 1);
     if (0.1..1e5).contains(&speed) {
@@ -66,13 +66,13 @@ fn speed_label(speed: f32) -> String {
     }
 }
 
-fn ramp(at: Vec2, length: f32, thickness: f32, theme: &Theme) -> Vec<Mark> {
+fn ramp(at: Vec2, length: f32, thickness: f32, theme: &Theme) -> Vec<Primitive> {
     let edge = |k: usize| (at.x + length * k as f32 / STEPS as f32).round();
     let (top, bottom) = (at.y - 0.5 * thickness, at.y + 0.5 * thickness);
     let step = |k: usize| {
         let (a, b) = (Vec2::new(edge(k), top), Vec2::new(edge(k + 1), bottom));
         let ring = vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
-        Mark::Area { rings: vec![ring], fill: speed::tone((k as f32 + 0.5) / STEPS as f32, theme) }
+        Primitive::Area { rings: vec![ring], fill: speed::tone((k as f32 + 0.5) / STEPS as f32, theme) }
     };
     (0..STEPS).map(step).collect()
 }

@@ -1,14 +1,14 @@
-//! Fields as shapes, for who draws them by other means than pictures.
+//! Fields as primitives, for other renderers.
 
 use super::Sheets;
 use crate::legend::Layout;
 use crate::look::Look;
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::{Camera, Style, WorldBox};
 use glam::Vec2;
 use throng_record::{Frame, Setting};
 
-/// The fields of a place at one moment, as shapes of a picture from straight above.
+/// The fields of a place at one moment, as primitives of a picture in plan view.
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
@@ -24,17 +24,17 @@ use throng_record::{Frame, Setting};
 /// ```
 #[derive(Clone, Debug)]
 pub struct FlowMarks {
-    /// Shapes in pixels of a picture of the style's size.
-    pub marks: Vec<Mark>,
-    /// From the world to that picture, which its [`view`](Style::view) fills.
+    /// Primitives in pixels of a picture of the style's size.
+    pub marks: Vec<Primitive>,
+    /// The camera of that picture; the style's [`view`](Style::view) fills the picture.
     pub camera: Camera,
-    /// The speed that is drawn as the fastest, m/s; `None` where nothing flows.
+    /// The speed that is drawn as the fastest, m/s; `None` without any flow.
     pub fastest: Option<f32>,
 }
 
 impl FlowMarks {
-    /// What a picture in this style would have of the fields at a time, in a recording that begins with `first`; `None` if there are
-    /// none, or the style does not want to see them.
+    /// Returns the fields at a time as a picture in this style shows them, for a recording that begins with `first`.
+    /// Returns `None` if there are no fields or the style does not draw them.
     pub fn new(setting: &Setting, style: &Style, first: &Frame, time: f64) -> Option<Self> {
         let view = style.view.or_else(|| WorldBox::of(setting, first))?;
         let camera = Camera::fit(view, Vec2::ZERO, Vec2::new(style.width as f32, style.height as f32));

@@ -1,4 +1,4 @@
-//! Where fields are to be seen: on the ground, not under what stands on it.
+//! The mask of fields: the ground without the solids on it.
 
 use crate::text::{Type, Typeface};
 use crate::{Camera, Color, Image, Theme, place, raster};
@@ -9,20 +9,21 @@ use throng_record::Setting;
 const FREE: Color = Color::rgb(0xff_ffff);
 const TAKEN: Color = Color::rgb(0);
 
-/// A bit for each pixel.
+/// One bit per pixel.
 #[derive(Clone, Debug)]
 pub(super) struct Mask {
     width: usize,
     height: usize,
     free: Vec<bool>,
-    /// With the pixels beside those: what is drawn over their rims leaves no gap to what they hold.
+    /// `free` and its neighbouring pixels. Layers that fill these pixels leave no gap at the antialiased rims of
+    /// solids.
     rims: Vec<bool>,
 }
 
 impl Mask {
-    /// The pixels that show the floor of a place, and nothing solid.
+    /// Marks the pixels that show the floor of a place without solids.
     pub fn new((width, height): (u32, u32), setting: &Setting, camera: &Camera, unit: f32) -> Self {
-        // the place itself, in two colours
+        // The place itself, drawn in two colours.
         let theme = Theme { ground: FREE, obstacle: TAKEN, edge: TAKEN, ..Theme::light() };
         let mut image = Image::new(width, height, if setting.walkable.is_empty() { FREE } else { TAKEN });
         let mut marks = place::floor(setting, &theme, camera, unit);
@@ -43,18 +44,18 @@ impl Mask {
         Self { width, height, free, rims }
     }
 
-    /// Whether a field is to be seen at a pixel; beyond the picture it is not.
+    /// Whether a field is visible at a pixel; false outside the picture.
     pub fn at(&self, pixel: Vec2) -> bool {
         self.index(pixel).is_some_and(|index| self.free[index])
     }
 
-    /// Whether something that fills pixels is to be drawn on one.
+    /// Whether layers that fill pixels cover this pixel.
     pub fn fills(&self, pixel: Vec2) -> bool {
         self.index(pixel).is_some_and(|index| self.rims[index])
     }
 
     fn index(&self, pixel: Vec2) -> Option<usize> {
-        // `as` takes what is below zero to zero, where the comparison has it
+        // `as` maps negative numbers to 0; the comparison excludes them.
         let (x, y) = (pixel.x as usize, pixel.y as usize);
         (pixel.x >= 0.0 && pixel.y >= 0.0 && x < self.width && y < self.height).then(|| y * self.width + x)
     }

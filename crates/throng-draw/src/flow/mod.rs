@@ -1,5 +1,5 @@
-//! Fields that lead crowds, under everything that stands or walks: as a texture, as colour, as lines and arrows, and where they
-//! come from and what traps who follows them.
+//! Fields that lead crowds, drawn below everything else: as a texture, as colour, as lines and arrows, with their
+//! anchors and critical points.
 
 mod anchors;
 mod arrows;
@@ -22,29 +22,29 @@ use glam::{DVec2, Vec2};
 use grid::Grid;
 use mask::Mask;
 
-/// One of the ways in which a field can be shown, in the order in which they lie over each other.
+/// A layer of fields, in drawing order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FlowLayer {
-    /// How fast it is, as a tone that deepens with the speed.
+    /// The speed, as a tone that deepens with the speed.
     Speed,
-    /// A texture as of sand that it has drawn out (line integral convolution: Cabral and Leedom, Imaging vector fields using line
-    /// integral convolution, SIGGRAPH 1993).
+    /// A texture of noise smeared along the field (line integral convolution: Cabral and Leedom, Imaging vector fields
+    /// using line integral convolution, SIGGRAPH 1993).
     Lic,
-    /// Lines that follow it, evenly far apart (Jobard and Lefer, Creating evenly-spaced streamlines of arbitrary density, 1997).
+    /// Evenly spaced streamlines (Jobard and Lefer, Creating evenly-spaced streamlines of arbitrary density, 1997).
     Streamlines,
-    /// Arrows on an even grid, the longer the faster it is.
+    /// Arrows on a regular grid; their lengths grow with the speed.
     Arrows,
-    /// What it was sketched by: dots, with the velocities wanted there.
+    /// The anchors of a sketched field: dots with their velocities.
     Anchors,
-    /// Where it is zero though it flows round it, by what it does there; those that trap who follows it in a warning tone.
+    /// Critical points, by their kind. Points that trap agents have a warning colour.
     Critical,
 }
 
 impl FlowLayer {
-    /// All of them.
+    /// All layers.
     pub const ALL: [Self; 6] = [Self::Speed, Self::Lic, Self::Streamlines, Self::Arrows, Self::Anchors, Self::Critical];
 
-    /// What it is called in files and on the command line.
+    /// Returns the name in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Speed => "speed",
@@ -57,8 +57,8 @@ impl FlowLayer {
     }
 }
 
-/// How fields ([`throng_record::Setting::flows`]) are drawn, from straight above. The default is a quiet texture with streamlines,
-/// anchors and critical points.
+/// The style of fields ([`throng_record::Setting::flows`]), which are drawn in plan view. The default is a pale texture
+/// with streamlines, anchors and critical points.
 ///
 /// ```
 /// use glam::Vec3;
@@ -76,15 +76,14 @@ impl FlowLayer {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowStyle {
-    /// What is drawn; the order does not matter.
+    /// The layers; their order does not matter.
     pub layers: Vec<FlowLayer>,
-    /// How far apart streamlines and arrows are: 1 as usual, 2 twice as far. What is out of 0.25 to 16 is taken for the nearer
-    /// of the two.
+    /// The spacing of streamlines and arrows, relative to the default: 2 is twice as far. Clamped to 0.25 to 16.
     pub spacing: f32,
-    /// How strong texture and tones are: 1 as usual, 0 not to be seen, at most 2.
+    /// The strength of texture and tones: 1 is the default, 0 makes them invisible. Clamped to 0 to 2.
     pub strength: f32,
-    /// The speed at which tones are deepest and arrows longest, m/s; `None`, or not greater than 0: that which the fields exceed
-    /// in a fiftieth of the picture, at the first moment at which they flow.
+    /// The speed at which tones are deepest and arrows longest, m/s. `None`, or a value not greater than 0, stands for
+    /// the speed that the fields exceed in 2 % of the picture at the first moment with any flow.
     pub max_speed: Option<f32>,
 }
 
@@ -96,12 +95,12 @@ impl Default for FlowStyle {
 }
 
 impl FlowStyle {
-    /// With other layers.
+    /// Returns the default style with other layers.
     pub fn of(layers: impl Into<Vec<FlowLayer>>) -> Self {
         Self { layers: layers.into(), ..Self::default() }
     }
 
-    /// The tone of a speed over the fastest, 0 to 1.
+    /// Returns the tone of a speed relative to the fastest, 0 to 1.
     pub fn tone(part: f32, theme: &Theme) -> Color {
         speed::tone(part, theme)
     }
@@ -110,9 +109,9 @@ impl FlowStyle {
         self.layers.contains(&layer)
     }
 
-    /// How far apart things are, over the usual.
+    /// Returns the spacing relative to the default.
     fn spread(&self) -> f32 {
-        // what is no number too is as usual
+        // NaN stands for the default.
         if self.spacing.is_nan() { 1.0 } else { self.spacing.clamp(0.25, 16.0) }
     }
 
@@ -121,21 +120,21 @@ impl FlowStyle {
     }
 }
 
-/// What the fields of a picture are drawn on.
+/// The canvas of fields: camera, size and mask.
 #[derive(Clone, Debug)]
 struct Canvas {
     camera: Camera,
-    /// What places in fields are relative to.
+    /// The origin of positions in fields.
     origin: DVec2,
     /// Width and height, pixels.
     size: Vec2,
     unit: f32,
-    /// Where they are to be seen.
+    /// The pixels where fields are visible.
     free: Mask,
 }
 
 impl Canvas {
-    /// The pixel of a place relative to the origin.
+    /// Returns the pixel of a position relative to the origin.
     fn pixel(&self, place: DVec2) -> Vec2 {
         self.camera.pixel(self.origin + place)
     }
@@ -156,37 +155,36 @@ struct Lay<'a> {
     ink: Color,
     /// The speed that is drawn as the fastest, m/s.
     fastest: f32,
-    /// Which of how many fields it is: they make room for each other.
+    /// The index of this field and the number of fields, which share the space.
     turn: (usize, usize),
 }
 
 impl Lay<'_> {
-    /// What is slower than this part of the fastest is not drawn: fields that fade never end.
+    /// The share of the fastest speed below which a field is not drawn: fields that fade out have no end.
     const STILL: f32 = 0.02;
 
-    /// The flow at a pixel, m/s along the rows and down the columns of the picture; zero where it is not drawn.
+    /// Returns the flow at a pixel, m/s along the rows and down the columns of the picture; zero where it is not drawn.
     fn flow(&self, pixel: Vec2) -> Vec2 {
         let flow = self.grid.at(pixel);
         let drawn = flow.length_squared() > (Self::STILL * self.fastest).powi(2) && self.canvas.free.at(pixel);
         if drawn { flow } else { Vec2::ZERO }
     }
 
-    /// How fast a flow is, over the fastest: 0 to 1.
+    /// Returns the speed of a flow relative to the fastest, 0 to 1.
     fn part(&self, flow: Vec2) -> f32 {
         (flow.length() / self.fastest).min(1.0)
     }
 
-    /// How much of a flow there is to be seen, 0 to 1: what is slow fades away.
+    /// Returns the opacity of a flow, 0 to 1: slow flow fades out.
     fn presence(&self, flow: Vec2) -> f32 {
-        /// From here on all of it.
+        /// The relative speed from which on the flow is opaque.
         const WHOLE: f32 = 0.22;
         let t = ((self.part(flow) - Self::STILL) / (WHOLE - Self::STILL)).clamp(0.0, 1.0);
         t * t * (3.0 - 2.0 * t)
     }
 }
 
-/// A part of a turn, or any other number in [0, 1), that is as good as drawn by lot, for a cell (Wang and Jenkins' way: the
-/// finaliser of MurmurHash3).
+/// Returns a pseudorandom number in [0, 1) for a cell, by the finaliser of MurmurHash3.
 pub(crate) fn lot(column: u32, row: u32) -> f32 {
     let mut z = column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77).rotate_left(15);
     z = (z ^ (z >> 16)).wrapping_mul(0x85eb_ca6b);

@@ -1,4 +1,4 @@
-//! The fields of one recording, drawn anew where they have changed.
+//! The fields of one recording, redrawn when they change.
 
 use super::critical::{RADIUS, Symbol, symbols};
 use super::grid::fastest;
@@ -8,19 +8,19 @@ use super::{anchors::anchors, arrows::arrows, speed::speed, streamlines::streaml
 use crate::annotate::Row;
 use crate::legend::Layout;
 use crate::look::Look;
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::{Camera, Color, Style, Theme};
 use glam::Vec2;
 use throng_record::{Flow, Setting};
 
-/// A field, and what is drawn of it.
+/// A field with its state.
 #[derive(Clone, Debug)]
-struct Shown {
+struct DrawnField {
     flow: Flow,
     ink: Color,
-    /// As it was when it was drawn; `None` before that, and where the picture shows nothing of it.
+    /// The field when it was last drawn; `None` before that, and if the picture shows nothing of it.
     grid: Option<Grid>,
-    /// When it was looked at.
+    /// The time at which it was last sampled.
     time: Option<f64>,
 }
 
@@ -30,17 +30,17 @@ pub(crate) struct Sheets {
     canvas: Canvas,
     style: FlowStyle,
     theme: Theme,
-    shown: Vec<Shown>,
+    shown: Vec<DrawnField>,
     fastest: Option<f32>,
     symbols: Vec<Symbol>,
-    /// What the type of the legend stands on.
-    strips: Vec<Mark>,
-    /// What is drawn, in the order of the layers.
-    pub marks: Vec<Mark>,
+    /// The background strips of the title and the legend.
+    strips: Vec<Primitive>,
+    /// The primitives, in the order of the layers.
+    pub marks: Vec<Primitive>,
 }
 
 impl Sheets {
-    /// The fields of a setting as a style wants them; `None` if there are none, or it does not want to see them.
+    /// Returns the fields of a setting in a style; `None` if there are no fields or the style does not draw them.
     pub fn new(setting: &Setting, style: &Style, camera: Camera, layout: &Layout, look: &Look) -> Option<Self> {
         let unit = layout.unit;
         let flow = style.flow.clone().filter(|flow| !flow.layers.is_empty() && !setting.flows.is_empty())?;
@@ -48,12 +48,12 @@ impl Sheets {
         let size = Vec2::new(style.width as f32, style.height as f32);
         let canvas = Canvas { camera, origin: setting.origin, size, unit, free };
         let quiet = style.theme.goal.mix(style.theme.text, 0.45);
-        // where there is one field it is everybody's; of several each has the colour of those it leads
+        // A single field has a neutral colour; each of several fields has the colour of its first group.
         let ink = |flow: &Flow| match flow.groups.first() {
             Some(&group) if setting.flows.len() > 1 => look.group(group as usize).mix(style.theme.text, 0.2),
             _ => quiet,
         };
-        let shown = |flow: &Flow| Shown { flow: flow.clone(), ink: ink(flow), grid: None, time: None };
+        let shown = |flow: &Flow| DrawnField { flow: flow.clone(), ink: ink(flow), grid: None, time: None };
         Some(Self {
             canvas,
             shown: setting.flows.iter().map(shown).collect(),
@@ -66,7 +66,7 @@ impl Sheets {
         })
     }
 
-    /// Draws what has changed at a time; whether anything has.
+    /// Redraws the fields that have changed at a time. Returns whether any has.
     pub fn turn(&mut self, time: f64) -> bool {
         let mut changed = false;
         for shown in &mut self.shown {
@@ -86,7 +86,7 @@ impl Sheets {
         changed
     }
 
-    /// The speed that is drawn as the fastest, m/s; `None` until something flows.
+    /// Returns the speed that is drawn as the fastest, m/s; `None` until a field flows.
     pub fn fastest(&self) -> Option<f32> {
         self.fastest
     }
@@ -100,7 +100,7 @@ impl Sheets {
             let (canvas, style, theme) = (&self.canvas, &self.style, &self.theme);
             Some((shown, Lay { grid, canvas, style, theme, ink: shown.ink, fastest, turn: (turn, of) }))
         });
-        let lays: Vec<(&Shown, Lay<'_>)> = lays.collect();
+        let lays: Vec<(&DrawnField, Lay<'_>)> = lays.collect();
         let mut marks = Vec::new();
         let mut layers = self.style.layers.clone();
         layers.sort_unstable();
@@ -128,7 +128,7 @@ impl Sheets {
         self.marks = marks;
     }
 
-    /// What the key says of what was seen so far.
+    /// Returns the key's rows for everything drawn so far.
     pub fn rows(&self, size: f32) -> Vec<Row<'_>> {
         let said = Said {
             style: &self.style,
@@ -136,16 +136,16 @@ impl Sheets {
             ink: self.shown.first().map_or(self.theme.goal, |shown| shown.ink),
             fastest: self.fastest,
             has_anchors: self.shown.iter().any(|shown| !shown.flow.anchors.is_empty()),
-            symbols: Symbol::all().filter(|one| self.symbols.iter().any(|seen| seen.is_like(one))).collect(),
+            symbols: Symbol::all().filter(|kind| self.symbols.iter().any(|seen| seen.is_like(kind))).collect(),
         };
         said.rows(size)
     }
 }
 
-/// The upper and the lower rim of a picture, this high, where fields give way to type.
-fn strips(setting: &Setting, style: &Style, height: f32) -> Vec<Mark> {
+/// Returns strips along the upper and the lower edge of a picture, where fields fade out below the type.
+fn strips(setting: &Setting, style: &Style, height: f32) -> Vec<Primitive> {
     const STEPS: usize = 16;
-    /// How little is left of fields at the very rim.
+    /// The opacity of the strips at the edge.
     const PAPER: f32 = 0.85;
     let paper = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
     let (width, bottom) = (style.width as f32, style.height as f32);
@@ -155,7 +155,7 @@ fn strips(setting: &Setting, style: &Style, height: f32) -> Vec<Mark> {
         let fill = paper.alpha(PAPER * (1.0 - t * t * (3.0 - 2.0 * t)));
         let band = |top: f32, bottom: f32| {
             let ring = [(0.0, top), (width, top), (width, bottom), (0.0, bottom)].map(Vec2::from).to_vec();
-            Mark::Area { rings: vec![ring], fill }
+            Primitive::Area { rings: vec![ring], fill }
         };
         [band(edge(k), edge(k + 1)), band(bottom - edge(k + 1), bottom - edge(k))]
     };
@@ -172,7 +172,7 @@ mod tests {
     use throng_record::Frame;
 
     #[test]
-    fn documents_hold_the_shapes_that_pictures_do() {
+    fn documents_hold_the_primitives_of_pictures() {
         let drain = |place: Vec3, _: f64| Vec3::Z.cross(place) - 0.2 * place;
         let anchors = [DVec2::X, DVec2::Y].map(|place| Anchor::new(place, place)).to_vec();
         let flows = vec![Flow { anchors, ..Flow::of(Arc::new(drain)) }];
@@ -185,7 +185,7 @@ mod tests {
         let marks = &painter.flows.as_ref().unwrap().marks;
         let count = |tag: &str| flow.matches(tag).count();
         assert_eq!(count("<path") + count("<circle") + count("<image"), marks.len());
-        let discs = marks.iter().filter(|mark| matches!(mark, Mark::Disc { .. } | Mark::Ring { .. })).count();
+        let discs = marks.iter().filter(|mark| matches!(mark, Primitive::Disc { .. } | Primitive::Ring { .. })).count();
         assert_eq!((count("<circle"), count("<image")), (discs, 2));
         assert!(marks.len() > 100, "{}", marks.len());
     }

@@ -1,16 +1,16 @@
-//! How fast a field is, as a tone.
+//! The speed of a field as a tone.
 
 use super::Lay;
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::{Color, Image, Theme};
 use glam::Vec2;
 
-/// The stops of the ramp on light ground and on dark, slow to fast, above the ground's own colour: one way from light to dark, or
-/// from dark to light, so that it needs no eye for hues.
+/// The stops of the ramp above the ground's own colour, slow to fast, on light and on dark ground. Lightness changes in
+/// one direction, so that the ramp is readable without colour vision.
 const ON_LIGHT: [Color; 3] = [Color::rgb(0xd0e4e0), Color::rgb(0x96c6cd), Color::rgb(0x5796b3)];
 const ON_DARK: [Color; 3] = [Color::rgb(0x26474f), Color::rgb(0x357d7c), Color::rgb(0x8fc99b)];
 
-/// The tone of a speed over the fastest, 0 to 1.
+/// Returns the tone of a speed relative to the fastest, 0 to 1.
 pub(super) fn tone(part: f32, theme: &Theme) -> Color {
     let stops = if is_dark(theme) { ON_DARK } else { ON_LIGHT };
     let all = [theme.ground, stops[0], stops[1], stops[2]];
@@ -25,8 +25,8 @@ pub(super) fn is_dark(theme: &Theme) -> bool {
     light(theme.ground) < light(theme.text)
 }
 
-/// The tones of all pixels.
-pub(super) fn speed(lay: &Lay<'_>) -> Mark {
+/// Returns the tones of all pixels.
+pub(super) fn speed(lay: &Lay<'_>) -> Primitive {
     const STEPS: usize = 256;
     let tones: Vec<Color> = (0..STEPS).map(|k| tone(k as f32 / (STEPS - 1) as f32, lay.theme)).collect();
     let strength = lay.style.strength().min(1.0);
@@ -38,10 +38,10 @@ pub(super) fn speed(lay: &Lay<'_>) -> Mark {
         let flow = lay.grid.at(at);
         if flow != Vec2::ZERO && lay.canvas.free.fills(at) {
             let Color { r, g, b, .. } = tones[(lay.part(flow) * (STEPS - 1) as f32) as usize];
-            // of two fields in one place both are to be seen
+            // Where two fields overlap, both stay visible.
             let share = if lay.turn.0 > 0 { 0.5 } else { 1.0 };
             pixel.copy_from_slice(&[r, g, b, (255.0 * strength * share) as u8]);
         }
     }
-    Mark::Pixels(image)
+    Primitive::Pixels(image)
 }

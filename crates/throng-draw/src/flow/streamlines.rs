@@ -1,31 +1,32 @@
-//! Streamlines evenly far apart, by Jobard and Lefer 1997: each new one begins beside one that is there already, and ends where
-//! it comes too near to another. They taper where they crowd.
+//! Evenly spaced streamlines by Jobard and Lefer 1997: each new line starts beside an existing one and ends where it
+//! comes too near to another. Lines taper where they crowd.
 
 use super::Lay;
 use super::blade::{blade, head};
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use glam::Vec2;
 
-/// How far apart they are where they begin, in units of the layout.
+/// The distance between lines at their starts, in units of the layout.
 const APART: f32 = 15.0;
-/// How near they come to each other, over that.
+/// The least distance between lines, relative to that.
 const NEAREST: f32 = 0.5;
-/// Length of the steps in which they go on, in units of the layout.
+/// The length of integration steps, in units of the layout.
 const STEP: f32 = 1.6;
-/// What is shorter than this, over how far apart they are, is left out.
+/// The least length of lines, relative to their distance.
 const SHORTEST: f32 = 1.6;
-/// Half the width where a field is fastest, and where it is all but still; how far apart heads are, and how long. In units of the layout.
+/// Half the width of lines where a field is fastest and slowest, the distance of heads, and their length, in units of
+/// the layout.
 const HALF: [f32; 2] = [0.62, 0.3];
 const HEADS: f32 = 120.0;
 const HEAD: f32 = 5.2;
 const OPACITY: f32 = 0.62;
-/// Points of all lines together at most: a limit that pictures do not reach.
+/// The maximum number of points of all lines together; normal pictures stay below it.
 const MOST: usize = 4_000_000;
 
-/// A line, from where the flow comes to where it goes.
+/// A line in the direction of the flow.
 pub(super) type Line = Vec<Vec2>;
 
-/// A point of a line: where, of which line, and how many steps after the place at which that began.
+/// A point of a line: its position, its line, and the number of steps from the seed of the line.
 #[derive(Clone, Copy, Debug)]
 struct Point {
     at: Vec2,
@@ -33,7 +34,7 @@ struct Point {
     step: i32,
 }
 
-/// All points so far, in square cells as wide as lines are apart.
+/// Traces lines and keeps all their points, in square cells as wide as the distance of lines.
 struct Tracer<'a> {
     lay: &'a Lay<'a>,
     apart: f32,
@@ -43,8 +44,8 @@ struct Tracer<'a> {
     count: usize,
 }
 
-/// The lines as marks.
-pub(super) fn streamlines(lay: &Lay<'_>) -> Vec<Mark> {
+/// Returns the lines as primitives.
+pub(super) fn streamlines(lay: &Lay<'_>) -> Vec<Primitive> {
     let mut tracer = Tracer::new(lay);
     let lines = tracer.all();
     (0..).zip(&lines).flat_map(|(index, line)| tracer.marks(index, line)).collect()
@@ -53,18 +54,18 @@ pub(super) fn streamlines(lay: &Lay<'_>) -> Vec<Mark> {
 impl<'a> Tracer<'a> {
     pub fn new(lay: &'a Lay<'a>) -> Self {
         let (turn, of) = lay.turn;
-        // lines of several fields cross each other: a little more room for each
+        // Lines of several fields cross each other and need a little more space.
         let apart = APART * lay.canvas.unit * lay.style.spread() * (of as f32).sqrt() * (1.0 + 0.001 * turn as f32);
         let [columns, rows] = (lay.canvas.size / apart).ceil().to_array().map(|count| count as usize + 1);
         let step = (STEP * lay.canvas.unit).min(0.2 * apart);
         Self { lay, apart, step, columns, cells: vec![Vec::new(); columns * rows], count: 0 }
     }
 
-    /// All lines there is room for.
+    /// Traces lines until the picture is full.
     pub fn all(&mut self) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
         let mut next = 0;
-        // where nothing that is there leads to: apart from all others, the fastest first
+        // Seeds on a lattice, fastest first, reach the regions that no existing line leads to.
         for seed in self.lattice() {
             self.draw(seed, &mut lines);
             while next < lines.len() {
@@ -83,7 +84,7 @@ impl<'a> Tracer<'a> {
         lines
     }
 
-    /// Places all over the picture, those where the flow is fastest first.
+    /// Returns seeds all over the picture, fastest first.
     fn lattice(&self) -> Vec<Vec2> {
         let size = self.lay.canvas.size;
         let [columns, rows] = (size / self.apart).ceil().to_array().map(|count| count as usize);
@@ -94,7 +95,7 @@ impl<'a> Tracer<'a> {
         seeds.into_iter().take_while(|seed| seed.0 > 0.0).map(|seed| seed.1).collect()
     }
 
-    /// Draws the line through a place, if there is room for it.
+    /// Traces the line through a seed, if there is space for it.
     fn draw(&mut self, seed: Vec2, lines: &mut Vec<Line>) {
         let number = lines.len() as u32;
         if self.lay.flow(seed) == Vec2::ZERO || self.is_near(seed, self.apart, |_| true) || self.count > MOST {
@@ -111,7 +112,7 @@ impl<'a> Tracer<'a> {
         lines.push(behind.into_iter().rev().chain([seed]).chain(ahead).collect());
     }
 
-    /// Goes from a place with the flow, or against it; and whether that leads back to the place.
+    /// Traces from a seed with the flow or against it. Returns the line and whether it leads back to the seed.
     fn trace(&mut self, seed: Vec2, sense: i32, line: u32) -> (Line, bool) {
         let way = |at: Vec2| self.lay.flow(at).try_normalize().map(|way| way * sense as f32);
         let (mut at, mut points): (Vec2, Line) = (seed, Vec::new());
@@ -120,7 +121,7 @@ impl<'a> Tracer<'a> {
         let mut kept = Vec::new();
         let mut closed = false;
         for step in 1..(MOST as i32) {
-            // the midpoint rule
+            // The midpoint rule.
             let Some(half) = way(at).and_then(|first| way(at + first * (0.5 * self.step))) else { break };
             let to = at + half * self.step;
             if self.lay.flow(to) == Vec2::ZERO {
@@ -131,7 +132,8 @@ impl<'a> Tracer<'a> {
                 closed = true;
                 break;
             }
-            // of the line itself, what is not just behind; and not where it began, which it may come back to
+            // Points of the line itself count too, except those just behind, and those near the seed, where the line
+            // may close.
             let others = |other: &Point| {
                 other.line != line
                     || (other.step != 0 && (step - other.step * sense).abs() > few && other.step.abs() > few)
@@ -179,7 +181,8 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The points within how far lines are apart of a place, or a little farther.
+    /// Returns the points in the cells around a position: all points within the distance of lines, and some farther
+    /// ones.
     fn round(&self, at: Vec2) -> impl Iterator<Item = &Point> {
         let cell = (at / self.apart).floor();
         let neighbours = (0..9).map(move |k| cell + Vec2::new((k % 3) as f32 - 1.0, (k / 3) as f32 - 1.0));
@@ -193,8 +196,8 @@ impl<'a> Tracer<'a> {
         self.round(at).any(|point| point.at.distance_squared(at) < distance * distance && counts(point))
     }
 
-    /// A line as a blade with heads.
-    fn marks(&self, index: u32, line: &Line) -> Vec<Mark> {
+    /// Returns a line as a blade with heads.
+    fn marks(&self, index: u32, line: &Line) -> Vec<Primitive> {
         let (lay, unit) = (self.lay, self.lay.canvas.unit);
         let fill = lay.ink.alpha(OPACITY);
         let taper = |at: Vec2| {
@@ -205,12 +208,12 @@ impl<'a> Tracer<'a> {
         let tip = 0.5 * self.apart / self.step;
         let half = |index: usize, at: Vec2| {
             let part = lay.part(lay.grid.at(at)).sqrt();
-            // both ends run out into nothing
+            // Both ends taper off.
             let end = ((index.min(line.len() - 1 - index) as f32 + 0.5) / tip).min(1.0);
             unit * (HALF[1] + (HALF[0] - HALF[1]) * part) * (0.55 + 0.45 * taper(at)) * end.max(0.25)
         };
         let points: Vec<(Vec2, f32)> = (0..).zip(line).map(|(index, &at)| (at, half(index, at))).collect();
-        // of a line that turns little a few points are enough
+        // A line that turns little needs only a few points.
         let few: Vec<(Vec2, f32)> = thin(&points, 0.08 * unit);
         let length = (line.len() - 1) as f32 * self.step;
         let heads = (length / (HEADS * unit * lay.style.spread().sqrt())).round().max(1.0);
@@ -219,15 +222,15 @@ impl<'a> Tracer<'a> {
             let along = (line[(at + 1).min(line.len() - 1)] - line[at.saturating_sub(1)]).normalize_or_zero();
             let size = HEAD * unit * (0.7 + 0.3 * lay.part(lay.grid.at(line[at])));
             let ring = head(line[at] + along * (0.5 * size), along, size);
-            Mark::Area { rings: vec![ring], fill: lay.ink.alpha(OPACITY + 0.15) }
+            Primitive::Area { rings: vec![ring], fill: lay.ink.alpha(OPACITY + 0.15) }
         };
         blade(&few, fill).into_iter().chain((0..heads as usize).map(head_at)).collect()
     }
 }
 
-/// Without the points that a straight line from the last that is kept would pass within a distance of.
+/// Drops points that lie within `off` of the straight line between their kept neighbours.
 fn thin(points: &[(Vec2, f32)], off: f32) -> Vec<(Vec2, f32)> {
-    /// So many at most are left out in a row.
+    /// The maximum number of consecutive dropped points.
     const ROW: usize = 8;
     let mut few: Vec<(Vec2, f32)> = points.first().copied().into_iter().collect();
     let mut last = 0;
@@ -255,7 +258,7 @@ mod tests {
     use std::sync::Arc;
     use throng_record::{Flow, Setting};
 
-    /// The lines of a field over 20 by 15 m at 20 pixels a metre.
+    /// Returns the lines of a field over 20 by 15 m at 20 pixels per metre.
     fn lines(field: fn(Vec3) -> Vec3) -> (Vec<Line>, f32) {
         let half = DVec2::new(10.0, 7.5);
         let size = Vec2::new(400.0, 300.0);
@@ -293,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_keep_apart_and_leave_no_room() {
+    fn lines_keep_their_distance_and_fill_the_picture() {
         for field in FIELDS {
             let (lines, apart) = lines(field);
             for (index, line) in lines.iter().enumerate() {
@@ -302,7 +305,7 @@ mod tests {
                 let near = line.iter().map(nearest).fold(f32::INFINITY, f32::min);
                 assert!(near >= NEAREST * apart - 1e-3, "{near} pixels between lines");
             }
-            // all over the picture, but where a line would be too short, there is one
+            // Every position is near a line, except where a line would be too short.
             let spots = (2..18).flat_map(|x| (2..13).map(move |y| Vec2::new(x as f32, y as f32) * 20.0));
             let gaps = spots
                 .map(|spot| lines.iter().flatten().map(|point| point.distance(spot)).fold(f32::INFINITY, f32::min));

@@ -2,20 +2,20 @@
 
 use super::speed::is_dark;
 use super::{Lay, lot};
-use crate::mark::Mark;
+use crate::primitive::Primitive;
 use crate::{Color, Image};
 use glam::Vec2;
 use std::f32::consts::PI;
 
-/// Width of the grains of the noise, in units of the layout.
+/// The width of the grains of the noise, in units of the layout.
 const GRAIN: f32 = 1.0;
-/// How far a grain is smeared to either side, in grains.
+/// The distance to which a grain is smeared on either side, in grains.
 const REACH: usize = 16;
-/// How dark the darkest is on light ground, and how light the lightest on dark.
+/// The greatest opacity of the texture, on light and on dark ground.
 const DEPTH: [f32; 2] = [0.27, 0.2];
 
-/// A grid of grains, each one with the direction of the field in its middle, as long as there is of the field to be seen; zero
-/// where it is not drawn, and round the picture.
+/// A grid of grains. Each has the direction of the field in its middle, scaled by the field's opacity; zero where the
+/// field is not drawn, and in a border around the picture.
 struct Grains {
     size: f32,
     columns: usize,
@@ -23,15 +23,15 @@ struct Grains {
     ways: Vec<Vec2>,
 }
 
-/// Where one goes from a grain in a step, and what is added there.
+/// The step from a grain along the field, and the noise of the grain.
 #[derive(Clone, Copy)]
 struct Stone {
     step: Vec2,
     noise: f32,
 }
 
-/// The texture of all pixels.
-pub(super) fn texture(lay: &Lay<'_>) -> Mark {
+/// Returns the texture of all pixels.
+pub(super) fn texture(lay: &Lay<'_>) -> Primitive {
     let grains = Grains::of(lay);
     let tones = grains.tones(lay.turn.0 as u32);
     let dark = is_dark(lay.theme);
@@ -47,7 +47,7 @@ pub(super) fn texture(lay: &Lay<'_>) -> Mark {
             }
         }
     }
-    Mark::Pixels(image)
+    Primitive::Pixels(image)
 }
 
 impl Grains {
@@ -60,14 +60,14 @@ impl Grains {
                 return Vec2::ZERO;
             }
             let middle = (Vec2::new(column as f32, row as f32) - 0.5) * size;
-            // not as it is drawn: it goes on under the rims of what covers it
+            // The mask is ignored: the texture continues below the rims of solids.
             let flow = lay.grid.at(middle.min(lay.canvas.size - 0.5));
             flow.normalize_or_zero() * lay.presence(flow)
         };
         Self { size, columns, rows, ways: (0..columns * rows).map(way).collect() }
     }
 
-    /// The grain at a place in grains, which is in the picture or less than one beside it.
+    /// Returns the grain at a position, given in grains, in the picture or its border.
     fn index(&self, at: Vec2) -> usize {
         at.y as i32 as usize * self.columns + at.x as i32 as usize
     }
@@ -76,24 +76,24 @@ impl Grains {
         Vec2::new((index % self.columns) as f32, (index / self.columns) as f32) + 0.5
     }
 
-    /// Where one goes from each grain, with the flow or against it: by the midpoint rule, a grain a step.
+    /// Returns the step from each grain with the flow or against it, one grain long, by the midpoint rule.
     fn stones(&self, sense: f32, noise: &[f32]) -> Vec<Stone> {
         let step = |index: usize| {
             let Some(way) = self.ways[index].try_normalize() else { return Vec2::ZERO };
-            // a little less than a grain: rounding leads nobody past the rim
+            // Slightly less than a grain, so that rounding does not lead beyond the border.
             self.ways[self.index(self.middle(index) + way * (0.5 * sense))].normalize_or_zero() * (0.999 * sense)
         };
         (0..self.ways.len()).map(|index| Stone { step: step(index), noise: noise[index] }).collect()
     }
 
-    /// How dark each grain is, 0 to 1, fading where the field does: a mean of the noise along the line through its middle, by
-    /// weights that fall to zero at its ends.
+    /// Returns the darkness of each grain, 0 to 1, fading with the field: the weighted mean of the noise along the line
+    /// through its middle. The weights fall to zero at the ends of the line.
     fn tones(&self, lot_of: u32) -> Vec<f32> {
         let cell = |index: usize| lot((index % self.columns) as u32, (index / self.columns) as u32 ^ (lot_of << 20));
         let noise: Vec<f32> = (0..self.ways.len()).map(|index| cell(index) - 0.5).collect();
         let weights: [f32; REACH] =
             std::array::from_fn(|k| 0.5 + 0.5 * (PI * (k + 1) as f32 / (REACH + 1) as f32).cos());
-        // the noise has a variance of 1/12
+        // The noise has a variance of 1/12.
         let (sum, squares) =
             weights.iter().fold((1.0, 1.0), |(sum, squares), w| (sum + 2.0 * w, squares + 2.0 * w * w));
         let deviation = (squares / 12.0_f32).sqrt() / sum;
@@ -122,9 +122,9 @@ impl Grains {
         (0..self.ways.len()).map(tone).collect()
     }
 
-    /// A value between the middles of grains.
+    /// Interpolates values between the middles of grains.
     fn between(&self, values: &[f32], pixel: Vec2) -> f32 {
-        // the first grain is round the picture, as the last is
+        // The first and the last grain belong to the border.
         let last = Vec2::new((self.columns - 2) as f32, (self.rows - 2) as f32);
         let at = (pixel / self.size + 0.5).clamp(Vec2::ONE, last - 0.001);
         let (part, first) = (at.fract(), self.index(at));

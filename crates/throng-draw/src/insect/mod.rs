@@ -1,4 +1,4 @@
-//! Insects: a thin body between two translucent wings that beat, however they are projected.
+//! Insects: a thin body between two translucent, beating wings, in any projection.
 
 mod streak;
 
@@ -14,67 +14,67 @@ use std::f32::consts::TAU;
 use throng::motion::Basis;
 use throng_record::Body;
 
-/// Ahead, aside and up, in radii of the body: head, tail, root of the wings, and the tip of a wing that lies flat.
+/// Coordinates (forward, to the side, up) in radii of the body: head, tail, root of the wings, and tip of a level wing.
 const HEAD: f32 = 1.0;
 const TAIL: f32 = -1.15;
 const ROOT: f32 = 0.25;
 const TIP: Vec2 = Vec2::new(-0.25, 1.5);
-/// Half the width of a wing, and of the body.
+/// Half the width of a wing and of the body, in radii.
 const CHORD: f32 = 0.46;
 const WAIST: f32 = 0.17;
-/// How far wings beat up and down, radians, about how often a second, and how much of that is their own.
+/// The amplitude of wing beats, radians; the mean frequency, 1/s; and the relative spread of frequencies.
 const BEAT: f32 = 0.95;
 const RATE: f32 = 9.0;
 const OWN: f32 = 0.3;
-/// The least radius that insects are drawn with, in units of the layout, pixels.
+/// The least radius of insects, in units of the layout.
 const LEAST_RADIUS: f32 = 2.4;
-/// Of more insects than this each steps back.
+/// With more insects than this, each is drawn smaller and paler.
 const MANY: f32 = 500.0;
 
-/// How much room a swarm leaves to each of its insects.
+/// How insects are drawn in a swarm, by the size of the swarm.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crowd {
-    /// The least radius they are drawn with, pixels.
+    /// The least radius, pixels.
     pub least: f32,
-    /// What is left of their streaks and shadows, 0 to 1.
+    /// The factor of the opacity of streaks and shadows, 0 to 1.
     pub left: f32,
 }
 
 impl Crowd {
-    /// Of so many insects.
+    /// Returns the values for `count` insects.
     pub fn of(count: usize, unit: f32) -> Self {
         let share = (MANY / count as f32).min(1.0);
         Self { least: LEAST_RADIUS * unit * share.powf(0.25).max(0.45), left: share.sqrt().max(0.15) }
     }
 }
 
-/// An insect in pixels.
+/// An insect, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Insect {
     pub head: Vec2,
     pub tail: Vec2,
-    /// Where the wings begin, and where each ends.
+    /// The root of the wings, and the tip of each.
     pub root: Vec2,
     pub tips: [Vec2; 2],
-    /// Half the width of the wings.
+    /// Half the width of each wing.
     pub chords: [f32; 2],
     /// Half the width of the body.
     pub waist: f32,
     pub body: Color,
-    /// With their opacity.
+    /// The colour of the wings, with their opacity.
     pub wings: Color,
 }
 
-/// Where the wings of somebody are at a time: radians above flat. Everybody beats a little faster or slower than the next.
+/// Returns the angle of an insect's wings above level at a time, radians. Frequencies differ between insects.
 fn beat(number: u32, time: f64) -> f32 {
     let rate = RATE * (1.0 + OWN * (lot(number, 1) - 0.5));
-    // only the part of a turn: whole turns of long times leave no digits
+    // Only the fraction of a turn is kept, so that long times keep their precision.
     let turns = (time * f64::from(rate) + f64::from(lot(number, 2))).fract() as f32;
     0.15 + BEAT * (TAU * turns).sin()
 }
 
 impl Insect {
-    /// A body as an insect, so many times as large as it is; `None` if it cannot be seen.
+    /// Returns a body as an insect, enlarged by `growth`; `None` if it is not visible.
     pub fn of(body: &Body, growth: f32, coat: Coat, projector: &Projector, time: f64) -> Option<Self> {
         let upright = || Basis::facing(DVec2::from_angle(f64::from(body.heading)).as_vec2().extend(0.0));
         let basis = body.basis.unwrap_or_else(upright);
@@ -86,7 +86,7 @@ impl Insect {
         let (sin, cos) = beat(body.number, time).sin_cos();
         let tip = |aside: f32| pixel(Vec3::new(TIP.x, aside * TIP.y * cos, TIP.y * sin));
         let scale = size * projector.scale(center) as f32;
-        // a wing that is seen along its edge is thin
+        // A wing seen edge-on is thin.
         let sight = projector.sight(center).as_vec3();
         let chord = |aside: f32| {
             let normal = basis.up * cos - basis.side * (aside * sin);
@@ -104,14 +104,14 @@ impl Insect {
         })
     }
 
-    /// Lays it over the picture.
+    /// Draws the insect on a picture.
     pub fn draw(&self, image: &mut Image) {
         let points = [self.head, self.tail, self.root, self.tips[0], self.tips[1]];
         let reach = self.chords[0].max(self.chords[1]).max(self.waist) + 1.0;
         let low = points.into_iter().fold(Vec2::INFINITY, Vec2::min) - reach;
         let high = points.into_iter().fold(Vec2::NEG_INFINITY, Vec2::max) + reach;
         let (width, height) = (image.width() as usize, image.height() as usize);
-        // `as` takes what is below zero to zero
+        // `as` maps negative numbers to 0.
         let (columns, rows) =
             (low.x as usize..(high.x as usize + 1).min(width), low.y as usize..(high.y as usize + 1).min(height));
         if !(low.is_finite() && high.is_finite()) || columns.is_empty() || rows.is_empty() {
@@ -139,12 +139,12 @@ impl Insect {
     }
 }
 
-/// A segment with a width.
+/// A line segment with a width.
 #[derive(Clone, Copy, Debug)]
 struct Blade {
     from: Vec2,
     along: Vec2,
-    /// One over its length squared; 0 for none.
+    /// 1 over the squared length; 0 for a segment without length.
     unit: f32,
     half: f32,
 }
@@ -156,21 +156,22 @@ impl Blade {
         Self { from, along, unit: if length2 > 1e-6 { 1.0 / length2 } else { 0.0 }, half }
     }
 
-    /// How far along it a pixel is, 0 to 1, and how far off.
+    /// Returns the position of a pixel along the segment, 0 to 1, and its distance from the segment.
     fn place(&self, at: Vec2) -> (f32, f32) {
         let offset = at - self.from;
         let part = (offset.dot(self.along) * self.unit).clamp(0.0, 1.0);
         (part, (offset - self.along * part).length())
     }
 
-    /// How much of a pixel is covered where it is as wide all along, and round at the ends; a hair covers less.
+    /// Returns the coverage of a pixel by a rod of constant width with round ends. Rods thinner than a pixel cover
+    /// less.
     fn rod(&self, at: Vec2) -> f32 {
         let (_, off) = self.place(at);
         let half = self.half.max(0.55);
         (half + 0.5 - off).clamp(0.0, 1.0)
     }
 
-    /// How much is covered where it is a leaf: thin where it begins, widest beyond its middle.
+    /// Returns the coverage of a pixel by a leaf: thin at the root, widest beyond the middle.
     fn leaf(&self, at: Vec2) -> f32 {
         let (part, off) = self.place(at);
         let half = (self.half * (part * (2.6 - 1.9 * part * part)).max(0.0)).max(0.3);
@@ -183,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wings_beat_the_same_every_time_and_not_in_step() {
+    fn wing_beats_are_reproducible_and_out_of_step() {
         for number in [0, 7, 90_000] {
             let angles: Vec<f32> = (0..100).map(|k| beat(number, f64::from(k) * 0.013)).collect();
             let (low, high) = angles.iter().fold((1.0f32, 0.0f32), |(low, high), &a| (low.min(a), high.max(a)));

@@ -1,25 +1,25 @@
-//! Streaks: what is left on a film of somebody who moves while the shutter is open.
+//! Streaks: motion blur of a body while the shutter is open.
 
 use super::Crowd;
 use crate::Color;
 use crate::image::{Image, blend};
 use crate::projector::Projector;
-use crate::trail::{End, Track, Trail};
+use crate::trail::{AgentTrail, End, Trail};
 use glam::DVec3;
 use throng_record::Body;
 
-/// How soft the rim of a streak is: how far it fades, over half its width, and at least pixels.
+/// The outer fading distance of a streak relative to its half width, and the least fading distance, pixels.
 const SOFT: f32 = 1.6;
 const LEAST: f32 = 1.0;
 
-/// How much light the newest end of a streak leaves, and half its width, over the radius of what leaves it.
+/// The light of the newest end of a streak, and its half width relative to the radius of the body.
 const LIGHT: f32 = 0.42;
 const HALF: f32 = 0.42;
 
-/// The way of a body that was recorded, or as long a way as it goes with its velocity where there is none, as a streak that fades
-/// towards its older end. `(now, seconds)` are the time, and how long the shutter was open.
+/// Returns the recorded way of a body as a streak that fades towards its older end. Without recorded points, the way
+/// follows from the velocity. `(now, seconds)` are the time and the exposure time.
 pub(crate) fn streak(
-    track: &Track,
+    track: &AgentTrail,
     body: &Body,
     color: Color,
     projector: &Projector,
@@ -38,7 +38,7 @@ pub(crate) fn streak(
         })
     };
     let ends: Option<Vec<End>> = if track.points.len() > 1 {
-        // the oldest end is where it was when the shutter opened
+        // The oldest end is the position at which the shutter opened.
         let opened = now - seconds;
         let cut = |k: usize| {
             let (time, point) = track.points[k];
@@ -51,24 +51,24 @@ pub(crate) fn streak(
         };
         (0..track.points.len()).map(cut).map(end).collect()
     } else {
-        let (place, way) = (body.center(), body.velocity.extend(body.climb).as_dvec3() * seconds);
+        let (place, way) = (body.center(), body.velocity.extend(body.vertical_velocity).as_dvec3() * seconds);
         [(now - seconds, place - way), (now, place)].into_iter().map(end).collect()
     };
     Some(Trail { ends: ends?, color })
 }
 
-/// A layer on which streaks add up.
+/// A layer in which streaks add up.
 #[derive(Clone, Debug)]
 pub(crate) struct StreakLayer {
     width: usize,
     height: usize,
-    /// Red, green and blue, each times what is left of light, and that itself.
+    /// Red, green and blue, each multiplied by the light, followed by the light.
     film: Vec<[f32; 4]>,
-    /// Rows that something was drawn on.
+    /// The rows with any light.
     rows: std::ops::Range<usize>,
 }
 
-/// Lays streaks over a picture.
+/// Draws streaks on a picture.
 pub(crate) fn lay(streaks: &[Trail], image: &mut Image) {
     let mut layer = StreakLayer::new(image.width(), image.height());
     streaks.iter().for_each(|streak| layer.draw(streak));
@@ -93,7 +93,7 @@ impl StreakLayer {
             if !(length2.is_finite() && low.is_finite()) || length2 == 0.0 {
                 continue;
             }
-            // `as` takes what is below zero to zero
+            // `as` maps negative numbers to 0.
             let rows = low.y as usize..((high.y.max(-1.0) + 1.0) as usize).min(self.height);
             let columns = low.x as usize..((high.x.max(-1.0) + 1.0) as usize).min(self.width);
             if rows.is_empty() || columns.is_empty() {
@@ -108,7 +108,7 @@ impl StreakLayer {
                 for (x, film) in columns.clone().zip(&mut self.film[first..first + columns.len()]) {
                     let dx = x as f32 + 0.5 - a.at.x;
                     let part = dx * unit.x + dy * unit.y;
-                    // pieces meet end to end: what is beyond belongs to the next
+                    // Segments meet end to end: pixels beyond an end belong to the next segment.
                     if !(0.0..1.0).contains(&part) {
                         continue;
                     }
@@ -129,14 +129,14 @@ impl StreakLayer {
         }
     }
 
-    /// Lays the layer over the picture: the more light, the less is added.
+    /// Draws the layer on a picture; the coverage saturates with increasing light.
     pub fn lay(self, image: &mut Image) {
         let span = self.rows.start * self.width..self.rows.end * self.width;
         let under = &mut image.data_mut()[span.start * 4..span.end * 4];
         for (pixel, [r, g, b, light]) in under.chunks_exact_mut(4).zip(&self.film[span]) {
             if *light > 0.0 {
                 let color = [r, g, b].map(|channel| (channel / light) as u8);
-                // as 1 - exp(-x), without an exponential: within 0.03 of it
+                // An approximation of 1 - exp(-x), within 0.03.
                 let cover = 1.0 - 1.0 / (1.0 + light + 0.5 * light * light);
                 blend(&mut pixel[..3], color, (cover * 256.0) as u32);
             }
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_of_one_streak_meet_without_a_mark() {
+    fn segments_of_one_streak_meet_without_a_seam() {
         let whole = streak((5.0, 10.5), (50.0, 10.5), 0.6);
         let end = |k: usize| End {
             at: Vec2::new(5.0 + 9.0 * k as f32, 10.5),

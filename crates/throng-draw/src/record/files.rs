@@ -1,49 +1,50 @@
-//! The files of a run, on one clock.
+//! All files of a run.
 
 use super::{Moment, Pace, Recorder};
 use crate::{Error, Sheet, Still, Style};
 use std::sync::Arc;
 use throng_record::{Choice, Frame, Pool, Setting};
 
-/// How far after the end of what is chosen a picture may be, seconds: times are rounded.
+/// How far after the end of the choice a picture can be, seconds, because times are rounded.
 const SLACK: f64 = 1e-6;
 
-/// What the files of a run have in common.
+/// The settings that the files of a run share.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
     /// The place and the names.
     pub setting: &'a Setting,
-    /// What pictures show, where that is several runs side by side; trajectories are of the first.
+    /// The panels of pictures, for several runs side by side; trajectories are of the first run.
     pub sheet: Option<&'a Sheet>,
     /// The look of pictures.
     pub style: &'a Style,
-    /// Pictures a second of video.
+    /// Pictures per second of video.
     pub rate: f64,
-    /// Seconds of the world in a second of video.
+    /// Seconds of the world per second of video.
     pub speed_up: f64,
-    /// Which moment single pictures show.
+    /// The moment that single pictures show.
     pub still: Still,
-    /// When the first picture is due, seconds.
+    /// The time of the first picture, seconds.
     pub from: f64,
-    /// What of it is written to trajectories; none of the files has anything after its end.
+    /// What is written to trajectories. No file has moments after the end of the choice.
     pub choice: &'a Choice,
-    /// Whether to stop between two moments: it is called often while a long gap is filled with pictures or moments.
+    /// Whether to stop between two moments. Called often while pictures or moments fill a long gap.
     pub stop: fn() -> bool,
 }
 
 impl Plan<'_> {
-    /// What pictures show.
+    /// Returns the panels of pictures.
     pub(super) fn shown(&self) -> Sheet {
         self.sheet.cloned().unwrap_or_else(|| self.setting.into())
     }
 
-    /// When pictures are due.
+    /// Returns the times of pictures.
     pub fn pace(&self) -> Pace {
         Pace::new(self.from, self.speed_up / self.rate)
     }
 }
 
-/// All files of a run, or of several that go on together. They get their names when they are complete; dropped before that, they leave nothing.
+/// All files of a run, or of several runs with a common clock. They get their names when they are complete; files
+/// dropped before that are deleted.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -69,30 +70,31 @@ pub struct Files {
     pace: Pace,
     choice: Choice,
     stop: fn() -> bool,
-    /// Time of the last moment.
+    /// The time of the last moment.
     before: Option<f64>,
-    /// Time of the last picture.
+    /// The time of the last picture.
     last: Option<f64>,
 }
 
 impl Files {
-    /// Files that have been begun, with pictures at this pace and trajectories of what is chosen.
+    /// Creates the set of already created files, with pictures at this pace and the chosen trajectories.
     pub fn new(files: Vec<Recorder>, pace: Pace, choice: &Choice) -> Self {
         Self { files, frames: Pool::default(), pace, choice: choice.clone(), stop: || false, before: None, last: None }
     }
 
-    /// The same files, of which [`push`](Self::push) leaves out the rest of a moment's pictures as soon as `stop` returns true.
+    /// Sets the condition on which [`push`](Self::push) skips the remaining pictures of a moment: `stop` returns true.
     pub fn stopped_by(self, stop: fn() -> bool) -> Self {
         Self { stop, ..self }
     }
 
-    /// Whether there are none.
+    /// Whether there are no files.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }
 
-    /// Takes in the world after a step (and before the first), with the next one in `step` seconds: trajectories every time
-    /// that is chosen, pictures when one is due, which is at the step nearest to its time. `capture` makes the moment.
+    /// Adds the world's moment after a step (and before the first); the next step is `step` seconds long. Trajectories
+    /// take every chosen moment. Pictures take the step nearest to their due time. `capture` writes the frame if a file
+    /// needs it.
     ///
     /// # Errors
     /// A file cannot be written.
@@ -102,7 +104,7 @@ impl Files {
         self.hand_over(frames, pictures, rows)
     }
 
-    /// The same of several runs, a frame each.
+    /// Adds a moment of several runs, with one frame for each run.
     ///
     /// # Errors
     /// A file cannot be written.
@@ -111,7 +113,7 @@ impl Files {
         self.hand_over(frames(), pictures, rows)
     }
 
-    /// Hands over a moment picture by picture.
+    /// Passes a moment to the recorders, once per due picture.
     fn hand_over(&mut self, frames: Vec<Arc<Frame>>, pictures: u64, rows: bool) -> Result<(), Error> {
         let mut moment = Moment { frames, picture: pictures > 0, rows };
         Recorder::push_all(&mut self.files, &moment)?;
@@ -119,7 +121,7 @@ impl Files {
         (1..pictures).take_while(|_| !(self.stop)()).try_for_each(|_| Recorder::push_all(&mut self.files, &moment))
     }
 
-    /// How many pictures are due, and whether trajectories take this moment; none where no file takes it.
+    /// Returns the number of due pictures and whether trajectories take this moment; `None` if no file takes it.
     fn due(&mut self, time: f64, step: f64) -> Option<(u64, bool)> {
         let before = self.before.replace(time).unwrap_or(time - step);
         let rows = self.choice.needs(before, time, time + step);
@@ -132,7 +134,7 @@ impl Files {
         self.files.iter().any(takes).then_some((pictures, rows))
     }
 
-    /// Shows the end, if no picture did yet, and completes all files.
+    /// Adds the last moment if no picture shows it yet, and completes all files.
     ///
     /// # Errors
     /// A file cannot be completed.
@@ -141,7 +143,7 @@ impl Files {
         self.complete(frames)
     }
 
-    /// The same of several runs, a frame each.
+    /// Completes all files for several runs, with one frame for each run.
     ///
     /// # Errors
     /// A file cannot be completed.
@@ -150,7 +152,7 @@ impl Files {
         self.complete(frames)
     }
 
-    /// Whether this is the last moment and no picture has shown it.
+    /// Whether this is the last moment and no picture shows it.
     fn lacks(&self, time: f64) -> bool {
         let within = self.last.is_none() || time <= self.choice.to;
         within && self.last != Some(time) && self.files.iter().any(|file| !file.is_table())

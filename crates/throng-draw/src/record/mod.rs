@@ -1,4 +1,4 @@
-//! The files of a run, which grow while it goes on: films and tables of trajectories.
+//! The files of a run, written while it proceeds: films and trajectories.
 
 mod files;
 mod pace;

@@ -1,6 +1,6 @@
-//! When pictures of a run are due.
+//! The due times of pictures.
 
-/// Pictures at even intervals of the scene's time, each at the step nearest to its time.
+/// Pictures at regular intervals of the scene's time, each at the step nearest to its due time.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     from: f64,
@@ -9,16 +9,16 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// A picture at the time `from` and one every `interval` seconds after it.
+    /// Creates a pace with a picture at the time `from` and every `interval` seconds after it.
     pub fn new(from: f64, interval: f64) -> Self {
         Self { from, interval, taken: 0 }
     }
 
-    /// Counts the pictures of times before `end` (less 1e-9 s) as taken, and returns how many of them are new.
+    /// Counts the pictures due before `end` (minus 1e-9 s) as taken. Returns how many of them are new.
     pub fn due(&mut self, end: f64) -> u64 {
         let before = self.taken;
         let due = ((end - 1e-9 - self.from) / self.interval).ceil();
-        // a float converts to the nearest number of the type, NaN to 0
+        // The cast saturates, and maps NaN to 0.
         self.taken = before.max(due as u64);
         self.taken - before
     }
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_of_a_long_gap_are_not_counted_one_by_one() {
+    fn a_long_gap_takes_constant_time() {
         let mut pace = Pace::new(0.0, 0.04);
         assert_eq!([0.02, 0.06, 1e9, 1.0].map(|end| pace.due(end)), [1, 1, 24_999_999_998, 0]);
         assert_eq!(pace.due(f64::INFINITY), u64::MAX - 25_000_000_000);
@@ -37,7 +37,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_pictures_come_as_counting_them_gives() {
+    fn the_number_of_pictures_equals_a_count() {
         for (from, rate) in [(0.0, 25.0), (0.0, 24.0), (3.7, 60.0), (-2.0, 0.3), (12.0, 1000.0)] {
             for step in [0.04, 0.1, 1.0 / 60.0, 0.25, 3.0] {
                 let (mut pace, mut sum, mut counted) = (Pace::new(from, 1.0 / rate), 0, 0u64);

@@ -1,40 +1,42 @@
-//! Films and tables that grow while the world goes on: another thread writes each.
+//! Films and trajectories of a running world, each written by its own thread.
 
 use super::Plan;
 use crate::sink::{GifSink, Kind};
 use crate::{Error, Film};
 use std::path::Path;
 use std::sync::Arc;
-use throng_record::{Behind, Format, Frame, Output, OutputError, Writer};
+use throng_record::{BackgroundWriter, Format, Frame, Output, OutputError, Writer};
 
 /// A moment of all runs that are recorded together.
 #[derive(Clone)]
 pub struct Moment {
-    /// One frame a run.
+    /// One frame per run.
     pub frames: Vec<Arc<Frame>>,
     /// Whether a picture is due.
     pub picture: bool,
-    /// Whether it is new to tables.
+    /// Whether trajectories take this moment.
     pub rows: bool,
 }
 
-/// A file being written. Dropped before it is finished, it leaves nothing, or what can be read ([`Format::output`]).
+/// A file being written. If it is dropped before it is finished, the file is deleted, unless its format is readable
+/// when incomplete ([`Format::output`]).
 pub struct Recorder {
     kind: Written,
-    /// Which of the runs of a moment it takes; none: all of them.
+    /// The index of the run it records; `None` for all runs.
     run: Option<usize>,
 }
 
-/// What is written.
+/// The kinds of files.
 enum Written {
     /// A picture or a video.
-    Film(Box<Behind<Film, Moment, Error>>),
+    Film(Box<BackgroundWriter<Film, Moment, Error>>),
     /// Trajectories.
-    Table(Behind<Box<dyn Writer>, Moment, OutputError>),
+    Table(BackgroundWriter<Box<dyn Writer>, Moment, OutputError>),
 }
 
 impl Recorder {
-    /// Begins the file `path` of a run, or of several: trajectories of the first where its name says so ([`Format`]), else what a [`Film`] makes of the name.
+    /// Creates the file `path` of one or several runs: trajectories of the first run if the name ends like a
+    /// [`Format`], else a [`Film`].
     ///
     /// # Errors
     /// Those of [`Film::create`].
@@ -48,10 +50,11 @@ impl Recorder {
         Ok(Self::film(Film::create(path, plan.shown(), plan.style, plan.rate)?.still(plan.still)))
     }
 
-    /// Begins a file of a run that goes somewhere else than to a folder ([`Output::handed`]): trajectories or a GIF.
+    /// Creates a recorder that writes to an output outside the file system ([`Output::handed`]): trajectories or a GIF.
     ///
     /// # Errors
-    /// The name of the output is neither that of trajectories nor ends in `.gif`, or rate or size are out of their limits.
+    /// The name of the output ends neither like trajectories nor in `.gif`, or the rate or the size is outside its
+    /// limits.
     pub fn to(output: Output, plan: &Plan) -> Result<Self, Error> {
         let path = output.path().to_path_buf();
         if let Some(format) = table(&path) {
@@ -68,24 +71,24 @@ impl Recorder {
         }
     }
 
-    /// Lets a film be written.
+    /// Starts a recorder of a film.
     pub fn film(film: Film) -> Self {
-        let film = Behind::start("throng-film", film, |film: &mut Film, moment: Moment| {
+        let film = BackgroundWriter::start("throng-film", film, |film: &mut Film, moment: Moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
             film.push_all(&frames)
         });
         Self { kind: Written::Film(Box::new(film)), run: None }
     }
 
-    /// Lets a table be written.
+    /// Starts a recorder of trajectories.
     pub fn table(table: Box<dyn Writer>) -> Self {
-        let table = Behind::start("throng-table", table, |table: &mut Box<dyn Writer>, moment: Moment| {
+        let table = BackgroundWriter::start("throng-table", table, |table: &mut Box<dyn Writer>, moment: Moment| {
             moment.frames.iter().try_for_each(|frame| table.push(frame))
         });
         Self { kind: Written::Table(table), run: None }
     }
 
-    /// The same, of one of several runs that go on together, by its place among them.
+    /// Returns the recorder restricted to one of several runs, by index.
     pub fn of_run(self, run: usize) -> Self {
         Self { run: Some(run), ..self }
     }
@@ -95,10 +98,10 @@ impl Recorder {
         matches!(self.kind, Written::Table(_))
     }
 
-    /// Hands over a moment to all of `recorders`.
+    /// Passes a moment to all of `recorders`.
     ///
     /// # Errors
-    /// A file cannot be written. It may come out a few moments after the one that could not be written.
+    /// A file cannot be written. The error can appear a few moments later than its cause.
     pub fn push_all(recorders: &mut Vec<Self>, moment: &Moment) -> Result<(), Error> {
         match recorders.iter_mut().position(|recorder| !recorder.push(moment)) {
             Some(failed) => recorders.swap_remove(failed).finish(),
@@ -117,10 +120,10 @@ impl Recorder {
         }
     }
 
-    /// Completes the file and gives it its name.
+    /// Completes the file and renames it to its final name.
     ///
     /// # Errors
-    /// It cannot be written or completed.
+    /// The file cannot be written or completed.
     pub fn finish(self) -> Result<(), Error> {
         match self.kind {
             Written::Film(film) => film.finish()?.finish()?,
@@ -130,7 +133,7 @@ impl Recorder {
     }
 }
 
-/// What trajectories a name is of; folders may be called anything.
+/// Returns the trajectory format of a name; `None` for other names and for folders.
 fn table(path: &Path) -> Option<&'static Format> {
     Format::of(path).filter(|format| format.is_written() && !path.is_dir())
 }

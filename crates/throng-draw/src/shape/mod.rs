@@ -1,5 +1,5 @@
-//! What agents look like in space: small bodies of flat faces, some with wings that beat or legs that walk. Lengths are radii of the
-//! agent's body; +x is ahead, +y to the left, z up.
+//! Shapes of agents in space: small bodies of flat faces, some with beating wings or walking legs. Lengths are in radii
+//! of the agent's body; +x is forward, +y to the left, z up.
 
 mod posed;
 
@@ -15,30 +15,30 @@ pub enum Shape {
     Arrow,
     /// A dart.
     Vehicle,
-    /// A bird with wings that beat.
+    /// A bird with beating wings.
     Bird,
-    /// An insect: a thin body with two wings that beat fast.
+    /// An insect: a thin body with two fast-beating wings.
     Insect,
-    /// A figure that walks: its steps are as long as its legs allow, however fast it is.
+    /// A walking figure; its steps follow the walked distance.
     Walker,
 }
 
 /// A corner of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
-    /// Where it is at rest.
+    /// The position in the rest pose.
     pub corner: Vec3,
-    /// Of its face.
+    /// The normal of its face.
     pub normal: Vec3,
-    /// How far it turns round the body's length, and round its side, radians; and the height of that joint.
+    /// The amplitudes of rotation around the body's length and around its side, radians; and the height of the joint.
     pub joint: Vec3,
 }
 
 impl Shape {
-    /// All of them.
+    /// All shapes.
     pub const ALL: [Self; 5] = [Self::Arrow, Self::Vehicle, Self::Bird, Self::Insect, Self::Walker];
 
-    /// What it is called.
+    /// Returns the plural name.
     pub fn label(self) -> &'static str {
         match self {
             Self::Arrow => "arrows",
@@ -49,23 +49,23 @@ impl Shape {
         }
     }
 
-    /// How far its movement has come after so many seconds, and metres on its way, radians.
+    /// Returns the phase of the motion after `seconds` and `way` metres, radians.
     pub fn phase(self, seconds: f32, way: f32, radius: f32) -> f32 {
         match self {
             Self::Arrow | Self::Vehicle => 0.0,
             Self::Bird => 16.0 * seconds,
             Self::Insect => 70.0 * seconds,
-            // two steps are a turn
+            // Two steps are one period.
             Self::Walker => std::f32::consts::TAU * way / (6.0 * radius),
         }
     }
 
-    /// Whether its faces are seen from outside only: it is made of whole bodies, without wings.
+    /// Whether all faces are visible only from outside: the shape consists of closed bodies without wings.
     pub(crate) fn is_closed(self) -> bool {
         self == Self::Walker
     }
 
-    /// Its faces, three corners each.
+    /// Returns the faces, three corners each.
     pub fn mesh(self) -> Vec<Vertex> {
         let mut mesh = Mesh::default();
         match self {
@@ -119,14 +119,15 @@ impl Mesh {
         self.0.extend(corners.map(|corner| Vertex { corner, normal, joint }));
     }
 
-    /// A face and the same on the other side, both seen from above.
+    /// Adds a face and its mirror image, both facing up.
     fn mirrored(&mut self, [a, b, c]: [Vec3; 3], joint: Vec3) {
         let other = |p: Vec3| Vec3::new(p.x, -p.y, p.z);
         self.face([a, b, c], joint);
         self.face([other(a), other(c), other(b)], joint);
     }
 
-    /// A body that is pointed before and behind: half its extents, and where it is thickest.
+    /// Adds a body that is pointed at the front and at the back: its half extents, and the position of its thickest
+    /// part.
     fn spindle(&mut self, half: Vec3, thickest: f32) {
         let around = [Vec3::Y * half.y, Vec3::Z * half.z, Vec3::Y * -half.y, Vec3::Z * -half.z];
         for k in 0..4 {
@@ -137,7 +138,7 @@ impl Mesh {
         }
     }
 
-    /// A block: its middle, and half its extents.
+    /// Adds a block: its centre and its half extents.
     fn block(&mut self, middle: Vec3, half: Vec3, joint: Vec3) {
         for (axis, u, v) in [(Vec3::X, Vec3::Y, Vec3::Z), (Vec3::Y, Vec3::Z, Vec3::X), (Vec3::Z, Vec3::X, Vec3::Y)] {
             for side in [1.0, -1.0] {
@@ -172,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_walks_as_far_as_it_goes() {
+    fn the_phase_of_a_walker_follows_its_distance() {
         assert_eq!(Shape::Walker.phase(9.0, 1.2, 0.2), std::f32::consts::TAU);
         assert_eq!(Shape::Vehicle.phase(9.0, 1.2, 0.2), 0.0);
     }

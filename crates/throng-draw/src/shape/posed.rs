@@ -1,29 +1,29 @@
-//! A body as a shape that moves, face by face.
+//! Draws a body as a moving shape, face by face.
 
 use super::{Shape, Vertex};
 use crate::Color;
 use crate::look::Coat;
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
 use glam::{DVec3, Vec2, Vec3};
 use std::collections::BTreeMap;
 use throng_record::{Body, Frame};
 
-/// Where light comes from, and what a face is where none falls, and how much of it.
+/// The direction of the light, the colour that unlit faces are mixed with, and the share of that colour.
 const LIGHT: Vec3 = Vec3::new(-0.35, -0.35, 0.87);
 const DARK: Color = Color::rgb(0x1c2026);
 const SHADE: f32 = 0.5;
 /// The least radius of a shape, pixels.
 const LEAST: f32 = 2.2;
-/// Faces of larger shapes are sewn together: a line of their colour round each, pixels.
+/// The radius, pixels, above which faces get an outline in their own colour that hides the seams.
 const SEAMED: f32 = 4.0;
 
-/// How far everybody has walked.
+/// The walked distance of each agent.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Strides(BTreeMap<u32, (DVec3, f32)>);
 
 impl Strides {
-    /// Takes in a moment; who is not there is forgotten.
+    /// Adds a moment; absent agents are dropped.
     pub fn follow(&mut self, frame: &Frame) {
         let before = std::mem::take(&mut self.0);
         self.0.extend(frame.bodies.iter().map(|body| {
@@ -33,22 +33,22 @@ impl Strides {
         }));
     }
 
-    /// How far the movement of somebody has come at a time, radians.
+    /// Returns the phase of an agent's motion at a time, radians.
     fn phase(&self, shape: Shape, body: &Body, time: f64) -> f32 {
         let way = self.0.get(&body.number).map_or(0.0, |(_, way)| *way);
-        // not all at once
+        // Phases differ between agents.
         2.4 * body.number as f32 + shape.phase(time as f32, way, body.radius)
     }
 }
 
-/// The faces of a body that are to be seen, far to near.
+/// Returns the visible faces of a body, far to near.
 pub(crate) fn marks(
     shape: Shape,
     body: &Body,
     (strides, time): (&Strides, f64),
     coat: Coat,
     projector: &Projector,
-) -> Vec<Mark> {
+) -> Vec<Primitive> {
     let center = body.center();
     let sight = projector.sight(center).as_vec3();
     let radius = body.radius.max(LEAST / projector.scale(center) as f32);
@@ -57,7 +57,7 @@ pub(crate) fn marks(
     let up = ahead.cross(left);
     let turned = |local: Vec3| ahead * local.x + left * local.y + up * local.z;
     let phase = strides.phase(shape, body, time);
-    let mut faces: Vec<(f32, Vec<Mark>)> = Vec::new();
+    let mut faces: Vec<(f32, Vec<Primitive>)> = Vec::new();
     let seamed = radius * projector.scale(center) as f32 > SEAMED;
     for face in outlines(&shape.mesh()) {
         let corners: Vec<Vec3> = face.iter().map(|vertex| turned(posed(vertex, phase)) * radius).collect();
@@ -69,17 +69,17 @@ pub(crate) fn marks(
         let Some(points) = ring.collect::<Option<Vec<Vec2>>>() else { continue };
         let dark = SHADE * (0.5 - 0.5 * turned(face[0].normal).dot(LIGHT));
         let fill = coat.fill.mix(DARK, dark);
-        // where two faces meet nothing shines through
+        // The outline hides the seams between faces.
         let stroke = Stroke::plain(0.5, fill);
-        let seam = seamed.then(|| Mark::Line { points: points.clone(), closed: true, stroke });
+        let seam = seamed.then(|| Primitive::Line { points: points.clone(), closed: true, stroke });
         let near = corners.iter().sum::<Vec3>().dot(sight) / corners.len() as f32;
-        faces.push((near, [Mark::Area { rings: vec![points], fill }].into_iter().chain(seam).collect()));
+        faces.push((near, [Primitive::Area { rings: vec![points], fill }].into_iter().chain(seam).collect()));
     }
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
     faces.into_iter().flat_map(|(_, marks)| marks).collect()
 }
 
-/// The outlines of faces: two triangles on end that lie in one plane and have a side in common are one.
+/// Returns the outlines of faces: two consecutive triangles with a common side are one face.
 fn outlines(mesh: &[Vertex]) -> Vec<Vec<Vertex>> {
     let mut all: Vec<Vec<Vertex>> = Vec::new();
     for face in mesh.chunks_exact(3) {
@@ -91,7 +91,7 @@ fn outlines(mesh: &[Vertex]) -> Vec<Vec<Vertex>> {
     all
 }
 
-/// Where a corner is when the movement has come so far: wings beat, limbs swing.
+/// Returns the position of a corner at a phase: wings beat, limbs swing.
 fn posed(vertex: &Vertex, phase: f32) -> Vec3 {
     let Vertex { corner, joint, .. } = *vertex;
     let (beat, swing) = (joint.x * phase.sin() * corner.y.signum(), joint.y * phase.sin());
@@ -114,7 +114,7 @@ mod tests {
             position,
             altitude: 0.0,
             velocity: Vec2::X,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             heading,
             basis: None,
             radius: 0.2,
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn at_rest_nothing_has_moved_and_limbs_keep_their_lengths() {
+    fn the_rest_pose_is_the_mesh_and_limbs_keep_their_lengths() {
         for shape in Shape::ALL {
             for vertex in shape.mesh() {
                 assert!((posed(&vertex, 0.0) - vertex.corner).length() < 1e-6);
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_takes_a_turn_of_two_steps_on_its_way() {
+    fn two_steps_of_a_walker_are_one_period() {
         let (mut strides, mut frame) = (Strides::default(), Frame::default());
         for k in 0..=24 {
             frame.bodies = vec![body(DVec2::X * 0.05 * f64::from(k), 0.0)];
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn from_above_a_figure_is_within_its_reach_and_its_head_is_last() {
+    fn from_above_a_walker_stays_within_its_reach_and_its_head_is_last() {
         let body = body(DVec2::new(3.0, 2.0), 0.7);
         let camera = Camera { center: DVec2::ZERO, anchor: Vec2::ZERO, scale: 100.0 };
         let coat = Coat { fill: Color::rgb(0x3060c0), rim: Color::rgb(0) };
@@ -168,9 +168,9 @@ mod tests {
         let middle = camera.pixel(body.position);
         let areas: Vec<&Vec<Vec2>> = marks
             .iter()
-            .filter_map(|mark| if let Mark::Area { rings, .. } = mark { Some(&rings[0]) } else { None })
+            .filter_map(|mark| if let Primitive::Area { rings, .. } = mark { Some(&rings[0]) } else { None })
             .collect();
-        assert!(areas.len() >= 6, "of each block its top");
+        assert!(areas.len() >= 6, "the top of each block");
         assert!(areas.iter().all(|ring| ring.iter().all(|at| at.distance(middle) < reach)));
         let last = areas[areas.len() - 1];
         assert!(last.iter().all(|at| at.distance(middle) < body.radius * 100.0), "the top of the head");

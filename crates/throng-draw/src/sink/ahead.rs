@@ -1,23 +1,23 @@
-//! A sink that works on a thread of its own, while the next picture is painted.
+//! A sink that encodes on its own thread while the next picture is painted.
 
 use super::FrameSink;
 use crate::{Error, Image};
 use std::sync::Arc;
-use throng_record::{Behind, Pool};
+use throng_record::{BackgroundWriter, Pool};
 
-/// Hands pictures to another sink on a thread of its own. The result is the same; an error comes out one of the next
-/// times it is asked something.
+/// Passes pictures to another sink on a separate thread. The result is the same; an error is returned by one of the
+/// following calls.
 #[derive(Debug)]
 pub struct Ahead {
     /// `None` after an error.
-    sink: Option<Behind<Box<dyn FrameSink>, Arc<Image>, Error>>,
+    sink: Option<BackgroundWriter<Box<dyn FrameSink>, Arc<Image>, Error>>,
     pictures: Pool<Image>,
 }
 
 impl Ahead {
-    /// Puts `sink` on a thread of its own.
+    /// Moves `sink` to a separate thread.
     pub fn start(sink: Box<dyn FrameSink>) -> Self {
-        let sink = Behind::start("throng-encode", sink, |sink, image: Arc<Image>| sink.push(&image));
+        let sink = BackgroundWriter::start("throng-encode", sink, |sink, image: Arc<Image>| sink.push(&image));
         Self { sink: Some(sink), pictures: Pool::default() }
     }
 }

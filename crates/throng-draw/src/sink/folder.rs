@@ -5,14 +5,14 @@ use crate::{Error, Image};
 use std::path::{Path, PathBuf};
 use throng_record::{Output, OutputError};
 
-/// Writes every picture as a file of its own: `frame_000000.png`, `frame_000001.png` and so on.
+/// Writes every picture as a separate file: `frame_000000.png`, `frame_000001.png` and so on.
 ///
-/// Each file is complete when it appears; dropped before the film is finished, it takes its pictures away again. Files of these names from an earlier, longer film are removed at the end, so
-/// that the folder holds one film.
+/// Each file is complete when it appears. If the film is dropped before it is finished, its pictures are deleted. Files
+/// with these names from an earlier, longer film are removed at the end, so that the folder holds one film.
 #[derive(Debug)]
 pub struct FolderSink {
     folder: PathBuf,
-    /// Whether the folder was not there before.
+    /// Whether the sink created the folder.
     new: bool,
     /// Whether the film is complete.
     complete: bool,
@@ -21,10 +21,10 @@ pub struct FolderSink {
 }
 
 impl FolderSink {
-    /// Begins in `folder`, which is created if the folder it lies in exists.
+    /// Starts a film in `folder`, which is created if its parent folder exists.
     ///
     /// # Errors
-    /// It cannot be created.
+    /// The folder cannot be created.
     pub fn create(folder: impl AsRef<Path>) -> Result<Self, Error> {
         let folder = folder.as_ref().to_path_buf();
         let new = !folder.is_dir();
@@ -62,10 +62,10 @@ impl FrameSink for FolderSink {
 }
 
 impl Drop for FolderSink {
-    /// An unfinished film leaves none of its pictures.
+    /// Deletes the pictures of an unfinished film.
     fn drop(&mut self) {
         if !self.complete {
-            // what cannot be removed cannot be helped
+            // Errors cannot be handled here.
             (0..self.count).for_each(|index| drop(std::fs::remove_file(self.file(index))));
             if self.new {
                 let _ = std::fs::remove_dir(&self.folder);

@@ -8,47 +8,47 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use throng_record::{Output, OutputError};
 
-/// The shortest time a browser shows a picture for, hundredths of a second; asked for less, it shows it for ten.
+/// The shortest display time that browsers respect, hundredths of a second; shorter times become a tenth of a second.
 const LEAST_DELAY: u64 = 2;
-/// Stands for "as before" in pictures after the first.
+/// The palette index for unchanged pixels in pictures after the first.
 const CLEAR: u8 = 255;
 
-/// Writes a GIF file that loops for ever.
+/// Writes a GIF file that loops endlessly.
 ///
-/// A picture only holds the rectangle that differs from the one before, with 255 colours of its own. GIF counts in
-/// hundredths of a second and browsers show no more than 50 pictures a second: at higher rates pictures are left out,
-/// at others they are shown for a hundredth more or less, so that the film as a whole keeps its time.
+/// A picture holds only the rectangle that differs from the previous one, with up to 255 colours of its own. GIF times
+/// are hundredths of a second, and browsers show at most 50 pictures per second. At higher rates pictures are dropped;
+/// at other rates display times are rounded so that the film keeps its duration.
 pub struct GifSink {
-    /// Taken by the encoder with the first picture.
+    /// The output, until the encoder takes it with the first picture.
     output: Option<Output>,
     encoder: Option<Encoder<Output>>,
     path: PathBuf,
     rate: f64,
     size: SameSize,
-    /// How many pictures were pushed.
+    /// The number of pushed pictures.
     count: u64,
-    /// When the picture that was written last begins, hundredths of a second.
+    /// The start of the last written picture, hundredths of a second.
     shown: u64,
     last: Option<Image>,
-    /// The picture that waits for the beginning of the next, which says how long it is shown.
+    /// The picture that waits for the start of the next picture, which determines its display time.
     waiting: Option<Frame<'static>>,
     counter: Counter,
 }
 
 impl GifSink {
-    /// Begins `path`, at `rate` pictures a second.
+    /// Creates `path` with `rate` pictures per second.
     ///
     /// # Errors
-    /// The folder is missing or cannot be written to, or the rate is no rate.
+    /// The folder does not exist or is not writable, or the rate is outside its limits.
     pub fn create(path: impl AsRef<Path>, rate: f64) -> Result<Self, Error> {
         check_rate(rate)?;
         Self::new(Output::create(path)?, rate)
     }
 
-    /// Writes to `output`, at `rate` pictures a second.
+    /// Creates a sink that writes to `output` with `rate` pictures per second.
     ///
     /// # Errors
-    /// The rate is no rate.
+    /// The rate is outside its limits.
     pub fn new(output: Output, rate: f64) -> Result<Self, Error> {
         check_rate(rate)?;
         let path = output.path().to_path_buf();
@@ -66,7 +66,7 @@ impl GifSink {
         })
     }
 
-    /// When picture `index` begins, hundredths of a second.
+    /// Returns the start of picture `index`, hundredths of a second.
     fn begin(&self, index: u64) -> u64 {
         (index as f64 * 100.0 / self.rate).round() as u64
     }
@@ -78,7 +78,7 @@ impl GifSink {
         }
     }
 
-    /// Writes the waiting picture, shown until `end`.
+    /// Writes the waiting picture, displayed until `end`.
     fn write_waiting(&mut self, end: u64) -> Result<(), Error> {
         let Some(mut frame) = self.waiting.take() else { return Ok(()) };
         frame.delay = (end - self.shown).clamp(LEAST_DELAY, u64::from(u16::MAX)) as u16;
@@ -89,7 +89,7 @@ impl GifSink {
         result.map_err(|e| self.fail(e))
     }
 
-    /// What differs from the picture before.
+    /// Returns the difference to the previous picture.
     fn difference(&mut self, image: &Image) -> Frame<'static> {
         let width = image.width() as usize;
         let (left, top, right, bottom) = match &self.last {
@@ -112,7 +112,7 @@ impl GifSink {
         }
         pixels.iter().flatten().for_each(|&color| self.counter.add(color));
         let mut palette = self.counter.palette(usize::from(CLEAR));
-        // The table is as long as the index of "as before" needs.
+        // The table must include the index of unchanged pixels.
         palette.resize(256 * 3, 0);
         let buffer: Vec<u8> = pixels.iter().map(|p| p.map_or(CLEAR, |color| self.counter.index(color))).collect();
         Frame {
@@ -129,7 +129,7 @@ impl GifSink {
     }
 }
 
-/// The least rectangle that holds all pixels that differ, at least one pixel: left, top, right, bottom.
+/// Returns the smallest rectangle that holds all differing pixels, at least one pixel: left, top, right, bottom.
 fn changed(a: &Image, b: &Image) -> (usize, usize, usize, usize) {
     let width = a.width() as usize;
     let (mut left, mut right, mut top, mut bottom) = (width, 0, usize::MAX, 0);
@@ -148,7 +148,7 @@ impl FrameSink for GifSink {
     fn push(&mut self, image: &Image) -> Result<(), Error> {
         if self.size.check(image)? {
             let (width, height) = (image.width() as u16, image.height() as u16);
-            let output = self.output.take().expect("the first picture comes once");
+            let output = self.output.take().expect("the output is taken once, by the first picture");
             let mut encoder = Encoder::new(output, width, height, &[]).map_err(|e| self.fail(e))?;
             encoder.set_repeat(Repeat::Infinite).map_err(|e| self.fail(e))?;
             self.encoder = Some(encoder);

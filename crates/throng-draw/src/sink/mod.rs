@@ -1,4 +1,4 @@
-//! Where pictures go: one file for each kind of output, all of them fed picture by picture.
+//! Outputs for pictures: a sink for each kind of file.
 
 mod ahead;
 mod folder;
@@ -27,25 +27,26 @@ pub(crate) use png::{encode_png, png_bytes};
 use crate::{Error, Image};
 use std::path::{Path, PathBuf};
 
-/// Takes the pictures of a film one after the other.
+/// Receives the pictures of a film in order.
 ///
-/// Nothing stands under the name of the result before [`finish`](Self::finish); a sink that is dropped unfinished
-/// leaves nothing behind. After an error a sink can only be dropped; a [`Film`](crate::Film) sees to that. What a sink keeps in memory does not grow with the length of the film.
+/// No file has the name of the result before [`finish`](Self::finish); a sink that is dropped unfinished leaves no
+/// file. After an error a sink can only be dropped, which [`Film`](crate::Film) ensures. The memory that a sink needs
+/// does not grow with the length of the film.
 pub trait FrameSink: Send {
     /// Appends a picture.
     ///
     /// # Errors
-    /// It cannot be written or encoded, or its size is not that of the first.
+    /// The picture cannot be written or encoded, or its size differs from that of the first.
     fn push(&mut self, image: &Image) -> Result<(), Error>;
 
-    /// Completes the result and gives it its name.
+    /// Completes the result and renames it to its final name.
     ///
     /// # Errors
-    /// It cannot be written, or nothing was pushed.
+    /// The result cannot be written, or no picture was pushed.
     fn finish(self: Box<Self>) -> Result<(), Error>;
 }
 
-/// The kinds of output, as the name of the result says.
+/// The kinds of output, by the name of the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Kind {
@@ -63,15 +64,15 @@ pub enum Kind {
     Pipe,
 }
 
-/// Endings of videos that are left to ffmpeg.
+/// The endings of videos that ffmpeg writes.
 const PIPED: [&str; 14] =
     ["avi", "mkv", "webm", "mov", "m4v", "mpg", "mpeg", "ogv", "ts", "flv", "wmv", "3gp", "mxf", "apng"];
 
 impl Kind {
-    /// What to write to `path`.
+    /// Returns the kind of output for `path`.
     ///
     /// # Errors
-    /// [`Error::Extension`] if the name does not say.
+    /// [`Error::Extension`] if the kind does not follow from the name.
     pub fn of(path: &Path) -> Result<Self, Error> {
         let slash = path.as_os_str().as_encoded_bytes().last().is_some_and(|&b| b == b'/' || b == b'\\');
         if slash || path.is_dir() {
@@ -89,12 +90,12 @@ impl Kind {
     }
 }
 
-/// The sink for `path` by its ending, at `rate` pictures a second. `.svg` is no sequence of pictures: see
-/// [`Film`](crate::Film).
+/// Creates the sink for `path` by its ending, with `rate` pictures per second. `.svg` is not a sequence of pictures:
+/// see [`Film`](crate::Film).
 ///
 /// # Errors
-/// The ending is unknown, the folder is missing or cannot be written to, the rate is no rate, or ffmpeg is needed and
-/// not there.
+/// The ending is unknown, the folder does not exist or is not writable, the rate is outside its limits, or ffmpeg is
+/// needed and not found.
 pub fn sink(path: impl AsRef<Path>, rate: f64) -> Result<Box<dyn FrameSink>, Error> {
     let path = path.as_ref();
     Ok(match Kind::of(path)? {
@@ -110,7 +111,7 @@ pub fn sink(path: impl AsRef<Path>, rate: f64) -> Result<Box<dyn FrameSink>, Err
     })
 }
 
-/// That all pictures have the size of the first.
+/// Checks that all pictures have the size of the first.
 #[derive(Debug)]
 struct SameSize {
     path: PathBuf,
@@ -122,7 +123,7 @@ impl SameSize {
         Self { path: path.to_path_buf(), size: None }
     }
 
-    /// Whether this is the first picture.
+    /// Checks the size of a picture. Returns whether it is the first.
     fn check(&mut self, image: &Image) -> Result<bool, Error> {
         let (width, height) = (image.width(), image.height());
         let first = self.size.is_none();
@@ -132,7 +133,7 @@ impl SameSize {
         Ok(first)
     }
 
-    /// The size, or that there was no picture.
+    /// Returns the size; an error if there was no picture.
     fn known(&self) -> Result<(u32, u32), Error> {
         self.size.ok_or_else(|| Error::Empty { path: self.path.clone() })
     }

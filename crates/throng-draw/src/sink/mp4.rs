@@ -1,6 +1,6 @@
 //! Video as an MP4 file: H.264 by openh264.
 
-use super::mux::{TIMESCALE, Track, head};
+use super::mux::{Mp4Track, TIMESCALE, head};
 use super::yuv::Yuv;
 use super::{FrameSink, SameSize, check_rate, nal};
 use crate::{Error, Image};
@@ -15,24 +15,24 @@ use std::io::{Read, Seek, Write};
 use std::path::Path;
 use throng_record::{Output, OutputError};
 
-/// How coarse every picture is (H.264 quantisation parameter, 0 to 51): thin type and small discs stay sharp. The
-/// encoder holds to it in its buffer-based mode only; with rate control off it takes 26, whatever it is told.
+/// The H.264 quantisation parameter of all pictures (0 to 51), which keeps thin type and small discs sharp. The encoder
+/// respects it only in its buffer-based mode; with rate control off it always uses 26.
 const QUALITY: QpRange = QpRange::new(22, 22);
-/// Seconds from one picture that can be decoded by itself to the next: how finely a player can seek.
+/// The time between key frames, seconds, which limits how finely a player can seek.
 const KEY_SECONDS: f64 = 4.0;
 
-/// Writes an MP4 file with H.264 video, ready to be played while it loads.
+/// Writes an MP4 file with H.264 video. The index comes first, so that playback can start while the file loads.
 ///
-/// Pictures go to an unnamed file next to the result as they are encoded, and behind the finished index at the end;
-/// in memory are four bytes a picture. At most 3840 by 2160 pixels; odd sizes grow by a pixel.
+/// Encoded pictures go to an unnamed temporary file beside the result, and are appended to the finished index at the
+/// end. Memory use is four bytes per picture. The maximum size is 3840 by 2160 pixels; odd sizes grow by one pixel.
 pub struct Mp4Sink {
     output: Output,
     rate: f64,
-    /// Made with the first picture, whose size it needs.
+    /// Created with the first picture, because it needs the size.
     encoder: Option<Encoder>,
     yuv: Yuv,
     size: SameSize,
-    track: Track,
+    track: Mp4Track,
     /// The encoded pictures.
     spool: std::io::BufWriter<File>,
     stream: Vec<u8>,
@@ -40,10 +40,10 @@ pub struct Mp4Sink {
 }
 
 impl Mp4Sink {
-    /// Begins `path`, at `rate` pictures a second.
+    /// Creates `path` with `rate` pictures per second.
     ///
     /// # Errors
-    /// The folder is missing or cannot be written to, or the rate is no rate.
+    /// The folder does not exist or is not writable, or the rate is outside its limits.
     pub fn create(path: impl AsRef<Path>, rate: f64) -> Result<Self, Error> {
         check_rate(rate)?;
         let path = path.as_ref();
@@ -57,14 +57,14 @@ impl Mp4Sink {
             rate,
             encoder: None,
             yuv: Yuv::default(),
-            track: Track { ticks, ..Track::default() },
+            track: Mp4Track { ticks, ..Mp4Track::default() },
             spool: std::io::BufWriter::with_capacity(1 << 16, spool),
             stream: Vec::new(),
             sample: Vec::new(),
         })
     }
 
-    /// Turns the encoder's stream into a sample: parameters go to the index, units get their length in front.
+    /// Turns the encoder's stream into a sample: parameter sets go to the index, units get a length prefix.
     fn sort_units(&mut self) {
         self.sample.clear();
         for unit in nal::units(&self.stream) {
@@ -86,9 +86,9 @@ impl Mp4Sink {
     }
 }
 
-/// An encoder for pictures of so many pixels.
+/// Creates an encoder for pictures of `pixels` pixels.
 fn encoder(pixels: usize, rate: f64) -> Result<Encoder, openh264::Error> {
-    // Quality is set by the quantisation; the bit rate only chooses the level that the stream asks of a player.
+    // The quantisation determines the quality; the bit rate only determines the level of the stream.
     let bits = (pixels as f64 * rate * 0.25).clamp(2e5, 5e7) as u32;
     let config = EncoderConfig::new()
         .skip_frames(false)
@@ -102,7 +102,7 @@ fn encoder(pixels: usize, rate: f64) -> Result<Encoder, openh264::Error> {
         .usage_type(UsageType::CameraVideoRealTime)
         .complexity(Complexity::Low)
         .intra_frame_period(IntraFramePeriod::from_num_frames((rate * KEY_SECONDS).round().max(1.0) as u32))
-        // One thread: the same pictures are the same file on any machine.
+        // One thread: the same pictures give the same file on any machine.
         .num_threads(1)
         .vui(VuiConfig::bt709());
     Encoder::with_api_config(OpenH264API::from_source(), config)
@@ -129,7 +129,7 @@ impl FrameSink for Mp4Sink {
         encoded.write_vec(&mut self.stream);
         self.sort_units();
         if self.sample.is_empty() {
-            return Err(Error::encoder(self.output.path(), "openh264", "it left a picture out"));
+            return Err(Error::encoder(self.output.path(), "openh264", "the encoder dropped a picture"));
         }
         self.spool.write_all(&self.sample).map_err(|source| self.output.error(source))?;
         self.track.sizes.push(self.sample.len() as u32);

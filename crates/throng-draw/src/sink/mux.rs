@@ -1,28 +1,28 @@
-//! An MP4 file of one H.264 track: the boxes before the pictures (ISO/IEC 14496-12 and 14496-15).
+//! An MP4 file with one H.264 track: the boxes before the pictures (ISO/IEC 14496-12 and 14496-15).
 
-/// Ticks a second: a whole number of them makes up a frame at all usual rates.
+/// Ticks per second; at all usual rates, a frame is a whole number of ticks.
 pub(super) const TIMESCALE: u32 = 90_000;
 
-/// What the boxes say about the track.
+/// The properties of the track.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Track {
+pub(super) struct Mp4Track {
     pub width: u16,
     pub height: u16,
-    /// Ticks a picture is shown.
+    /// The display time of a picture, ticks.
     pub ticks: u32,
-    /// Bytes of each picture.
+    /// The size of each picture, bytes.
     pub sizes: Vec<u32>,
-    /// Which pictures can be decoded by themselves, from 0.
+    /// The indices of key frames, from 0.
     pub keys: Vec<u32>,
-    /// Sequence parameters.
+    /// The sequence parameter set.
     pub sps: Vec<u8>,
-    /// Picture parameters.
+    /// The picture parameter set.
     pub pps: Vec<u8>,
 }
 
-/// Everything that comes before the pictures, index included, so that a player can begin before it has the whole
-/// file. The pictures follow as they are, one after the other.
-pub(super) fn head(track: &Track) -> Vec<u8> {
+/// Returns everything before the pictures, including the index, so that playback can start before the file is complete.
+/// The pictures follow without separators.
+pub(super) fn head(track: &Mp4Track) -> Vec<u8> {
     let mut out = Boxes::default();
     out.boxed(b"ftyp", |out| {
         out.bytes(b"isom");
@@ -30,7 +30,7 @@ pub(super) fn head(track: &Track) -> Vec<u8> {
         [b"isom", b"iso2", b"avc1", b"mp41"].into_iter().for_each(|brand| out.bytes(brand));
     });
     let payload: u64 = track.sizes.iter().map(|&s| u64::from(s)).sum();
-    // The offsets of the pictures depend on the length of the index, which depends on how wide the offsets are only.
+    // The offsets of the pictures depend on the length of the index, which depends only on the width of the offsets.
     let before = out.0.len() as u64;
     let wide = payload > u64::from(u32::MAX) - (1 << 30);
     let length = moov(track, 0, wide).len() as u64;
@@ -47,7 +47,7 @@ pub(super) fn head(track: &Track) -> Vec<u8> {
     out.0
 }
 
-fn moov(track: &Track, start: u64, wide: bool) -> Vec<u8> {
+fn moov(track: &Mp4Track, start: u64, wide: bool) -> Vec<u8> {
     let mut out = Boxes::default();
     let duration = track.sizes.len() as u64 * u64::from(track.ticks);
     out.boxed(b"moov", |out| {
@@ -101,7 +101,7 @@ fn moov(track: &Track, start: u64, wide: bool) -> Vec<u8> {
     out.0
 }
 
-fn samples(out: &mut Boxes, track: &Track, start: u64, wide: bool) {
+fn samples(out: &mut Boxes, track: &Mp4Track, start: u64, wide: bool) {
     let count = track.sizes.len() as u32;
     out.full(b"stsd", 0, |out| {
         out.u32(1);
@@ -112,7 +112,7 @@ fn samples(out: &mut Boxes, track: &Track, start: u64, wide: bool) {
         out.u32(track.keys.len() as u32);
         track.keys.iter().for_each(|&key| out.u32(key + 1));
     });
-    // Chunks of about a second, for players that read chunk by chunk.
+    // Chunks of about one second, for players that read chunk by chunk.
     let each = (TIMESCALE / track.ticks.max(1)).max(1);
     let (whole, rest) = (count / each, count % each);
     out.full(b"stsc", 0, |out| {
@@ -141,16 +141,16 @@ fn samples(out: &mut Boxes, track: &Track, start: u64, wide: bool) {
     });
 }
 
-fn sample_entry(out: &mut Boxes, track: &Track) {
+fn sample_entry(out: &mut Boxes, track: &Mp4Track) {
     out.zeros(6);
     out.u16(1); // data reference
     out.zeros(16);
     out.u16(track.width);
     out.u16(track.height);
-    out.u32(0x0048_0000); // 72 dots an inch, both ways
+    out.u32(0x0048_0000); // 72 dots per inch, horizontally and vertically
     out.u32(0x0048_0000);
     out.zeros(4);
-    out.u16(1); // a frame a sample
+    out.u16(1); // one frame per sample
     out.zeros(32); // name of the compressor
     out.u16(24); // depth
     out.u16(0xffff);
@@ -175,7 +175,7 @@ fn sample_entry(out: &mut Boxes, track: &Track) {
     out.boxed(b"pasp", |out| [1, 1].into_iter().for_each(|n| out.u32(n)));
 }
 
-/// Boxes as they are written.
+/// A buffer of boxes.
 #[derive(Debug, Default)]
 struct Boxes(Vec<u8>);
 
@@ -200,12 +200,12 @@ impl Boxes {
         self.0.resize(self.0.len() + n, 0);
     }
 
-    /// The matrix that leaves a picture as it is.
+    /// Writes the identity matrix.
     fn matrix(&mut self) {
         [0x10000, 0, 0, 0, 0x10000, 0, 0, 0, 0x4000_0000].into_iter().for_each(|n| self.u32(n));
     }
 
-    /// A box: its length, its name, its content.
+    /// Writes a box: its length, its name and its content.
     fn boxed(&mut self, name: &[u8; 4], content: impl FnOnce(&mut Self)) {
         let at = self.0.len();
         self.u32(0);
@@ -215,7 +215,7 @@ impl Boxes {
         self.0[at..at + 4].copy_from_slice(&length.to_be_bytes());
     }
 
-    /// A box with version 0 and flags.
+    /// Writes a box with version 0 and flags.
     fn full(&mut self, name: &[u8; 4], flags: u32, content: impl FnOnce(&mut Self)) {
         self.boxed(name, |out| {
             out.u32(flags);
@@ -223,8 +223,8 @@ impl Boxes {
         });
     }
 
-    /// A box with a duration, in version 0 or, for one that does not fit 32 bits, 1. No times of creation: the same
-    /// film is the same file.
+    /// Writes a box with a duration: version 0, or version 1 if the duration does not fit into 32 bits. Creation times
+    /// are left at 0, so that the same film gives the same file.
     fn timed(&mut self, name: &[u8; 4], flags: u32, ticks: u64, content: impl FnOnce(&mut Self, &dyn Fn(&mut Self))) {
         let long = ticks > u64::from(u32::MAX);
         self.full(name, flags | u32::from(long) << 24, |out| {
@@ -238,8 +238,8 @@ impl Boxes {
 mod tests {
     use super::*;
 
-    fn track(frames: u32, size: u32) -> Track {
-        Track {
+    fn track(frames: u32, size: u32) -> Mp4Track {
+        Mp4Track {
             width: 640,
             height: 480,
             ticks: 3600,
@@ -262,7 +262,7 @@ mod tests {
     fn the_first_chunk_is_where_the_head_ends() {
         let head = head(&track(60, 100));
         let stco = find(&head, b"stco").unwrap();
-        assert_eq!(u32_at(&head, stco + 8), 3, "60 pictures at 25 a second are three chunks");
+        assert_eq!(u32_at(&head, stco + 8), 3, "60 pictures at 25 per second are three chunks");
         assert_eq!(u32_at(&head, stco + 12) as usize, head.len());
         assert_eq!(u32_at(&head, stco + 16) as usize, head.len() + 2500);
     }
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn a_film_of_many_hours_has_a_wide_duration() {
-        let head = head(&Track { ticks: 90_000, ..track(50_000, 1) });
+        let head = head(&Mp4Track { ticks: 90_000, ..track(50_000, 1) });
         let mvhd = find(&head, b"mvhd").unwrap();
         assert_eq!(head[mvhd + 4], 1);
         assert_eq!(u64::from_be_bytes(head[mvhd + 28..mvhd + 36].try_into().unwrap()), 4_500_000_000);

@@ -1,23 +1,23 @@
-//! The units an H.264 stream is made of (ITU-T H.264, annex B and section 7.3.1).
+//! The NAL units of an H.264 stream (ITU-T H.264, annex B and section 7.3.1).
 
-/// Picture parameters, sequence parameters, and a picture that can be decoded by itself.
+/// The types of units: key frame, sequence parameter set, picture parameter set.
 pub(super) const IDR: u8 = 5;
 pub(super) const SPS: u8 = 7;
 pub(super) const PPS: u8 = 8;
 
-/// The type of a unit; 0 for an empty one.
+/// Returns the type of a unit; 0 for an empty unit.
 pub(super) fn kind(unit: &[u8]) -> u8 {
     unit.first().map_or(0, |b| b & 0x1f)
 }
 
-/// The units between the start codes of a byte stream.
+/// Returns the units between the start codes of a byte stream.
 pub(super) fn units(stream: &[u8]) -> impl Iterator<Item = &[u8]> {
     let mut rest = after_start(stream);
     std::iter::from_fn(move || {
         let here = rest?;
         let end = here.windows(3).position(|w| w == [0, 0, 1]).unwrap_or(here.len());
         rest = after_start(&here[end..]);
-        // Zeros before a start code belong to it.
+        // Zeros before a start code belong to the start code.
         let unit = &here[..end];
         let trailing = unit.iter().rev().take_while(|&&b| b == 0).count();
         Some(&unit[..unit.len() - trailing])
@@ -25,7 +25,7 @@ pub(super) fn units(stream: &[u8]) -> impl Iterator<Item = &[u8]> {
     .filter(|unit| !unit.is_empty())
 }
 
-/// What follows the first start code.
+/// Returns the bytes after the first start code.
 fn after_start(stream: &[u8]) -> Option<&[u8]> {
     stream.windows(3).position(|w| w == [0, 0, 1]).map(|at| &stream[at + 3..])
 }
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stream_falls_apart_at_its_start_codes() {
+    fn a_stream_is_split_at_its_start_codes() {
         let stream = [0, 0, 0, 1, 0x67, 1, 2, 0, 0, 0, 1, 0x68, 3, 0, 0, 1, 0x65, 4, 0, 5];
         let units: Vec<_> = units(&stream).collect();
         assert_eq!(units, [&[0x67, 1, 2][..], &[0x68, 3], &[0x65, 4, 0, 5]]);

@@ -1,4 +1,4 @@
-//! Any other video, by the program ffmpeg.
+//! Any other video, through the program ffmpeg.
 
 use super::{FrameSink, SameSize, check_rate};
 use crate::{Error, Image};
@@ -18,20 +18,20 @@ pub struct PipeSink {
     running: Option<Running>,
 }
 
-/// The program at work. Dropped, it is stopped.
+/// The running program; stopped when dropped.
 #[derive(Debug)]
 struct Running {
     child: Child,
     input: Option<ChildStdin>,
-    /// Reads what the program complains about.
+    /// The thread that reads the program's error messages.
     complaints: Option<JoinHandle<String>>,
 }
 
 impl PipeSink {
-    /// Begins `path`, at `rate` pictures a second.
+    /// Creates `path` with `rate` pictures per second.
     ///
     /// # Errors
-    /// ffmpeg is not there, the folder is missing or cannot be written to, or the rate is no rate.
+    /// ffmpeg was not found, the folder does not exist or is not writable, or the rate is outside its limits.
     pub fn create(path: impl AsRef<Path>, rate: f64) -> Result<Self, Error> {
         Self::with_program("ffmpeg", path.as_ref(), rate)
     }
@@ -57,13 +57,13 @@ impl PipeSink {
         let mut command = Command::new(&self.program);
         command.args(["-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba"]);
         command.args(["-video_size", &format!("{width}x{height}"), "-framerate", &self.rate.to_string(), "-i", "-"]);
-        // Even sizes, and the same colours as in our own video.
+        // Even sizes, and the same colour space as `.mp4`.
         command.args(["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv"]);
         command.args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"]);
         let path = self.output.path();
         let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
         let codec: &[&str] = match extension.as_str() {
-            // What any player of AVI knows.
+            // A codec that all AVI players support.
             "avi" => &["-c:v", "mpeg4", "-vtag", "xvid", "-q:v", "3", "-pix_fmt", "yuv420p"],
             "webm" => &["-b:v", "0", "-crf", "30", "-deadline", "realtime", "-cpu-used", "6", "-pix_fmt", "yuv420p"],
             "apng" => &["-plays", "0"],
@@ -76,7 +76,7 @@ impl PipeSink {
         let complaints = child.stderr.take().map(|mut stderr| {
             std::thread::spawn(move || {
                 let mut text = Vec::new();
-                // What cannot be read cannot be reported.
+                // Messages that cannot be read cannot be reported.
                 let _ = stderr.read_to_end(&mut text);
                 String::from_utf8_lossy(&text).trim().to_owned()
             })
@@ -84,7 +84,7 @@ impl PipeSink {
         Ok(Running { child, input, complaints })
     }
 
-    /// What the program says about why it stopped.
+    /// Returns the program's own error message, or `otherwise`.
     fn failure(&self, running: &mut Running, otherwise: &io::Error) -> Error {
         running.input = None;
         let _ = running.child.wait();
@@ -97,7 +97,7 @@ impl PipeSink {
 impl Drop for Running {
     fn drop(&mut self) {
         if self.input.take().is_some() {
-            // It may have ended by itself.
+            // The program may have ended already.
             let _ = self.child.kill();
             let _ = self.child.wait();
         }
@@ -116,7 +116,7 @@ impl FrameSink for PipeSink {
             None => Err(io::ErrorKind::BrokenPipe.into()),
         };
         let result = written.map_err(|error| self.failure(&mut running, &error));
-        // After an error it stays, without its input: nothing more can be written, and nothing finished.
+        // After an error the program stays without its input, so that `push` and `finish` return errors.
         self.running = Some(running);
         result
     }

@@ -9,7 +9,7 @@ use throng_record::Output;
 /// Writes a picture as a PNG file.
 ///
 /// # Errors
-/// It cannot be written.
+/// The file cannot be written.
 pub fn write_png(path: impl AsRef<Path>, image: &Image) -> Result<(), Error> {
     encode_png(Output::create(path)?, image)
 }
@@ -30,16 +30,16 @@ pub(super) fn encode(mut output: Output, image: &Image, compression: png::Compre
 }
 
 fn encode_to(output: &mut impl Write, image: &Image, compression: png::Compression) -> Result<(), png::EncodingError> {
-    // Pictures of worlds are opaque: a fourth channel would only cost.
+    // Pictures of worlds are opaque and need no alpha channel.
     let rgb: Vec<u8> = image.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
     encode_as(output, image, (png::ColorType::Rgb, &rgb), compression)
 }
 
-/// A picture with its opacity, as the bytes of a PNG file.
+/// Returns a picture with its opacity as the bytes of a PNG file.
 pub(crate) fn png_bytes(image: &Image) -> Vec<u8> {
     let mut bytes = Vec::new();
     encode_as(&mut bytes, image, (png::ColorType::Rgba, image.data()), png::Compression::Balanced)
-        .expect("a picture has as many bytes as its size says, and writing to memory does not fail");
+        .expect("the number of bytes matches the size, and writing to memory does not fail");
     bytes
 }
 
@@ -67,10 +67,10 @@ pub struct PngSink {
 }
 
 impl PngSink {
-    /// Begins `path`.
+    /// Creates `path`.
     ///
     /// # Errors
-    /// The folder is missing or cannot be written to.
+    /// The folder does not exist or is not writable.
     pub fn create(path: impl AsRef<Path>) -> Result<Self, Error> {
         Ok(Self { output: Output::create(path)?, last: None })
     }

@@ -1,19 +1,19 @@
-//! At most 255 colours for a picture, by median cut (Heckbert 1982, "Color image quantization for frame buffer
-//! display"). Each box of colours is represented by one of its own, its commonest, so that flat areas keep their
-//! exact colour and do not flicker from picture to picture.
+//! Reduces a picture to at most 255 colours by median cut (Heckbert 1982, "Color image quantization for frame buffer
+//! display"). The commonest colour of each box represents the box, so that flat areas keep their exact colour and do
+//! not flicker from picture to picture.
 
-/// Bits a channel that colours are counted with.
+/// The number of bits per channel of the cells.
 const BITS: u32 = 5;
 const CELLS: usize = 1 << (3 * BITS);
 
-/// Colours counted by cell.
+/// Counts of colours by cell.
 #[derive(Clone, Debug)]
 pub(super) struct Counter {
-    /// How many pixels fell into each cell, and the commonest of their colours (majority vote, Boyer and Moore).
+    /// The number of pixels in each cell, and their commonest colour (majority vote, Boyer and Moore).
     cells: Vec<Cell>,
-    /// Cells that are not empty.
+    /// The cells that are not empty.
     used: Vec<u16>,
-    /// Which colour of the palette a cell has got.
+    /// The palette index of each cell.
     index: Vec<u8>,
 }
 
@@ -51,7 +51,7 @@ impl Counter {
         }
     }
 
-    /// The palette of at most `most` colours for what was counted; begins anew.
+    /// Returns the palette of at most `most` colours for the counted pixels, and resets the counts.
     pub(super) fn palette(&mut self, most: usize) -> Vec<u8> {
         self.used.sort_unstable();
         let mut boxes = vec![std::mem::take(&mut self.used)];
@@ -59,7 +59,7 @@ impl Counter {
             return Vec::new();
         }
         while boxes.len() < most {
-            // The box where a colour is worst off: its longest side, weighed by the pixels that see it.
+            // Cuts the box with the largest error: its longest side, weighted by its pixels.
             let worst = (0..boxes.len()).max_by_key(|&k| (self.badness(&boxes[k]), usize::MAX - k));
             let Some(worst) = worst.filter(|&k| boxes[k].len() > 1) else { break };
             let (low, high) = self.cut(std::mem::take(&mut boxes[worst]));
@@ -78,7 +78,7 @@ impl Counter {
         palette
     }
 
-    /// The colour of the last palette for a colour that was counted for it.
+    /// Returns the index in the last palette of a colour that was counted for it.
     pub(super) fn index(&self, color: [u8; 3]) -> u8 {
         self.index[cell(color)]
     }
@@ -87,7 +87,7 @@ impl Counter {
         self.cells[usize::from(cell)].color[channel]
     }
 
-    /// The longest side of a box and its length.
+    /// Returns the longest side of a box and its length.
     fn longest(&self, cells: &[u16]) -> (usize, u8) {
         (0..3)
             .map(|channel| {
@@ -107,11 +107,11 @@ impl Counter {
         side * side * count.isqrt()
     }
 
-    /// Cuts a box across its longest side where half its pixels lie on either side.
+    /// Cuts a box across its longest side, so that both parts have half of the weight.
     fn cut(&self, mut cells: Vec<u16>) -> (Vec<u16>, Vec<u16>) {
         let (channel, _) = self.longest(&cells);
         cells.sort_by_key(|&c| (self.channel(c, channel), c));
-        // By the roots of the counts: a large flat area does not swallow the cut.
+        // Square roots of the counts keep a large flat area from dominating the cut.
         let weight = |c: u16| u64::from(self.cells[usize::from(c)].count).isqrt().max(1);
         let total: u64 = cells.iter().map(|&c| weight(c)).sum();
         let (mut sum, mut at) = (0, 0);

@@ -1,11 +1,11 @@
-//! RGB to the colours of video: BT.709 (ITU-R BT.709-6), 8 bits, studio range, chroma at half the resolution.
+//! Converts RGB to video colours: BT.709 (ITU-R BT.709-6), 8 bits, studio range, chroma at half the resolution.
 
 use crate::Image;
 
 /// Fixed point: the weights are in units of 2^-16.
 const BITS: i32 = 16;
 
-/// A weight of a channel that spans 255, scaled to `range` steps.
+/// Returns the weight of a channel that spans 255, scaled to `range` steps.
 const fn weight(w: f64, range: f64) -> i32 {
     let scaled = w * range / 255.0 * (1 << BITS) as f64;
     (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i32
@@ -16,7 +16,7 @@ const Y: [i32; 3] = [weight(0.2126, 219.0), weight(0.7152, 219.0), weight(0.0722
 const CB: [i32; 3] = [weight(-0.2126 / 1.8556, 224.0), weight(-0.7152 / 1.8556, 224.0), weight(0.5, 224.0)];
 const CR: [i32; 3] = [weight(0.5, 224.0), weight(-0.7152 / 1.5748, 224.0), weight(-0.0722 / 1.5748, 224.0)];
 
-/// A picture in video's colours: three planes, even sides.
+/// A picture in video colours: three planes with even sides.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Yuv {
     pub width: usize,
@@ -27,7 +27,7 @@ pub(super) struct Yuv {
 }
 
 impl Yuv {
-    /// Converts a picture; an odd side is made even by repeating its last row or column.
+    /// Converts a picture. Odd sides become even by repeating the last row or column.
     pub(super) fn read(&mut self, image: &Image) {
         let (w, h) = (image.width() as usize, image.height() as usize);
         (self.width, self.height) = (w.next_multiple_of(2), h.next_multiple_of(2));
@@ -63,7 +63,7 @@ fn luma(row: &[u8], y: &mut [u8]) {
 }
 
 fn chroma(a: &[u8], b: &[u8], u: &mut [u8], v: &mut [u8]) {
-    // The sum of four pixels is four times as much.
+    // The sum of four pixels needs two more bits.
     const SHIFT: i32 = BITS + 2;
     const MIDDLE: i32 = (128 << SHIFT) + (1 << (SHIFT - 1));
     for (((a, b), u), v) in a.chunks_exact(8).zip(b.chunks_exact(8)).zip(u).zip(v) {

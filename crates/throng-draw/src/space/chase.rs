@@ -1,19 +1,19 @@
-//! An eye that goes with somebody.
+//! A viewpoint that follows an agent.
 
 use glam::{DVec3, Vec2};
 use throng_record::Body;
 
-/// How fast an eye gets where it wants to be, a second.
+/// The rate of the exponential approach to the wanted viewpoint, 1/s.
 const HASTE: f64 = 7.0;
 
-/// Whom an eye goes with.
+/// The agent that a viewpoint follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
-    /// Its middle.
+    /// The middle of the agent.
     pub center: DVec3,
-    /// Where it faces, of length 1.
+    /// The direction in which the agent faces, of length 1.
     pub forward: DVec3,
-    /// Its radius, metres.
+    /// The radius, metres.
     pub radius: f64,
 }
 
@@ -21,21 +21,21 @@ impl From<&Body> for Followed {
     fn from(body: &Body) -> Self {
         let level = || Vec2::from_angle(body.heading).extend(0.0);
         let forward = body.basis.map_or_else(level, |basis| basis.forward);
-        Self { center: body.center(), forward: forward.as_dvec3(), radius: body.shape().bound().into() }
+        Self { center: body.center(), forward: forward.as_dvec3(), radius: body.shape().bounding_radius().into() }
     }
 }
 
-/// From where one looks, and to where.
+/// A viewpoint and its target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
-    /// Where the eye is, metres.
+    /// The viewpoint, metres.
     pub eye: DVec3,
-    /// What it looks at.
+    /// The point that it looks at, metres.
     pub target: DVec3,
 }
 
 impl Sight {
-    /// Lets `seconds` pass on the way to another sight: smoothly, most of it in the first half second.
+    /// Moves smoothly towards another viewpoint for `seconds`; most of the motion takes half a second.
     pub fn approach(&mut self, wanted: Self, seconds: f64) {
         let part = 1.0 - (-HASTE * seconds).exp();
         self.eye = self.eye.lerp(wanted.eye, part);
@@ -43,21 +43,21 @@ impl Sight {
     }
 }
 
-/// How an eye goes with somebody.
+/// The ways of following an agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Chase {
-    /// Drawn along at a fixed distance: it keeps the side it is on.
+    /// At a fixed distance: the viewpoint keeps the side it is on.
     Distance,
-    /// At a fixed place beside it: it turns with it.
+    /// At a fixed position relative to the agent: the viewpoint turns with it.
     Offset,
-    /// With its own eyes.
+    /// From the agent's point of view.
     PointOfView,
     /// From straight above.
     Down,
 }
 
 impl Chase {
-    /// Where the eye wants to be, `aside` radii away, if it is at `from` now.
+    /// Returns the wanted viewpoint, `aside` radii away, for a current viewpoint at `from`.
     pub fn sight(self, followed: &Followed, aside: f64, from: DVec3) -> Sight {
         let Followed { center, forward, radius } = *followed;
         let away = aside * radius;
@@ -78,13 +78,13 @@ impl Chase {
     }
 }
 
-/// Whom the eye of a film goes with, and how.
+/// The agent that the viewpoint of a film follows, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Following {
-    /// The agent's number. While it is not there, the eye stays where it is.
+    /// The number of the agent. The viewpoint does not move while the agent is absent.
     pub number: u32,
-    /// How.
+    /// The way of following.
     pub chase: Chase,
-    /// How far away, in radii of the agent, greater than 0.
+    /// The distance in radii of the agent, greater than 0.
     pub aside: f64,
 }

@@ -1,11 +1,11 @@
-//! The ground: where people walk, a grid that fades, and goals.
+//! The ground: walkable areas, a fading grid, and goals.
 
 use super::Lens;
 use super::viewpoint::Extent;
 use crate::Style;
 use crate::legend::round_length;
-use crate::mark::{Mark, Stroke};
 use crate::place::{LINE, spots_to_go};
+use crate::primitive::{Primitive, Stroke};
 use crate::ribbon::Ribbon;
 use crate::style::Theme;
 use crate::trail::{End, Trail};
@@ -14,34 +14,35 @@ use std::f64::consts::TAU;
 use throng::{Goal, Walkable};
 use throng_record::{Frame, Setting};
 
-/// About so many cells of the grid lie across what there is to see.
+/// The approximate number of grid cells across the extent of the scene.
 const CELLS: f64 = 8.0;
-/// The grid ends so far from the middle, over how far what there is to see reaches.
+/// The radius of the grid, relative to the reach of the scene.
 const GRID: f64 = 2.6;
-/// Opacity of its lines in the middle.
+/// The opacity of the grid's lines in the middle.
 const OPACITY: f32 = 0.55;
-/// More point goals than this are drawn faint.
+/// With more point goals than this they are drawn faint.
 const MANY_GOALS: usize = 40;
-/// Corners of a ring.
+/// The number of corners of a ring.
 const ROUND: usize = 28;
 
-/// What lies on the ground, and the goals above it: those lie flat, these face the eye.
+/// The drawings on the ground, and the goals above it. Goals on the ground lie flat; goals in the air face the
+/// viewpoint.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     walkable: Vec<Walkable>,
-    /// Markings.
+    /// The markings.
     lines: Vec<Vec<DVec2>>,
-    /// Areas to go to, and how strongly they are filled.
+    /// The goal areas, and the opacity of their fill.
     areas: Vec<(Vec<DVec2>, f32)>,
-    /// Points to go to, and how near.
+    /// The point goals, and their tolerances.
     spots: Vec<(DVec3, f64)>,
-    /// Paths to go along.
+    /// The paths of behaviours.
     paths: Vec<Ribbon>,
     theme: Theme,
     middle: DVec2,
-    /// How far the grid reaches.
+    /// The radius of the grid, metres.
     reach: f64,
-    /// The width of its cells, metres.
+    /// The width of the grid's cells, metres.
     pub cell: f64,
 }
 
@@ -67,55 +68,58 @@ impl Ground {
         }
     }
 
-    pub fn marks(&self, lens: &Lens, unit: f32) -> Vec<Mark> {
+    pub fn marks(&self, lens: &Lens, unit: f32) -> Vec<Primitive> {
         let theme = &self.theme;
         let flat = |ring: &[DVec2]| lens.area(ring.iter().filter(|corner| corner.is_finite()).map(|p| p.extend(0.0)));
         let mut marks = Vec::new();
         for area in &self.walkable {
             let rings: Vec<_> = std::iter::once(&area.outer).chain(&area.holes).map(|ring| flat(ring)).collect();
-            let edge =
-                Mark::Line { points: rings[0].clone(), closed: true, stroke: Stroke::plain(1.2 * unit, theme.edge) };
-            marks.extend([Mark::Area { rings, fill: theme.ground }, edge]);
+            let edge = Primitive::Line {
+                points: rings[0].clone(),
+                closed: true,
+                stroke: Stroke::plain(1.2 * unit, theme.edge),
+            };
+            marks.extend([Primitive::Area { rings, fill: theme.ground }, edge]);
         }
         let ribbons = self.paths.iter().flat_map(|path| &path.areas).map(|area| lens.area(area.iter().copied()));
-        marks.extend(ribbons.map(|ring| Mark::Area { rings: vec![ring], fill: Ribbon::tone(theme) }));
-        marks.push(Mark::Trails(self.grid(lens, unit)));
+        marks.extend(ribbons.map(|ring| Primitive::Area { rings: vec![ring], fill: Ribbon::tone(theme) }));
+        marks.push(Primitive::Trails(self.grid(lens, unit)));
         for line in &self.lines {
             let stroke = Stroke::plain(LINE * unit, theme.edge);
             let ends = line
                 .windows(2)
                 .filter_map(|ends| Some((lens.pixel(ends[0].extend(0.0))?, lens.pixel(ends[1].extend(0.0))?)));
-            marks.extend(ends.map(|(a, b)| Mark::Line { points: vec![a, b], closed: false, stroke }));
+            marks.extend(ends.map(|(a, b)| Primitive::Line { points: vec![a, b], closed: false, stroke }));
         }
         let spines = self.paths.iter().flat_map(|path| path.spine.windows(2));
         marks.extend(spines.filter_map(|ends| {
             let points = lens.line(ends[0], ends[1])?.to_vec();
-            Some(Mark::Line { points, closed: false, stroke: Ribbon::stroke(theme, unit) })
+            Some(Primitive::Line { points, closed: false, stroke: Ribbon::stroke(theme, unit) })
         }));
         for (corners, tint) in &self.areas {
             let points = flat(corners);
-            marks.push(Mark::Area { rings: vec![points.clone()], fill: theme.goal.alpha(*tint) });
+            marks.push(Primitive::Area { rings: vec![points.clone()], fill: theme.goal.alpha(*tint) });
             let stroke = Stroke { width: 1.1 * unit, color: theme.goal.alpha(0.8), dash: Some(4.0 * unit) };
-            marks.push(Mark::Line { points, closed: true, stroke });
+            marks.push(Primitive::Line { points, closed: true, stroke });
         }
         let faint = if self.spots.len() > MANY_GOALS { 0.35 } else { 0.9 };
         for &(at, near) in &self.spots {
-            // a ring that can be seen
+            // The ring keeps a visible size.
             let radius = near.max(3.0 * f64::from(unit) / lens.scale(at));
             let stroke = Stroke::plain(1.1 * unit, theme.goal.alpha(faint * (1.0 - lens.haze(at))));
             if at.z > 0.0 {
-                let ring = |center| Mark::Ring { center, radius: (radius * lens.scale(at)) as f32, stroke };
+                let ring = |center| Primitive::Ring { center, radius: (radius * lens.scale(at)) as f32, stroke };
                 marks.extend(lens.pixel(at).map(ring));
             } else {
                 let around = (0..ROUND).map(|k| DVec2::from_angle(k as f64 * TAU / ROUND as f64) * radius);
                 let points = lens.area(around.map(|out| at + out.extend(0.0)));
-                marks.push(Mark::Line { points, closed: true, stroke });
+                marks.push(Primitive::Line { points, closed: true, stroke });
             }
         }
         marks
     }
 
-    /// Lines both ways that fade towards the end of the grid.
+    /// Returns lines in both directions that fade towards the rim of the grid.
     fn grid(&self, lens: &Lens, unit: f32) -> Vec<Trail> {
         let (cell, count) = (self.cell, (self.reach / self.cell).ceil());
         let origin = (self.middle / cell).round() * cell;

@@ -1,59 +1,59 @@
-//! Perspective: from points in space to pixels.
+//! The perspective projection from points in space to pixels.
 
 use glam::{DMat4, DVec3, Vec2};
 
-/// What is nearer to the eye than this part of the way to its target is not seen.
+/// The distance of the near plane, relative to the distance of the target.
 const NEAR: f64 = 0.02;
-/// How much of its colour the farthest loses to the air.
+/// The share of its colour that the farthest point loses to haze.
 const HAZE: f64 = 0.6;
 
-/// An eye at one moment.
+/// A perspective view at one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
-    /// Where it is, metres.
+    /// The viewpoint, metres.
     pub eye: DVec3,
-    /// Axes of the picture, of length 1.
+    /// The axes of the picture, of length 1.
     right: DVec3,
     up: DVec3,
     forward: DVec3,
     /// The pixel of the target.
     anchor: Vec2,
-    /// Pixels for the width of what is as far away as it is wide.
+    /// The focal length, pixels: an object as wide as it is distant has this width in the picture.
     focal: f64,
-    /// What is nearer is not seen, metres.
+    /// The distance of the near plane, metres.
     near: f64,
-    /// Where the air begins to show, and where it is thickest, metres ahead.
+    /// The depths at which haze begins and at which it is strongest, metres.
     clear: [f64; 2],
 }
 
 impl Lens {
-    /// An eye that looks at a target, with up as far up as can be. The things of interest lie within `reach` of the target.
+    /// Creates a view from `eye` to `target`, with the vertical axis up. The scene lies within `reach` of the target.
     pub fn new(eye: DVec3, target: DVec3, focal: f64, anchor: Vec2, reach: f64) -> Self {
         let ahead = target - eye;
         let forward = ahead.normalize_or(DVec3::Y);
-        // straight down, the top of the picture is north
+        // For a view straight down, the top of the picture is north.
         let right = forward.cross(DVec3::Z).try_normalize().unwrap_or(DVec3::X);
         let distance = ahead.length();
         let clear = [(distance - reach).max(0.0), distance + reach];
         Self { eye, right, up: right.cross(forward), forward, anchor, focal, near: NEAR * distance, clear }
     }
 
-    /// Pixels of a metre that is a metre ahead.
+    /// Returns the focal length, pixels.
     pub fn focal(&self) -> f64 {
         self.focal
     }
 
-    /// What is nearer is not seen, metres.
+    /// Returns the distance of the near plane, metres.
     pub fn near(&self) -> f64 {
         self.near
     }
 
-    /// How far ahead of the eye a point is, metres.
+    /// Returns the depth of a point along the view direction, metres.
     pub fn depth(&self, point: DVec3) -> f64 {
         (point - self.eye).dot(self.forward)
     }
 
-    /// The pixel that shows a point; `None` if it is behind the eye, or too near.
+    /// Returns the pixel of a point; `None` if it is behind the near plane.
     pub fn pixel(&self, point: DVec3) -> Option<Vec2> {
         (self.depth(point) >= self.near).then(|| self.project(point))
     }
@@ -63,19 +63,19 @@ impl Lens {
         self.anchor + Vec2::new((offset.dot(self.right) * scale) as f32, (-offset.dot(self.up) * scale) as f32)
     }
 
-    /// Pixels a metre at a point, across the line of sight.
+    /// Returns pixels per metre at a point, across the line of sight.
     pub fn scale(&self, point: DVec3) -> f64 {
         self.focal / self.depth(point).max(self.near)
     }
 
-    /// The direction in which the eye sees a pixel, of length 1.
+    /// Returns the view direction of a pixel, of length 1.
     pub fn sight(&self, pixel: Vec2) -> DVec3 {
         let offset = (pixel - self.anchor).as_dvec2() / self.focal;
         (self.forward + self.right * offset.x - self.up * offset.y).normalize()
     }
 
-    /// The matrix that takes points, relative to `origin`, to clip coordinates of OpenGL on a picture of this size, pixels:
-    /// what is infinitely far is at the depth 1.
+    /// Returns the matrix from points relative to `origin` to clip coordinates of OpenGL, for a picture of `size`
+    /// pixels. Infinite distance has the depth 1.
     pub fn clip(&self, origin: DVec3, size: Vec2) -> DMat4 {
         let size = size.as_dvec2();
         let (aside, above) = (self.right * (2.0 * self.focal / size.x), self.up * (2.0 * self.focal / size.y));
@@ -87,7 +87,7 @@ impl Lens {
             .transpose()
     }
 
-    /// The part of a line that is ahead, in pixels.
+    /// Returns the part of a line in front of the near plane, in pixels.
     pub(crate) fn line(&self, from: DVec3, to: DVec3) -> Option<[Vec2; 2]> {
         let [a, b] = [from, to].map(|point| self.depth(point) - self.near);
         if a < 0.0 && b < 0.0 {
@@ -97,7 +97,7 @@ impl Lens {
         Some([(from, a), (to, b)].map(|(point, depth)| self.project(ahead(point, depth))))
     }
 
-    /// The part of a polygon that is ahead, in pixels (Sutherland, Hodgman, 1974).
+    /// Returns the part of a polygon in front of the near plane, in pixels (Sutherland, Hodgman, 1974).
     pub(crate) fn area(&self, corners: impl IntoIterator<Item = DVec3>) -> Vec<Vec2> {
         let corners: Vec<(DVec3, f64)> = corners.into_iter().map(|p| (p, self.depth(p) - self.near)).collect();
         let mut area = Vec::with_capacity(corners.len() + 2);
@@ -113,19 +113,19 @@ impl Lens {
         area
     }
 
-    /// How much of its colour a point loses to the air before it: 0 to 1.
+    /// Returns the share of its colour that a point loses to haze, 0 to 1.
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         let [from, to] = self.clear;
         (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0).powi(2)) as f32
     }
 
-    /// How far from the eye a point is along the ground. Of two points on one line of sight, the nearer in space is the
-    /// nearer along the ground too; and what is upright is as far at its foot as at its top.
+    /// Returns the horizontal distance of a point from the viewpoint. Of two points on one line of sight, the nearer
+    /// one has the smaller horizontal distance; the foot and the top of a vertical object have the same.
     pub(crate) fn away(&self, point: DVec3) -> f64 {
         (point - self.eye).truncate().length()
     }
 
-    /// The direction on the picture of a direction at a point; `None` where it points at the eye, or from it.
+    /// Returns the direction on the picture of a direction at a point; `None` if it is parallel to the line of sight.
     pub(crate) fn direction(&self, point: DVec3, direction: DVec3) -> Option<Vec2> {
         let step = 1e-3 * self.depth(point).max(self.near);
         (self.pixel(point + direction * step)? - self.pixel(point)?).try_normalize()
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_twice_as_far_is_half_as_large() {
+    fn twice_the_distance_is_half_the_size() {
         let lens = lens();
         assert_eq!(lens.pixel(DVec3::ZERO), Some(Vec2::new(50.0, 40.0)));
         assert_eq!(lens.pixel(DVec3::new(1.0, 0.0, 2.0)), Some(Vec2::new(60.0, 20.0)), "up is up");
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_behind_the_eye_is_cut_off() {
+    fn points_behind_the_eye_are_cut_off() {
         let lens = lens();
         let behind = DVec3::new(1.0, -11.0, 0.0);
         assert_eq!(lens.pixel(behind), None);

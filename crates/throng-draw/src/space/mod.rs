@@ -1,4 +1,4 @@
-//! A moment in perspective: everything far to near, over a ground with a grid.
+//! A moment in perspective: objects in order from far to near, over ground with a grid.
 
 mod chase;
 mod dart;
@@ -14,11 +14,11 @@ pub use viewpoint::Viewpoint;
 
 use crate::insect::{Crowd, Insect};
 use crate::look::Coat;
-use crate::mark::Mark;
 use crate::plan::{LEAST_RADIUS, SHADOW_OPACITY, middle, stacked};
+use crate::primitive::Primitive;
 use crate::rounded::{NOTCH_LEAST_RADIUS, Rounded};
 use crate::trail::Trail;
-use crate::{Color, Form, Painter, Style, WorldBox, shape};
+use crate::{AgentShape, Color, Painter, Style, WorldBox, shape};
 use dart::Dart;
 use glam::{DVec2, Vec2};
 use ground::Ground;
@@ -27,33 +27,33 @@ use solid::{Face, Solid, Tone};
 use throng_record::{Body, Frame, Setting};
 use viewpoint::{Extent, Orbit};
 
-/// The least radius, in the middle of the picture, that darts are drawn with, in units of the layout.
+/// The least radius of darts in the middle of the picture, in units of the layout.
 const LEAST_DART: f32 = 3.4;
-/// Obstacles are at least this high, metres: people look over them.
+/// The least height of obstacles, metres; people can look over them.
 const LEAST_HEIGHT: f64 = 1.2;
-/// Pieces of faces over how far everything reaches.
+/// The length of pieces of faces, relative to the reach of the scene.
 const PIECE: f64 = 0.08;
 
-/// What stays the same from moment to moment, and where the eye is.
+/// The constant parts of the scene, and the viewpoint.
 #[derive(Clone, Debug)]
-pub(crate) struct Stage {
+pub(crate) struct SpaceScene {
     orbit: Orbit,
     pub lens: Lens,
     ground: Ground,
     solids: Vec<Solid>,
     hulls: Vec<Hull>,
     tone: Tone,
-    /// Length of the pieces that faces are drawn in, metres.
+    /// The length of pieces of faces, metres.
     piece: f64,
-    /// How much larger than they are darts are drawn.
+    /// The factor by which darts are enlarged.
     growth: f32,
-    /// The radius of the largest body at first, pixels.
+    /// The radius of the largest body at the first moment, pixels.
     shown: f32,
     unit: f32,
 }
 
-impl Stage {
-    /// What `view` of the ground holds, shown between two pixels.
+impl SpaceScene {
+    /// Creates the scene of the ground in `view`, displayed between the pixels of `room`.
     pub(crate) fn new(
         setting: &Setting,
         style: &Style,
@@ -87,40 +87,40 @@ impl Stage {
         }
     }
 
-    /// How much larger than they are insects are drawn.
+    /// Returns the factor by which insects are enlarged.
     fn insects(&self, crowd: Crowd) -> f32 {
         growth(crowd.least, self.shown)
     }
 
-    /// Takes the eye to where it is at a moment.
+    /// Moves the viewpoint to its place at a moment.
     pub(crate) fn turn(&mut self, frame: &Frame) {
         self.lens = self.orbit.turn(frame);
     }
 
-    /// Pixels a metre in the middle of the picture.
+    /// Returns pixels per metre in the middle of the picture.
     pub(crate) fn scale(&self) -> f64 {
         self.lens.scale(self.orbit.middle())
     }
 
-    /// The width of the cells of the grid, metres.
+    /// Returns the width of the grid's cells, metres.
     pub(crate) fn cell(&self) -> f64 {
         self.ground.cell
     }
 
-    /// The ground, if the eye stays where it is: it never changes.
-    pub(crate) fn ground(&self) -> Vec<Mark> {
+    /// Returns the ground if the viewpoint is fixed, because it is constant then; else nothing.
+    pub(crate) fn ground(&self) -> Vec<Primitive> {
         if self.orbit.moves() { Vec::new() } else { self.ground.marks(&self.lens, self.unit) }
     }
 }
 
-/// How much larger something is drawn that is to be seen at so many pixels, and is shown at so many.
+/// Returns the factor by which something is enlarged that needs `least` pixels and has `shown`.
 fn growth(least: f32, shown: f32) -> f32 {
     if shown > 0.0 { (least / shown).max(1.0) } else { 1.0 }
 }
 
 impl Painter {
-    /// The ground, if it seems to move; shadows; and everything that stands or flies, far to near.
-    pub(crate) fn scene(&self, stage: &Stage, frame: &Frame) -> Vec<(&'static str, Vec<Mark>)> {
+    /// Returns the ground if the viewpoint moves; shadows; and everything above the ground, far to near.
+    pub(crate) fn scene(&self, stage: &SpaceScene, frame: &Frame) -> Vec<(&'static str, Vec<Primitive>)> {
         let lens = &stage.lens;
         let ground = if stage.orbit.moves() { stage.ground.marks(lens, stage.unit) } else { Vec::new() };
         let mut bodies = stacked(frame);
@@ -132,38 +132,38 @@ impl Painter {
         stage.hulls.iter().for_each(|hull| hull.faces(stage.tone, lens, stage.piece, stage.unit, &mut faces));
         let figure = |body: &&Body| (lens.away(body.center()), self.figure(body, stage, (frame.time, crowd)));
         let bodies = bodies.iter().map(figure).collect();
-        let streaks = if self.look.has(Form::Insect) { self.streaks(frame, crowd) } else { Vec::new() };
+        let streaks = if self.look.has(AgentShape::Insect) { self.streaks(frame, crowd) } else { Vec::new() };
         let scene = layered([self.trails(frame.time), streaks], faces, bodies);
         vec![("ground", ground), ("shadows", shadows), ("scene", scene)]
     }
 
-    /// The shadow of a body, straight below it on the ground.
-    fn shadow(&self, body: &Body, stage: &Stage, crowd: Crowd) -> Mark {
+    /// Returns the shadow of a body on the ground straight below it.
+    fn shadow(&self, body: &Body, stage: &SpaceScene, crowd: Crowd) -> Primitive {
         let (center, lens) = (body.center(), &stage.lens);
         let ground = center.with_z(0.0);
         let fill = Color::rgb(0).alpha(SHADOW_OPACITY * (1.0 - lens.haze(ground)));
-        if self.look.form(body) == Form::Insect {
+        if self.look.form(body) == AgentShape::Insect {
             let radius = body.radius * stage.insects(crowd) * lens.scale(ground) as f32;
             let (center, fill) =
                 (lens.pixel(ground).unwrap_or(Vec2::NAN), fill.alpha(f32::from(fill.a) / 255.0 * crowd.left));
-            return Mark::Agent(Rounded::spot(center, 0.6 * radius, fill));
+            return Primitive::Agent(Rounded::spot(center, 0.6 * radius, fill));
         }
         if let Some(basis) = body.basis.filter(|_| self.look.shape(body).is_none()) {
             return Dart::new(center, basis, body.radius * stage.growth).shadow(fill, lens);
         }
         let least = f64::from(LEAST_RADIUS) / lens.scale(ground);
         let ring = footprint(body, least).into_iter().map(|corner| corner.extend(0.0));
-        Mark::Area { rings: vec![lens.area(ring)], fill }
+        Primitive::Area { rings: vec![lens.area(ring)], fill }
     }
 
-    /// A body: a dart, a ball, or a low block where it is oblong.
-    fn figure(&self, body: &Body, stage: &Stage, (time, crowd): (f64, Crowd)) -> Vec<Mark> {
+    /// Returns a body as a dart, a ball, or a low block if it is oblong.
+    fn figure(&self, body: &Body, stage: &SpaceScene, (time, crowd): (f64, Crowd)) -> Vec<Primitive> {
         let (lens, unit) = (&stage.lens, stage.unit);
         let (coat, haze) = (self.look.coat(body), lens.haze(body.center()));
         let coat = Coat { fill: coat.fill.mix(stage.tone.air, haze), rim: coat.rim.mix(stage.tone.air, haze) };
-        if self.look.form(body) == Form::Insect {
+        if self.look.form(body) == AgentShape::Insect {
             let insect = Insect::of(body, stage.insects(crowd), coat, &self.projector(), time);
-            return insect.map(Mark::Insect).into_iter().collect();
+            return insect.map(Primitive::Insect).into_iter().collect();
         }
         if let Some(shape) = self.look.shape(body) {
             return shape::marks(shape, body, (&self.strides, time), coat, &self.projector());
@@ -172,10 +172,10 @@ impl Painter {
         if let Some(basis) = body.basis {
             Dart::new(body.center(), basis, body.radius * stage.growth).marks(&coat, lens, unit, &mut marks);
         } else if body.core == Vec2::ZERO {
-            marks.push(Mark::Agent(self.ball(body, coat, stage)));
+            marks.push(Primitive::Agent(self.ball(body, coat, stage)));
         } else {
             let low = f64::from(body.altitude);
-            let block = Solid::prism(footprint(body, 0.0), low, low + 2.0 * f64::from(body.shape().girth()));
+            let block = Solid::prism(footprint(body, 0.0), low, low + 2.0 * f64::from(body.shape().clearance_radius()));
             let tone = Tone { fill: coat.fill, edge: coat.rim, dark: stage.tone.dark, air: coat.fill };
             let mut faces = Vec::new();
             block.faces(tone, lens, f64::INFINITY, unit, &mut faces);
@@ -185,8 +185,8 @@ impl Painter {
         marks
     }
 
-    /// A ball.
-    fn ball(&self, body: &Body, coat: Coat, stage: &Stage) -> Rounded {
+    /// Returns a body as a ball.
+    fn ball(&self, body: &Body, coat: Coat, stage: &SpaceScene) -> Rounded {
         let (lens, center) = (&stage.lens, middle(body));
         let radius = ((f64::from(body.radius) * lens.scale(center)) as f32).max(LEAST_RADIUS);
         let ahead = DVec2::from_angle(f64::from(body.heading)).extend(0.0);
@@ -204,17 +204,17 @@ impl Painter {
     }
 }
 
-/// Everything far to near. Between two faces, trails and then streaks lie below bodies.
-fn layered(trails: [Vec<Trail>; 2], mut faces: Vec<Face>, mut bodies: Vec<Face>) -> Vec<Mark> {
-    // a sort that keeps the order of equals: of two on one vertical, who comes first is the lower
+/// Sorts everything from far to near. Between two faces, trails and then streaks are below bodies.
+fn layered(trails: [Vec<Trail>; 2], mut faces: Vec<Face>, mut bodies: Vec<Face>) -> Vec<Primitive> {
+    // The sort is stable: of two bodies at the same horizontal distance, the lower one is drawn first.
     faces.sort_by(|a, b| b.0.total_cmp(&a.0));
     bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
     let [mut trails, mut streaks] =
         trails.map(|all| if faces.is_empty() { all } else { pieces(all) }.into_iter().peekable());
     let mut bodies = bodies.into_iter().peekable();
     let mut marks = Vec::new();
-    let mut between = |far: f64, marks: &mut Vec<Mark>| {
-        for (all, mark) in [(&mut trails, Mark::Trails as fn(_) -> _), (&mut streaks, Mark::Streaks)] {
+    let mut between = |far: f64, marks: &mut Vec<Primitive>| {
+        for (all, mark) in [(&mut trails, Primitive::Trails as fn(_) -> _), (&mut streaks, Primitive::Streaks)] {
             let behind: Vec<Trail> = std::iter::from_fn(|| all.next_if(|trail| trail.ends[0].away > far)).collect();
             if !behind.is_empty() {
                 marks.push(mark(behind));
@@ -230,7 +230,7 @@ fn layered(trails: [Vec<Trail>; 2], mut faces: Vec<Face>, mut bodies: Vec<Face>)
     marks
 }
 
-/// Each piece on its own, far to near.
+/// Splits trails into segments, sorted from far to near.
 fn pieces(trails: Vec<Trail>) -> Vec<Trail> {
     let each = |trail: &Trail| -> Vec<Trail> {
         trail.ends.windows(2).map(|ends| Trail { ends: ends.to_vec(), color: trail.color }).collect()
@@ -240,9 +240,9 @@ fn pieces(trails: Vec<Trail>) -> Vec<Trail> {
     pieces
 }
 
-/// The outline of a body on the ground, at least so large.
+/// Returns the outline of a body on the ground, with a radius of at least `least`.
 fn footprint(body: &Body, least: f64) -> Vec<DVec2> {
-    /// Corners of a quarter of a circle.
+    /// The number of corners of a quarter circle.
     const QUARTER: usize = 5;
     let (core, radius) = (body.core.as_dvec2(), f64::from(body.radius).max(least));
     let ahead = DVec2::from_angle(f64::from(body.heading));

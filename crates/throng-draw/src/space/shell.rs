@@ -1,26 +1,26 @@
-//! Surfaces in perspective: solids as quiet faces, containers as thin lines.
+//! Surfaces in perspective: solids as shaded faces, containers as thin lines.
 
 use super::Lens;
 use super::solid::{Face, Tone};
-use crate::mark::{Mark, Stroke};
 use crate::place::SEAM;
+use crate::primitive::{Primitive, Stroke};
 use glam::{DVec2, DVec3, Vec3};
 use std::collections::HashMap;
 use throng_record::Shell;
 
-/// Where two facets meet at a smaller angle than this there is no edge to see: its cosine.
+/// The cosine of the angle between two facets below which their common edge is not drawn.
 const SMOOTH: f64 = 0.85;
-/// Where the light comes from.
+/// The direction of the light.
 const LIGHT: DVec3 = DVec3::new(-0.42, -0.56, 0.71);
-/// How much darker a facet is that faces away from it.
+/// The darkening of a facet that faces away from the light.
 const SHADE: f32 = 0.34;
-/// Opacity of the lines of containers: of their edges, and of lines on round ones.
+/// The opacity of the lines of containers: of sharp edges, and of lines on round surfaces.
 const EDGE: f32 = 0.8;
 const LINE: f32 = 0.22;
-/// No facet is drawn in more pieces than this in either direction.
+/// The maximum number of pieces of a facet in each direction.
 const PIECES: f64 = 12.0;
 
-/// A surface that is ready to be drawn.
+/// A surface with its edges.
 #[derive(Clone, Debug)]
 pub(super) struct Hull {
     facets: Vec<Facet>,
@@ -34,14 +34,14 @@ struct Facet {
     normal: DVec3,
 }
 
-/// Where facets meet, or where one ends.
+/// The common edge of two facets, or the border of one facet.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     from: DVec3,
     to: DVec3,
-    /// Whether the surface is bent there.
+    /// Whether the surface is bent at the edge.
     sharp: bool,
-    /// The facets on its sides.
+    /// The facets on both sides; the same facet twice at a border.
     sides: [usize; 2],
 }
 
@@ -78,7 +78,7 @@ impl Hull {
         Self { facets, edges, hollow: shell.hollow }
     }
 
-    /// What is to be seen of it, in pieces no longer than `piece` metres.
+    /// Adds the visible parts of the surface, in pieces of at most `piece` metres.
     pub fn faces(&self, tone: Tone, lens: &Lens, piece: f64, unit: f32, faces: &mut Vec<Face>) {
         if self.hollow {
             faces.extend(self.edges.iter().filter_map(|edge| {
@@ -97,17 +97,17 @@ impl Hull {
             let fill = tone.fill.mix(tone.dark, dark).mix(tone.air, lens.haze(middle));
             for corners in pieces(&facet.corners, piece) {
                 let away = corners.iter().map(|corner| lens.away(*corner));
-                // bodies stand on what is level
+                // Level faces are drawn before the bodies that stand on them.
                 let level = normal.z > 0.7;
                 let away = if level { away.fold(0.0, f64::max) } else { away.sum::<f64>() / corners.len() as f64 };
                 let ring = lens.area(corners);
-                let seam = Mark::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(SEAM, fill) };
-                faces.push((away, vec![Mark::Area { rings: vec![ring], fill }, seam]));
+                let seam = Primitive::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(SEAM, fill) };
+                faces.push((away, vec![Primitive::Area { rings: vec![ring], fill }, seam]));
             }
         }
         let stroke = Stroke::plain(unit, tone.edge);
         let borders = self.edges.iter().filter(|edge| edge.sides.iter().any(|&side| seen(&self.facets[side]) || sheet));
-        // an edge of the outline, or one that is sharp
+        // Edges of the outline, and sharp edges.
         let shown = borders.filter(|edge| edge.sharp || !edge.sides.iter().all(|&side| seen(&self.facets[side])));
         faces.extend(shown.filter_map(|edge| line(edge, lens, stroke)));
     }
@@ -117,14 +117,14 @@ fn pairs(corners: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> {
     corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
 }
 
-/// A line in front of the facets that it bounds.
+/// Returns a line in front of the facets that it bounds.
 fn line(edge: &Edge, lens: &Lens, stroke: Stroke) -> Option<Face> {
     let points = lens.line(edge.from, edge.to)?.to_vec();
     let away = lens.away(edge.from).min(lens.away(edge.to));
-    Some((away, vec![Mark::Line { points, closed: false, stroke }]))
+    Some((away, vec![Primitive::Line { points, closed: false, stroke }]))
 }
 
-/// A facet with four corners in pieces; others stay whole.
+/// Splits a facet with four corners into pieces; other facets stay whole.
 fn pieces(corners: &[DVec3], piece: f64) -> Vec<Vec<DVec3>> {
     let &[a, b, c, d] = corners else { return vec![corners.to_vec()] };
     let parts = |length: f64| (length / piece).ceil().clamp(1.0, PIECES) as usize;

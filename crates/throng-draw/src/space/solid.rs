@@ -1,14 +1,15 @@
-//! What stands upright: obstacles, walls and oblong bodies as prisms with quiet faces.
+//! Upright solids: obstacles, walls and oblong bodies as prisms with shaded faces.
 
 use super::Lens;
 use crate::Color;
-use crate::mark::{Mark, Stroke};
+use crate::primitive::{Primitive, Stroke};
 use glam::DVec2;
 use throng::Obstacle;
 
-/// Corners of a round obstacle.
+/// The number of corners of a round obstacle.
 const ROUND: usize = 32;
-/// How much darker a face is that looks away from the light, which comes from the left and the front.
+/// The direction of the light (from the left and the front), the darkening of a face that faces away from it, and the
+/// least darkening.
 const LIGHT: DVec2 = DVec2::new(-0.6, -0.8);
 const SHADE: f32 = 0.28;
 const AWAY: f32 = 0.1;
@@ -18,25 +19,25 @@ const AWAY: f32 = 0.1;
 pub(super) struct Tone {
     pub fill: Color,
     pub edge: Color,
-    /// What faces away from the light.
+    /// The colour of faces that face away from the light.
     pub dark: Color,
-    /// What is far away.
+    /// The colour of the haze.
     pub air: Color,
 }
 
-/// A thing that stands upright.
+/// An upright solid.
 #[derive(Clone, Debug)]
 pub(super) struct Solid {
-    /// Counter-clockwise, if it is closed.
+    /// The corners, counter-clockwise if the solid is closed.
     corners: Vec<DVec2>,
-    /// Whether it is a prism; else a thin wall from corner to corner.
+    /// Whether the solid is a prism; otherwise it is a thin wall from corner to corner.
     closed: bool,
     low: f64,
     high: f64,
 }
 
-/// A part of a solid, and how far it is from the eye along the ground.
-pub(super) type Face = (f64, Vec<Mark>);
+/// A part of a solid, with its horizontal distance from the viewpoint.
+pub(super) type Face = (f64, Vec<Primitive>);
 
 impl Solid {
     pub fn obstacle(obstacle: &Obstacle, height: f64) -> Self {
@@ -50,7 +51,7 @@ impl Solid {
         }
     }
 
-    /// From the height `low` to `high` over a ring of corners.
+    /// Creates a prism from the height `low` to `high` over a ring of corners.
     pub fn prism(mut corners: Vec<DVec2>, low: f64, high: f64) -> Self {
         let edges = corners.iter().zip(corners.iter().cycle().skip(1));
         if edges.map(|(a, b)| a.perp_dot(*b)).sum::<f64>() < 0.0 {
@@ -59,8 +60,7 @@ impl Solid {
         Self { corners, closed: true, low, high }
     }
 
-    /// What is to be seen of it, in pieces no longer than `piece` metres, so that others may stand before one and behind
-    /// the next.
+    /// Adds the visible faces, in pieces of at most `piece` metres, so that bodies can be drawn between two pieces.
     pub fn faces(&self, tone: Tone, lens: &Lens, piece: f64, unit: f32, faces: &mut Vec<Face>) {
         let corners = &self.corners;
         if corners.iter().any(|corner| !corner.is_finite()) || corners.len() < 2 {
@@ -70,8 +70,8 @@ impl Solid {
             let top = corners.iter().map(|corner| corner.extend(self.high));
             let away = top.clone().map(|corner| lens.away(corner)).fold(0.0, f64::max);
             let (points, fill) = (lens.area(top), tone.fill.mix(tone.air, lens.haze(corners[0].extend(self.high))));
-            let area = Mark::Area { rings: vec![points.clone()], fill };
-            let edge = Mark::Line { points, closed: true, stroke: Stroke::plain(unit, tone.edge) };
+            let area = Primitive::Area { rings: vec![points.clone()], fill };
+            let edge = Primitive::Line { points, closed: true, stroke: Stroke::plain(unit, tone.edge) };
             faces.push((away, vec![area, edge]));
         }
         let edges = if self.closed { corners.len() } else { corners.len() - 1 };
@@ -82,7 +82,7 @@ impl Solid {
             if seen || !self.closed {
                 let out = if seen { out } else { -out };
                 let dark = AWAY + SHADE * (0.5 - 0.5 * out.dot(LIGHT) as f32);
-                // one colour for all of a side: steps would show
+                // A side has one colour; haze by piece would show steps.
                 let middle = ((from + to) * 0.5).extend(0.5 * (self.low + self.high));
                 let side = Tone { fill: tone.fill.mix(tone.dark, dark).mix(tone.air, lens.haze(middle)), ..tone };
                 let parts = ((from.distance(to) / piece).ceil() as usize).clamp(1, 64);
@@ -96,11 +96,15 @@ impl Solid {
         let middle = ((from + to) * 0.5).extend(0.5 * (self.low + self.high));
         let ring =
             lens.area([from.extend(self.low), to.extend(self.low), to.extend(self.high), from.extend(self.high)]);
-        // where two pieces meet nothing shines through
-        let seam = Mark::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(0.6, tone.fill) };
-        let mut marks = vec![Mark::Area { rings: vec![ring], fill: tone.fill }, seam];
+        // The line hides the seams between pieces.
+        let seam = Primitive::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(0.6, tone.fill) };
+        let mut marks = vec![Primitive::Area { rings: vec![ring], fill: tone.fill }, seam];
         if let Some(points) = lens.line(from.extend(self.high), to.extend(self.high)) {
-            marks.push(Mark::Line { points: points.to_vec(), closed: false, stroke: Stroke::plain(unit, tone.edge) });
+            marks.push(Primitive::Line {
+                points: points.to_vec(),
+                closed: false,
+                stroke: Stroke::plain(unit, tone.edge),
+            });
         }
         (lens.away(middle), marks)
     }

@@ -1,32 +1,33 @@
-//! Where the eye is, and where it looks.
+//! The viewpoint and its target.
 
 use super::{Followed, Following, Lens, Sight};
 use crate::WorldBox;
 use glam::{DVec2, DVec3, Vec2};
 use throng_record::{Frame, Setting};
 
-/// From where everything is seen if nobody says: this many radians above the ground, and so far round from +x.
+/// The default elevation of the viewpoint above the ground, and its azimuth from +x, radians.
 const ELEVATION: f64 = 0.36;
 const AZIMUTH: f64 = -2.0;
-/// Those who fly as vehicles have so much more room upwards, over how high they are at first: they roam.
+/// The extra height of the view for agents that fly as vehicles, relative to their first height, because they roam.
 const HEADROOM: f64 = 0.45;
-/// The target is moved so often until as much is above it in the picture as is below.
+/// The number of iterations that centre the scene vertically in the picture.
 const CENTERING: usize = 8;
-/// Corners of the circle that everything stays in while the eye goes round.
+/// The number of corners of the circle that encloses the scene while the viewpoint orbits.
 const ROUND: usize = 16;
 
-/// From where a picture in perspective is seen.
+/// The viewpoint of a picture in perspective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewpoint {
-    /// Where the eye is, metres; `None`: slightly above everybody, far enough away to see everything.
+    /// The position, metres; `None` for a place slightly above all agents, far enough away to see everything.
     pub eye: Option<DVec3>,
-    /// What is in the middle of the picture; `None`: the middle of everything.
+    /// The point in the middle of the picture; `None` for the middle of the scene.
     pub target: Option<DVec3>,
-    /// The angle between the top and the bottom of the picture, degrees, greater than 0 and less than 180.
+    /// The vertical field of view, degrees, greater than 0 and less than 180.
     pub field_of_view: f64,
-    /// How fast the eye goes round its target, degrees a second, counter-clockwise from above.
+    /// The angular velocity of the viewpoint around its target, degrees per second, counter-clockwise from above.
     pub orbit: f64,
-    /// Whom it goes with instead of going round: it begins where it would be after a while, seen from [`eye`](Self::eye).
+    /// The agent to follow instead of orbiting. The film begins at the position to which following leads from
+    /// [`eye`](Self::eye).
     pub follow: Option<Following>,
 }
 
@@ -36,7 +37,7 @@ impl Default for Viewpoint {
     }
 }
 
-/// What there is to see: a box on the ground and how high it is.
+/// The extent of the scene: a box on the ground and its height.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     pub ground: WorldBox,
@@ -44,9 +45,10 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// Everything above `ground` in the first frame and where everybody goes. Who flies needs as much room as it is high.
+    /// Returns the extent above `ground` of everything in the first frame and of the goals. In space without walkable
+    /// ground, the box is at least as wide as it is high.
     pub(crate) fn of(ground: WorldBox, setting: &Setting, first: &Frame) -> Self {
-        let bodies = first.bodies.iter().map(|body| f64::from(body.altitude + body.shape().bound()));
+        let bodies = first.bodies.iter().map(|body| f64::from(body.altitude + body.shape().bounding_radius()));
         let goals = setting.goals.iter().filter_map(|goal| goal.altitude());
         let shells = setting.shells.iter().flat_map(|shell| shell.facets.iter().flatten());
         let heights = shells.map(|corner| f64::from(corner.z));
@@ -55,7 +57,7 @@ impl Extent {
             return Self { ground, height };
         }
         let roam = first.bodies.iter().any(|body| body.basis.is_some());
-        // where surfaces are drawn, they say how high it is
+        // Surfaces define the height if there are any.
         let height = if roam && setting.shells.is_empty() { height * (1.0 + HEADROOM) } else { height };
         Self { ground: ground.at_least(height), height }
     }
@@ -64,12 +66,12 @@ impl Extent {
         ((self.ground.min + self.ground.max) * 0.5).extend(0.5 * self.height)
     }
 
-    /// How far it reaches from its middle.
+    /// Returns the distance of the farthest corner from the middle.
     pub(crate) fn reach(&self) -> f64 {
         0.5 * (self.ground.max - self.ground.min).extend(self.height).length()
     }
 
-    /// Points round it, from its middle: its corners, or those of a circle that it can turn in.
+    /// Returns the corners relative to the middle; if the view turns, corners of the enclosing circle.
     fn corners(&self, turns: bool) -> impl Iterator<Item = DVec3> {
         let half = (self.ground.max - self.ground.min) * 0.5;
         let count = if turns { ROUND } else { 4 };
@@ -82,24 +84,24 @@ impl Extent {
     }
 }
 
-/// An eye on its orbit.
+/// A moving viewpoint.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Orbit {
-    /// From the target to the eye at the start.
+    /// The vector from the target to the viewpoint at the start.
     from: DVec3,
     pub target: DVec3,
-    /// Radians a second.
+    /// The angular velocity, radians per second.
     rate: f64,
     focal: f64,
     anchor: Vec2,
     reach: f64,
-    /// Whom it goes with; and from where it sees it, since when.
+    /// The agent to follow; the current viewpoint, and the time it was reached.
     follow: Option<Following>,
     sight: Option<(Sight, f64)>,
 }
 
 impl Orbit {
-    /// The eye of a picture this high, pixels, whose things of interest lie between the pixels `low` and `high`.
+    /// Creates the viewpoint of a picture `height` pixels high. The scene lies between the pixels `low` and `high`.
     pub(crate) fn new(viewpoint: &Viewpoint, extent: &Extent, height: u32, (low, high): (Vec2, Vec2)) -> Self {
         let focal = 0.5 * f64::from(height) / (0.5 * viewpoint.field_of_view.to_radians()).tan();
         let rate = viewpoint.orbit.to_radians();
@@ -123,7 +125,7 @@ impl Orbit {
         }
         let corners: Vec<DVec3> = extent.corners(rate != 0.0).map(|corner| extent.middle() + corner).collect();
         for _ in 0..if viewpoint.target.is_none() { CENTERING } else { 1 } {
-            // a corner fits if it is no farther aside, over how far it is away, than the edge of the picture
+            // A corner fits if its lateral offset over its depth is within the edges of the picture.
             let offsets = || corners.iter().map(|&corner| corner - orbit.target);
             let fits = offsets().map(|offset| {
                 let aside = DVec2::new(offset.dot(right), offset.dot(up)).abs();
@@ -140,17 +142,17 @@ impl Orbit {
         orbit
     }
 
-    /// What is in the middle of the picture.
+    /// Returns the point in the middle of the picture.
     pub(crate) fn middle(&self) -> DVec3 {
         self.sight.map_or(self.target, |(sight, _)| sight.target)
     }
 
-    /// Whether the eye moves.
+    /// Whether the viewpoint moves.
     pub(crate) fn moves(&self) -> bool {
         self.rate != 0.0 || self.follow.is_some()
     }
 
-    /// Lets the eye go where it goes by the time of a frame.
+    /// Moves the viewpoint to its place at the time of a frame.
     pub(crate) fn turn(&mut self, frame: &Frame) -> Lens {
         if let Some(follow) = self.follow
             && let Ok(at) = frame.bodies.binary_search_by_key(&follow.number, |body| body.number)
@@ -165,7 +167,7 @@ impl Orbit {
         self.lens(frame.time)
     }
 
-    /// The eye at a time.
+    /// Returns the view at a time.
     fn lens(&self, time: f64) -> Lens {
         if let Some((Sight { eye, target }, _)) = self.sight {
             return Lens::new(eye, target, self.focal, self.anchor, self.reach);

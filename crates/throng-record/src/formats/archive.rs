@@ -1,15 +1,16 @@
 //! Text files of the Pedestrian Dynamics Data Archive (Forschungszentrum Jülich), as PeTrack writes them.
 //!
-//! A line a person and frame, columns between blanks: `id frame x y z`, of which the last need not be there: it is the
-//! height of the head, not where somebody stands. Comments begin with `#` and say the frame rate (`framerate: 25`) and the
-//! unit (`x/cm`, `in metres`).
+//! A line holds a pedestrian at a frame, in columns separated by blanks: `id frame x y z`. `z` is optional: it is the
+//! height of the head, not of the ground. Comments begin with `#` and may state the frame rate (`framerate: 25`) and
+//! the unit (`x/cm`, `in metres`).
 //!
-//! Where no unit is said, it is found: lengths are centimetres if the fastest hundredth of all ways of one second is longer
-//! than ten units, which nobody runs in metres and everybody walks in centimetres. Frame rates are never guessed.
+//! If no unit is stated, lengths are centimetres if the fastest hundredth of all displacements within a second is
+//! longer than ten units: 10 m/s is faster than any runner, 10 cm/s slower than any walker. Frame rates are never
+//! guessed.
 
 use super::text::{comments, lines, people, rate, text, walker};
-use super::{Flaw, Format, Reading};
-use crate::tracks::{Spot, Tracks};
+use super::{Format, FormatFlaw, Reading};
+use crate::trajectories::{Sample, Trajectories};
 use glam::DVec2;
 
 /// Read only.
@@ -23,11 +24,11 @@ pub(super) const FORMAT: Format = Format {
     sniff: None,
 };
 
-const HINT: &str = "such a file has lines of `id frame x y z`, and comments behind #";
-/// Ways of one second that are longer are none of a person, metres.
+const HINT: &str = "such a file has lines of `id frame x y z`, and comments after #";
+/// Greatest displacement of a pedestrian within a second, metres.
 const FASTEST: f64 = 10.0;
 
-fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
     let text = text(bytes);
     let rate = rate(comments(&text).find_map(said_rate), reading)?;
     let mut spots = Vec::new();
@@ -40,10 +41,10 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     let unit = reading.unit.or_else(|| comments(&text).find_map(said_unit));
     let unit = unit.unwrap_or_else(|| if are_centimetres(&mut spots) { 0.01 } else { 1.0 });
     spots.iter_mut().for_each(|spot| spot.place *= unit);
-    Ok(Tracks { unit: Some(unit), ..people(spots, false)? })
+    Ok(Trajectories { unit: Some(unit), ..people(spots, false)? })
 }
 
-/// The first number behind the word `framerate`.
+/// Returns the first number after the word `framerate`.
 fn said_rate(comment: &str) -> Option<f64> {
     let comment = comment.to_ascii_lowercase();
     let (_, behind) = comment.split_once("framerate").or_else(|| comment.split_once("frame rate"))?;
@@ -52,7 +53,7 @@ fn said_rate(comment: &str) -> Option<f64> {
     number[..end].parse().ok()
 }
 
-/// Metres in the unit that a comment names.
+/// Returns the unit that a comment names, metres.
 fn said_unit(comment: &str) -> Option<f64> {
     let comment = comment.to_ascii_lowercase();
     let mut words = comment.split(|c: char| !c.is_ascii_alphabetic() && c != '/');
@@ -72,8 +73,8 @@ fn said_unit(comment: &str) -> Option<f64> {
     })
 }
 
-/// Whether ways of one second are too long for metres. Leaves the spots by person and time.
-fn are_centimetres(spots: &mut [Spot]) -> bool {
+/// Whether displacements within a second are too long for metres. Sorts the samples by agent and time.
+fn are_centimetres(spots: &mut [Sample]) -> bool {
     spots.sort_by(|a, b| a.number.cmp(&b.number).then(a.time.total_cmp(&b.time)));
     let mut ways = Vec::new();
     for own in spots.chunk_by(|a, b| a.number == b.number) {
@@ -105,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_unit_that_nobody_says_is_found_by_speeds() {
+    fn an_unstated_unit_is_found_by_speeds() {
         let file = |scale: f64| {
             let line = |k: i32| format!("7 {k} {} -1\n", f64::from(k) * 0.05 * scale);
             "#framerate: 25\n".to_owned() + &(0..100).map(line).collect::<String>()
@@ -119,21 +120,24 @@ mod tests {
         }
         let said = Reading { unit: Some(0.5), rate: Some(1.0) };
         let last = read(file(1.0).as_bytes(), &said).unwrap().spots[99];
-        assert!((last.place.x - 2.475).abs() < 1e-12 && last.time == 99.0, "what people say goes first");
+        assert!(
+            (last.place.x - 2.475).abs() < 1e-12 && last.time == 99.0,
+            "the reading's unit and rate take precedence"
+        );
     }
 
     #[test]
     fn mistakes_are_named_with_their_lines() {
         let wrong = |text: &str| read(text.as_bytes(), &Reading::default()).unwrap_err();
-        assert!(wrong("1 0 0 0 0\n").why.contains("how many a second"));
+        assert!(wrong("1 0 0 0 0\n").why.contains("does not state the frame rate"));
         assert!(wrong("1 0 0 0 0\n").hint.unwrap().contains("--frame-rate"));
         let rest = |text: &str| wrong(&format!("#framerate: 25\n\n{text}"));
         assert_eq!(rest("1 0 0 0\n1 1 0").line, Some(4));
         assert_eq!(rest("1 0 x 0\n").why, "`x` is no number for x");
-        assert_eq!(rest("1.5 0 0 0\n").why, "`1.5` is no number of a person");
+        assert_eq!(rest("1.5 0 0 0\n").why, "`1.5` is not an agent number");
         assert_eq!(rest("-1 0 0 0\n").line, Some(3));
         assert_eq!(rest("1 0 1e999 0\n").line, Some(3));
-        assert_eq!(rest("").why, "nobody is in it");
+        assert_eq!(rest("").why, "the file has no agents");
         assert!(read(b"\xff\xfe\x00\x00", &Reading { rate: Some(1.0), unit: None }).is_err());
     }
 }

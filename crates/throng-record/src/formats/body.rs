@@ -1,26 +1,28 @@
-//! What somebody looks like in a file of shapes: facing +x upright, on the ground or round the middle.
+//! The shape of an agent in a mesh: facing +x upright, standing on the ground or centred on its position.
 
 use super::mesh::Mesh;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
 
-/// Corners of a level of who walks.
+/// Corners of each level of a walking figure.
 const SIDES: u32 = 10;
-/// The levels of who walks, from the feet to the top of the head: radius, of the body's, and height, metres.
+/// The levels of a walking figure, from the feet to the top of the head: radius relative to the agent's radius, and
+/// height, metres.
 const LEVELS: [(f32, f32); 7] =
     [(0.6, 0.0), (1.0, 1.15), (0.9, 1.35), (0.35, 1.43), (0.5, 1.55), (0.5, 1.66), (0.3, 1.75)];
 
-/// Somebody of a radius of 1: who walks stands on the ground, 1.75 m high; who flies is a dart within a sphere.
+/// Returns an agent of radius 1: a walking agent stands on the ground, 1.75 m high; a flying agent is a dart within a
+/// sphere.
 pub(super) fn mesh(flies: bool) -> Mesh {
     if flies { dart() } else { figure() }
 }
 
-/// How much larger somebody of a radius is, ahead, across and upwards.
+/// Returns the scale of an agent of a radius: ahead, across and upwards.
 pub(super) fn scale(radius: f32, flies: bool) -> Vec3 {
     if flies { Vec3::splat(radius) } else { Vec3::new(radius, radius, 1.0) }
 }
 
-/// A round figure whose chest points ahead.
+/// Returns a round figure with a chest that points ahead.
 fn figure() -> Mesh {
     let mut mesh = Mesh::default();
     for (radius, height) in LEVELS {
@@ -44,7 +46,7 @@ fn figure() -> Mesh {
     mesh
 }
 
-/// A flat body with wings and a high back, so that one sees how it banks.
+/// Returns a flat body with wings and a high back, which shows its bank angle.
 fn dart() -> Mesh {
     let [nose, left, right, tail, back, belly] = [0, 1, 2, 3, 4, 5];
     let points =

@@ -7,9 +7,9 @@ use std::str::FromStr;
 /// A column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// The agent's own number.
+    /// The agent number.
     Number,
-    /// The name of its group; its index where it has no name.
+    /// The name of the group; its index if the group has no name.
     Group,
     /// Time since the start, seconds.
     Time,
@@ -27,14 +27,14 @@ pub enum Column {
     Vz,
     /// Direction of the body, radians counter-clockwise from +x.
     Heading,
-    /// Radius of the body, metres; of one that is no disc, half of its narrower side.
+    /// Radius of the body, metres; for bodies other than discs, half of the narrower side.
     Radius,
-    /// What it is doing: `walking`, `waiting`, `arrived` or `stranded`.
+    /// The agent's status: `walking`, `waiting`, `arrived` or `stranded`.
     Status,
 }
 
 impl Column {
-    /// All of them.
+    /// All columns.
     pub const ALL: [Self; 12] = [
         Self::Number,
         Self::Group,
@@ -50,7 +50,7 @@ impl Column {
         Self::Status,
     ];
 
-    /// What tables call it.
+    /// Returns the name of the column in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Number => "number",
@@ -68,15 +68,15 @@ impl Column {
         }
     }
 
-    /// Its value, where that is a number of single precision.
+    /// Returns the function of the column's value, if the value is an `f32`.
     pub(super) fn single(self) -> Option<fn(&Body) -> f32> {
         Some(match self {
             Self::Z => |body| body.altitude,
             Self::Vx => |body| body.velocity.x,
             Self::Vy => |body| body.velocity.y,
-            Self::Vz => |body| body.climb,
+            Self::Vz => |body| body.vertical_velocity,
             Self::Heading => |body| body.heading,
-            Self::Radius => |body| body.shape().girth(),
+            Self::Radius => |body| body.shape().clearance_radius(),
             _ => return None,
         })
     }
@@ -93,6 +93,6 @@ impl FromStr for Column {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|column| column.name() == text);
-        found.ok_or_else(|| format!("there is: {}", Self::ALL.map(Self::name).join(", ")))
+        found.ok_or_else(|| format!("the columns are: {}", Self::ALL.map(Self::name).join(", ")))
     }
 }

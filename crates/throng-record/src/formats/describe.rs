@@ -1,9 +1,9 @@
-//! A setting as names and texts ([`keys`](super::keys)), and back.
+//! Converts a setting to metadata texts ([`keys`](super::keys)) and back.
 
 use super::{PROGRAM, keys, names::Names, place};
 use crate::Setting;
 
-/// What is said of a file.
+/// Returns the metadata of a setting.
 pub(super) fn pairs(setting: &Setting) -> [(&'static str, String); 7] {
     let walkable = if setting.walkable.is_empty() { String::new() } else { place::ground(&setting.walkable) };
     [
@@ -17,10 +17,10 @@ pub(super) fn pairs(setting: &Setting) -> [(&'static str, String); 7] {
     ]
 }
 
-/// The setting of a file, but for its groups, which go to `names`; `value` gives the text of a key.
+/// Returns the setting of a file without its groups, which are added to `names`. `value` returns the text of a key.
 ///
 /// # Errors
-/// A text is not what its key says.
+/// A text does not have the form of its key.
 pub(super) fn setting(value: impl Fn(&str) -> Option<String>, names: &mut Names) -> Result<Setting, String> {
     let value = |key: &str| value(key).filter(|text| !text.is_empty());
     if let Some(text) = value(keys::GROUPS) {

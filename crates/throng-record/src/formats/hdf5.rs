@@ -1,12 +1,12 @@
 //! HDF5 files of the Pedestrian Dynamics Data Archive.
 //!
-//! The dataset `trajectory` is a table with the columns `id`, `frame`, `x`, `y` and perhaps `z`, the height of the head,
-//! which is not read; metres. Its attribute `fps` is the frame rate; the file's attribute `wkt_geometry`, where there is
-//! one, the walkable area.
+//! The dataset `trajectory` is a table with the columns `id`, `frame`, `x`, `y` and optionally `z`, the height of the
+//! head, which is not read; units are metres. Its attribute `fps` is the frame rate. The optional attribute
+//! `wkt_geometry` of the file is the walkable area.
 
 use super::text::{people, person, rate, walker};
-use super::{Flaw, Format, Reading};
-use crate::tracks::Tracks;
+use super::{Format, FormatFlaw, Reading};
+use crate::trajectories::Trajectories;
 use glam::DVec2;
 use hdf5_reader::{Dataset, Datatype, Hdf5File, OpenOptions};
 use throng::Walkable;
@@ -24,10 +24,10 @@ pub(super) const FORMAT: Format = Format {
 };
 
 const HINT: &str = "such a file has a dataset `trajectory` with the columns id, frame, x and y, and its attribute fps";
-/// A table is at most so many times as large as the file, however it is compressed.
+/// Greatest ratio of the size of the uncompressed table to that of the file.
 const LARGER: usize = 100;
 
-fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
     let limits = OpenOptions::default()
         .with_max_read_bytes(bytes.len().saturating_mul(LARGER))
         .with_max_chunk_bytes(bytes.len().saturating_mul(LARGER));
@@ -36,18 +36,21 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     let fps = table.attribute("fps").and_then(|fps| fps.read_as_f64()).ok();
     let rate = rate(fps, reading)?;
     let unit = reading.unit.unwrap_or(1.0);
-    let columns = Columns::of(&table)?;
+    let columns = Hdf5Columns::of(&table)?;
     let rows = table.read_native_bytes().map_err(flaw)?;
     let spot = |(at, row): (usize, &[u8])| {
-        let wrong =
-            |what: &str| Flaw { line: None, why: format!("row {at} of `trajectory` has no {what}"), hint: Some(HINT) };
+        let wrong = |what: &str| FormatFlaw {
+            line: None,
+            why: format!("row {at} of `trajectory` has no {what}"),
+            hint: Some(HINT),
+        };
         let [id, frame, x, y] = columns.0.map(|column| column.value(row).filter(|value| value.is_finite()));
-        let number = id.and_then(person).ok_or_else(|| wrong("whole number of a person as id"))?;
+        let number = id.and_then(person).ok_or_else(|| wrong("agent number as id"))?;
         let values = frame.zip(x).zip(y).ok_or_else(|| wrong("finite frame, x and y"));
         let ((frame, x), y) = values?;
         Ok(walker(number, frame / rate, DVec2::new(x, y) * unit))
     };
-    let spots = rows.chunks_exact(columns.1).enumerate().map(spot).collect::<Result<_, Flaw>>()?;
+    let spots = rows.chunks_exact(columns.1).enumerate().map(spot).collect::<Result<_, FormatFlaw>>()?;
     let mut tracks = people(spots, false)?;
     if let Ok(text) = file.root_group().and_then(|root| root.attribute("wkt_geometry")?.read_string()) {
         tracks.setting.walkable = walkable(&text, unit)?;
@@ -55,14 +58,14 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     Ok(tracks)
 }
 
-fn flaw(error: hdf5_reader::error::Error) -> Flaw {
-    Flaw { line: None, why: error.to_string(), hint: Some(HINT) }
+fn flaw(error: hdf5_reader::error::Error) -> FormatFlaw {
+    FormatFlaw { line: None, why: error.to_string(), hint: Some(HINT) }
 }
 
-fn walkable(text: &str, unit: f64) -> Result<Vec<Walkable>, Flaw> {
-    let wrong = |error| Flaw {
+fn walkable(text: &str, unit: f64) -> Result<Vec<Walkable>, FormatFlaw> {
+    let wrong = |error| FormatFlaw {
         line: None,
-        why: format!("its attribute wkt_geometry: {error}"),
+        why: format!("the attribute wkt_geometry: {error}"),
         hint: Some("write the walkable area as WKT, such as POLYGON ((0 0, 9 0, 9 5, 0 0))"),
     };
     let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(|corner| DVec2::from_array(corner) * unit).collect();
@@ -72,22 +75,22 @@ fn walkable(text: &str, unit: f64) -> Result<Vec<Walkable>, Flaw> {
         .collect())
 }
 
-/// Where in a row id, frame, x and y are; and how long a row is, bytes.
-struct Columns([Column; 4], usize);
+/// The positions of id, frame, x and y within a row, and the length of a row, bytes.
+struct Hdf5Columns([Hdf5Column; 4], usize);
 
-impl Columns {
-    fn of(table: &Dataset) -> Result<Self, Flaw> {
-        let wrong = |why: String| Flaw { line: None, why, hint: Some(HINT) };
+impl Hdf5Columns {
+    fn of(table: &Dataset) -> Result<Self, FormatFlaw> {
+        let wrong = |why: String| FormatFlaw { line: None, why, hint: Some(HINT) };
         let Datatype::Compound { size, fields } = table.dtype() else {
-            return Err(wrong("its dataset `trajectory` is no table".into()));
+            return Err(wrong("the dataset `trajectory` is not a table".into()));
         };
-        let mut columns = [Column::default(); 4];
+        let mut columns = [Hdf5Column::default(); 4];
         for (column, name) in columns.iter_mut().zip(["id", "frame", "x", "y"]) {
             let field = fields.iter().find(|field| field.name == name);
             let field = field.ok_or_else(|| wrong(format!("`trajectory` has no column `{name}`")))?;
             let kind =
-                Kind::of(&field.datatype).ok_or_else(|| wrong(format!("its column `{name}` holds no numbers")))?;
-            *column = Column { offset: field.byte_offset as usize, kind };
+                Kind::of(&field.datatype).ok_or_else(|| wrong(format!("the column `{name}` holds no numbers")))?;
+            *column = Hdf5Column { offset: field.byte_offset as usize, kind };
         }
         match *size {
             0 => Err(wrong("the rows of `trajectory` are empty".into())),
@@ -97,12 +100,12 @@ impl Columns {
 }
 
 #[derive(Clone, Copy, Default)]
-struct Column {
+struct Hdf5Column {
     offset: usize,
     kind: Kind,
 }
 
-/// How a number is stored, in the byte order of the machine.
+/// The type of a number, in the byte order of the machine.
 #[derive(Clone, Copy, Default)]
 enum Kind {
     #[default]
@@ -132,8 +135,8 @@ impl Kind {
     }
 }
 
-impl Column {
-    /// Its number in a row; `None` if it is not in it.
+impl Hdf5Column {
+    /// Returns the number of the column in a row; `None` if the row is too short.
     fn value(&self, row: &[u8]) -> Option<f64> {
         let bytes = row.get(self.offset..)?;
         Some(match self.kind {
@@ -154,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_none_says_so() {
+    fn other_files_are_errors() {
         for bytes in [&b""[..], b"1 2 3", b"\x89HDF\r\n\x1a\n", &[0; 4096]] {
             assert!(read(bytes, &Reading::default()).unwrap_err().hint.unwrap().contains("trajectory"));
         }

@@ -1,4 +1,4 @@
-//! What is said of a file in its metadata, by name and text, where a kind of file has room for that.
+//! The metadata keys of formats that store metadata as pairs of texts.
 
 /// Title of the scene.
 pub const TITLE: &str = "throng.title";
@@ -6,13 +6,13 @@ pub const TITLE: &str = "throng.title";
 pub const PROGRAM: &str = "throng.program";
 /// The units of the columns, in words.
 pub const UNITS: &str = "throng.units";
-/// Moments a second; missing where they do not come evenly.
+/// Frames per second; missing if frames come at uneven times.
 pub const RATE: &str = "throng.frame_rate";
 /// The names of all groups, a JSON array of strings.
 pub const GROUPS: &str = "throng.groups";
-/// What can be walked on, WKT; empty: everywhere but on obstacles.
+/// The walkable area, WKT; empty: everywhere outside obstacles.
 pub const WALKABLE: &str = "throng.walkable";
-/// What is solid, WKT; a circle is a polygon of 64 corners.
+/// The obstacles, WKT; a circle is a polygon of 64 corners.
 pub const OBSTACLES: &str = "throng.obstacles";
-/// `true` if somebody flies.
+/// `true` if some agents fly.
 pub const IN_SPACE: &str = "throng.in_space";

@@ -6,9 +6,9 @@ use earcut::Earcut;
 use glam::{DVec2, Vec3};
 use throng::Obstacle;
 
-/// How high what is solid is shown, metres.
+/// Height at which obstacles are shown, metres.
 const HEIGHT: f32 = 1.0;
-/// How far the ground goes round everybody where it has no end, metres.
+/// Margin of the ground around the agents where the walkable area is unbounded, metres.
 const ROUND: f64 = 1.0;
 
 /// Triangles over points, counter-clockwise seen from outside, metres from the origin of the setting.
@@ -18,7 +18,7 @@ pub(super) struct Mesh {
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// What can be walked on; where that is everywhere, a rectangle round what was seen.
+/// Returns the walkable areas; if there are none, a rectangle around the agents.
 pub(super) fn ground(setting: &Setting, seen: [DVec2; 2]) -> Mesh {
     let mut mesh = Mesh::default();
     for area in &setting.walkable {
@@ -32,7 +32,7 @@ pub(super) fn ground(setting: &Setting, seen: [DVec2; 2]) -> Mesh {
     mesh
 }
 
-/// What is solid, 1 m high; walls are thin.
+/// Returns the obstacles, 1 m high; walls are thin.
 pub(super) fn solids(setting: &Setting) -> Mesh {
     let mut mesh = Mesh::default();
     for obstacle in &setting.obstacles {
@@ -50,13 +50,13 @@ pub(super) fn solids(setting: &Setting) -> Mesh {
     mesh
 }
 
-/// Twice the area within corners; negative if they are clockwise.
+/// Returns twice the area of a polygon; negative for clockwise corners.
 fn area(corners: &[DVec2]) -> f64 {
     corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum()
 }
 
 impl Mesh {
-    /// A polygon with holes, seen from above.
+    /// Adds a polygon with holes, seen from above.
     fn flat(&mut self, rings: &[&[DVec2]], height: f32, origin: DVec2) {
         let first = self.points.len() as u32;
         let places: Vec<[f64; 2]> = rings.iter().flat_map(|ring| *ring).map(|p| (p - origin).to_array()).collect();
@@ -76,7 +76,7 @@ impl Mesh {
         }
     }
 
-    /// A wall between two points; what is solid lies to its left.
+    /// Adds a wall between two points; the solid side lies to its left.
     fn upright(&mut self, ends: &[DVec2], origin: DVec2) {
         let first = self.points.len() as u32;
         let [from, to] = [ends[0], ends[1]].map(|p| (p - origin).as_vec2());
@@ -116,7 +116,7 @@ mod tests {
         let points = vec![DVec2::ZERO, DVec2::X];
         let obstacles = vec![Obstacle::Polygon { corners: square(1.0, 3.0) }, Obstacle::Wall { points }];
         let mesh = solids(&Setting { obstacles, ..Setting::default() });
-        // what goes round sums up to nothing
+        // the sides of a closed solid sum to zero
         assert!((covered(&mesh) - Vec3::Z * 4.0 + Vec3::Y).length() < 1e-5, "{}", covered(&mesh));
         assert_eq!((mesh.points.len(), mesh.triangles.len()), (4 + 5 * 4, 2 + 5 * 2));
     }

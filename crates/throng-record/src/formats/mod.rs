@@ -1,6 +1,6 @@
-//! The kinds of files that hold trajectories: by the ending of a name, what writes them, and what reads them back.
+//! The formats of trajectory files: their endings, writers and readers.
 //!
-//! Where several kinds share an ending, the file itself says which it is.
+//! If several formats share an ending, the content of the file decides.
 
 mod archive;
 #[cfg(any(feature = "glb", feature = "usda"))]
@@ -39,15 +39,15 @@ mod vadere;
 
 pub use columns::Column;
 
-use crate::tracks::Tracks;
+use crate::trajectories::Trajectories;
 use crate::{Frame, Output, OutputError, Setting};
 use std::fmt;
 use std::path::Path;
 
-/// The program and its version, as files name it.
+/// The program and its version, as written to files.
 const PROGRAM: &str = concat!("throng ", env!("CARGO_PKG_VERSION"));
 
-/// Every kind that there is.
+/// All formats.
 pub const FORMATS: &[Format] = &[
     csv::FORMAT,
     #[cfg(feature = "parquet")]
@@ -66,79 +66,79 @@ pub const FORMATS: &[Format] = &[
     hdf5::FORMAT,
 ];
 
-/// Writes trajectories, moment by moment. Dropped before it is finished, it leaves nothing, or what can be read
-/// ([`Output::create_kept`]).
+/// Writes trajectories, frame by frame. A writer that is dropped before it is finished leaves no file, or a readable
+/// part ([`Output::create_kept`]).
 pub trait Writer: Send {
-    /// Writes everybody of one moment, which is later than those before.
+    /// Writes the agents of a frame, which is later than the frames before.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     fn push(&mut self, frame: &Frame) -> Result<(), OutputError>;
 
     /// Gives the complete file its name.
     ///
     /// # Errors
-    /// Those of [`Output::finish`].
+    /// The errors of [`Output::finish`].
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
 }
 
-/// What makes a writer, of a table with these columns; none: its own.
+/// Creates a writer, of a table with these columns; without columns, the default ones.
 type Create = fn(Output, &Setting, &[Column]) -> Result<Box<dyn Writer>, OutputError>;
 
-/// What reads a file that is in memory.
-type Read = fn(&[u8], &Reading) -> Result<Tracks, Flaw>;
+/// Reads a file in memory.
+type Read = fn(&[u8], &Reading) -> Result<Trajectories, FormatFlaw>;
 
-/// What tells whether a file that is in memory is of a kind.
+/// Whether a file in memory has a format.
 type Sniff = fn(&[u8]) -> bool;
 
-/// A kind of file.
+/// A file format.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
-    /// How names of such files end, without the dot.
+    /// Ending of file names, without the dot.
     pub ending: &'static str,
-    /// What it is, for people.
+    /// Name of the format for users.
     pub title: &'static str,
-    /// Whether a file that is not complete can be read: it is called `NAME.part` until it is.
+    /// Whether incomplete files can be read. Such a file is called `NAME.part` until it is complete.
     kept: bool,
     /// Whether its columns can be chosen.
     columns: bool,
     create: Option<Create>,
     read: Option<Read>,
-    /// Where another kind has the same ending: whether a file is of this one.
+    /// For formats that share an ending: whether a file has this format.
     sniff: Option<Sniff>,
 }
 
-/// What people say of a file; it goes before what the file says itself.
+/// Properties of a file that the user states; they take precedence over those in the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Frames a second, where it counts frames; of a file of footsteps, at how many moments a second it is read.
+    /// Frames per second, if the file counts frames; for a file of footsteps, the number of samples per second.
     pub rate: Option<f64>,
-    /// Metres in its unit of length.
+    /// The unit of length, metres.
     pub unit: Option<f64>,
 }
 
-/// What is wrong with a file.
+/// An error in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Flaw {
-    /// The line it is on, from 1, where there are lines.
+pub struct FormatFlaw {
+    /// The line of the error, from 1, if the file has lines.
     pub line: Option<usize>,
-    /// What it is.
+    /// The description of the error.
     pub why: String,
-    /// What to do about it.
+    /// How to fix it.
     pub hint: Option<&'static str>,
 }
 
-impl fmt::Display for Flaw {
+impl fmt::Display for FormatFlaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.why)
+        f.write_str(&throng_scene::abridged(&self.why))
     }
 }
 
-impl std::error::Error for Flaw {}
+impl std::error::Error for FormatFlaw {}
 
 impl Format {
-    /// The kind of a file, by the ending of its name; `.part` behind that of a kind that can be read before it is complete does not
-    /// count.
+    /// Returns the format of a file by the ending of its name. `.part` is ignored after the ending of a format that
+    /// allows incomplete files to be read.
     pub fn of(path: impl AsRef<Path>) -> Option<&'static Self> {
         let path = path.as_ref();
         let extension = path.extension()?;
@@ -149,15 +149,15 @@ impl Format {
         FORMATS.iter().find(|format| extension.eq_ignore_ascii_case(format.ending) && (format.kept || !part))
     }
 
-    /// Begins a file of this kind, as a [`Choice`](crate::Choice) takes it.
+    /// Starts a file of this format, as a [`Choice`](crate::Choice) requires.
     ///
     /// # Errors
-    /// Those of [`Output::create`].
+    /// The errors of [`Output::create`].
     pub fn output(&self, path: impl AsRef<Path>) -> Result<Output, OutputError> {
         if self.kept { Output::create_kept(path) } else { Output::create(path) }
     }
 
-    /// The kind of a file that is in memory, by the ending of its name and by what is in it.
+    /// Returns the format of a file in memory, by the ending of its name and by its content.
     pub fn of_file(path: impl AsRef<Path>, bytes: &[u8]) -> Option<&'static Self> {
         let first = Self::of(path)?;
         let alike = FORMATS.iter().filter(|format| format.ending == first.ending);
@@ -169,25 +169,26 @@ impl Format {
         self.read
     }
 
-    /// Whether such files are read.
+    /// Whether the format can be read.
     pub fn is_read(&self) -> bool {
         self.read.is_some()
     }
 
-    /// Whether such files are written.
+    /// Whether the format can be written.
     pub fn is_written(&self) -> bool {
         self.create.is_some()
     }
 
-    /// Whether such files are tables whose columns can be chosen.
+    /// Whether the format is a table with columns that can be chosen.
     pub fn has_columns(&self) -> bool {
         self.columns
     }
 
-    /// Begins such a file, a table with these columns (none: those it has by itself); `None` if they are only read.
+    /// Starts a file, a table with these columns (without columns, the default ones). Returns `None` if the format can
+    /// only be read.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub(crate) fn create(
         &self,
         output: Output,

@@ -1,8 +1,8 @@
-//! Groups by their names.
+//! Groups by name.
 
 use std::collections::HashMap;
 
-/// The names that come while a file is read, in the order in which they come.
+/// The names of groups, in the order in which a file mentions them.
 #[derive(Debug, Default)]
 pub(super) struct Names {
     names: Vec<String>,
@@ -10,7 +10,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// The index of a name.
+    /// Returns the index of a name, which is added if it is new.
     pub(super) fn index(&mut self, name: &str) -> u32 {
         if let Some(&index) = self.index.get(name) {
             return index;

@@ -1,14 +1,15 @@
-//! `obsmat.txt` of the crowds of the University of Cyprus, as OpenTraj and others hand them on.
+//! `obsmat.txt` of the crowd data of the University of Cyprus, as distributed by OpenTraj among others.
 //!
-//! A line a person and frame, eight numbers between blanks: `frame id x z y vx vz vy`. The ground is the plane of x and y,
-//! the third and the fifth; metres and m/s. The file does not say the frame rate, but its velocities do: UCY's videos have 25 frames a
-//! second, ETH's `seq_eth` has 15. 25 is taken where the velocities agree with it to a tenth, or say no rate that a video has; else
-//! what they say, to half a frame.
+//! A line holds a pedestrian at a frame, eight numbers separated by blanks: `frame id x z y vx vz vy`. The ground plane
+//! is x and y, the third and the fifth column. Units are m and m/s. The file does not state the frame rate, but its
+//! velocities imply one: UCY's videos have 25 frames per second, ETH's `seq_eth` has 15. The rate is 25 if the
+//! velocities agree with it to a tenth, or imply no plausible rate of a video; else the implied rate, rounded to half a
+//! frame per second.
 
 use super::text::{lines, people, rate, text, walker};
-use super::{Flaw, Format, Reading};
+use super::{Format, FormatFlaw, Reading};
 use crate::consistency::{rounded, stated_over_displaced};
-use crate::tracks::{Spot, Tracks};
+use crate::trajectories::{Sample, Trajectories};
 use glam::DVec2;
 use std::ops::RangeInclusive;
 
@@ -24,11 +25,11 @@ pub(super) const FORMAT: Format = Format {
 };
 
 const HINT: &str = "such a file has lines of `frame id x z y vx vz vy`";
-/// Frames a second of most videos.
+/// Frame rate of most videos, frames per second.
 const RATE: f64 = 25.0;
-/// Velocities agree with a rate to this part.
+/// Greatest relative difference of two rates that agree.
 const AGREE: f64 = 0.1;
-/// Frames a second that a video has.
+/// Plausible frame rates of videos, frames per second.
 const RATES: RangeInclusive<f64> = 5.0..=120.0;
 
 /// Whether the first line has eight numbers.
@@ -38,7 +39,7 @@ fn is(bytes: &[u8]) -> bool {
     first.is_some_and(|first| first.fields.len() == 8 && first.fields.iter().all(|field| field.parse::<f64>().is_ok()))
 }
 
-fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
     let unit = reading.unit.unwrap_or(1.0);
     let mut spots = Vec::new();
     for fields in lines(&text(bytes)) {
@@ -46,13 +47,13 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
         let place = DVec2::new(number(2, "x")?, number(4, "y")?) * unit;
         let velocity = DVec2::new(number(5, "vx")?, number(7, "vy")?) * unit;
         let spot = walker(fields.person(1, HINT)?, number(0, "the frame")?, place);
-        spots.push(Spot { velocity: velocity.as_vec2().extend(0.0), ..spot });
+        spots.push(Sample { velocity: velocity.as_vec2().extend(0.0), ..spot });
     }
     let mut tracks = people(spots, true)?;
     let found = found(&tracks.spots);
     if let (Some(found), None) = (found, reading.rate) {
         tracks.notes.push(format!(
-            "its velocities say that it has {found} frames a second, not {RATE} as most such files: that is taken (--frame-rate)"
+            "the velocities imply {found} frames per second, not {RATE} as in most such files: {found} is used (--frame-rate)"
         ));
     }
     let rate = rate(found.or(Some(RATE)), reading)?;
@@ -60,8 +61,9 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     Ok(tracks)
 }
 
-/// Frames a second as velocities say them, where these are not the usual ones; times count frames.
-fn found(spots: &[Spot]) -> Option<f64> {
+/// Returns the frame rate that the velocities imply, if it is plausible and differs from the usual one. Times are frame
+/// numbers.
+fn found(spots: &[Sample]) -> Option<f64> {
     let found = stated_over_displaced(spots)?;
     (RATES.contains(&found) && (found / RATE - 1.0).abs() > AGREE).then(|| rounded(found))
 }

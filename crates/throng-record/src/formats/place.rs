@@ -1,7 +1,8 @@
-//! The place as WKT (well-known text), and back.
+//! The place as WKT (well-known text): writes and reads it.
 //!
-//! What can be walked on is a `MULTIPOLYGON`, what is solid a `GEOMETRYCOLLECTION` of `POLYGON`s and, for thin walls, `LINESTRING`s.
-//! WKT has no circles: they become polygons of 64 corners, whose sides come within 0.13 % of the radius to the arc.
+//! The walkable area is a `MULTIPOLYGON`. The obstacles are a `GEOMETRYCOLLECTION` of `POLYGON`s and, for thin walls,
+//! `LINESTRING`s. WKT has no circles: a circle becomes a polygon of 64 corners. Its sides are within 0.13 % of the
+//! radius of the arc.
 
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -13,23 +14,23 @@ use wkt::types::{Coord, Dimension, GeometryCollection, LineString, MultiPolygon,
 /// Corners of a circle.
 const CORNERS: u32 = 64;
 
-/// The ground as WKT.
+/// Returns the walkable areas as WKT.
 pub(super) fn ground(areas: &[Walkable]) -> String {
     let polygons = areas.iter().map(polygon).collect();
     Wkt::MultiPolygon(MultiPolygon::new(polygons, Dimension::XY)).to_string()
 }
 
-/// What is solid as WKT.
+/// Returns the obstacles as WKT.
 pub(super) fn solid(obstacles: &[Obstacle]) -> String {
-    let one = |obstacle: &Obstacle| match obstacle {
+    let geometry = |obstacle: &Obstacle| match obstacle {
         Obstacle::Wall { points } => Wkt::LineString(line(points.iter().copied())),
         closed => Wkt::Polygon(Polygon::new(vec![ring(&corners(closed))], Dimension::XY)),
     };
-    let solids = obstacles.iter().map(one).collect();
+    let solids = obstacles.iter().map(geometry).collect();
     Wkt::GeometryCollection(GeometryCollection::new(solids, Dimension::XY)).to_string()
 }
 
-/// The corners of something solid; the points of a wall.
+/// Returns the corners of an obstacle, or the points of a wall.
 pub(super) fn corners(obstacle: &Obstacle) -> Vec<DVec2> {
     match obstacle {
         Obstacle::Circle { center, radius } => {
@@ -46,7 +47,7 @@ fn polygon(area: &Walkable) -> Polygon<f64> {
     Polygon::new(rings.map(|corners| ring(corners)).collect(), Dimension::XY)
 }
 
-/// A closed line: WKT repeats the first corner.
+/// Returns a closed line: WKT repeats the first corner.
 fn ring(corners: &[DVec2]) -> LineString<f64> {
     line(corners.iter().chain(corners.first()).copied())
 }
@@ -55,10 +56,10 @@ fn line(points: impl Iterator<Item = DVec2>) -> LineString<f64> {
     LineString::new(points.map(|p| Coord { x: p.x, y: p.y, z: None, m: None }).collect(), Dimension::XY)
 }
 
-/// Ground and what is solid of WKT, as far as it is either; what lies below a collection counts too.
+/// Reads polygons as walkable areas and lines as walls, also within collections. Other geometries are ignored.
 ///
 /// # Errors
-/// It is no WKT, or says a place that is no number.
+/// The text is not WKT, or a coordinate is not finite.
 pub(super) fn read(text: &str) -> Result<(Vec<Walkable>, Vec<Obstacle>), String> {
     let parsed = parse(text).map_err(|error| error.message)?;
     let (mut areas, mut walls) = (Vec::new(), Vec::new());
@@ -74,7 +75,7 @@ pub(super) fn read(text: &str) -> Result<(Vec<Walkable>, Vec<Obstacle>), String>
     }
 }
 
-/// The solids of WKT that [`solid`] wrote.
+/// Reads the obstacles of WKT that [`solid`] wrote.
 ///
 /// # Errors
 /// As [`read`].

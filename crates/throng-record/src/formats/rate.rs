@@ -1,6 +1,6 @@
-//! How many moments a second come.
+//! The rate of frames.
 
-/// Counts moments, and tells how often they come.
+/// Measures the rate of frames.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rate {
     first: f64,
@@ -11,7 +11,7 @@ pub(super) struct Rate {
 }
 
 impl Rate {
-    /// The next moment, at a time in seconds.
+    /// Adds the next frame, at a time in seconds.
     pub(super) fn push(&mut self, time: f64) {
         let since = time - self.last;
         match self.count {
@@ -23,7 +23,8 @@ impl Rate {
         self.count += 1;
     }
 
-    /// Frames a second in the mean, a whole number where it is one to a millionth; `None` for less than two moments.
+    /// Returns the mean rate, frames per second, rounded to a whole number if it is within a millionth of it; `None`
+    /// for fewer than two frames.
     pub(super) fn mean(&self) -> Option<f64> {
         let rate = (self.count.max(1) - 1) as f64 / (self.last - self.first);
         let whole = rate.round();
@@ -31,7 +32,7 @@ impl Rate {
         (self.count > 1 && rate.is_finite() && rate > 0.0).then_some(rate)
     }
 
-    /// The same of moments that come evenly, to a thousandth of the time between two.
+    /// Returns the mean rate if frames come at even times, to a thousandth of the interval.
     pub(super) fn even(&self) -> Option<f64> {
         self.mean().filter(|rate| (self.longest - self.shortest) * rate < 1e-3)
     }

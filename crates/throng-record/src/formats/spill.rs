@@ -1,4 +1,4 @@
-//! Moments that wait in a temporary file, for kinds of files that say agent by agent, or thing by thing, what comes moment by moment.
+//! Frames that wait in a temporary file, for formats that store data by agent or by attribute.
 
 use super::rate::Rate;
 use crate::{Body, Frame, Output, OutputError, Setting};
@@ -8,41 +8,41 @@ use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
 use std::path::Path;
 
-/// Bytes of a row in the file: whose it is, and ten numbers.
+/// Bytes of a row: the index of the agent and ten numbers.
 pub(super) const ROW: usize = 44;
 
-/// Somebody who was there.
+/// An agent of the recording.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Agent {
+pub(super) struct SpilledAgent {
     pub(super) number: u32,
     pub(super) group: u32,
     /// Metres.
     pub(super) radius: f32,
-    /// The place where it came, and so on.
-    pub(super) first: State,
+    /// The first state.
+    pub(super) first: SpilledState,
 }
 
-/// Where and how somebody is.
+/// The motion state of an agent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct State {
+pub(super) struct SpilledState {
     /// Metres from the origin of the setting.
     pub(super) place: Vec3,
     /// m/s.
     pub(super) velocity: Vec3,
-    /// From facing +x upright.
+    /// Rotation from facing +x upright.
     pub(super) rotation: Quat,
 }
 
-impl State {
+impl SpilledState {
     fn of(body: &Body, origin: DVec2) -> Self {
         Self {
             place: (body.position - origin).as_vec2().extend(body.altitude),
-            velocity: body.velocity.extend(body.climb),
+            velocity: body.velocity.extend(body.vertical_velocity),
             rotation: body.basis.map_or_else(|| Quat::from_rotation_z(body.heading), |basis| basis.rotation()),
         }
     }
 
-    /// The bytes of a row: a number, and a state.
+    /// Returns the bytes of a row: a number and a state.
     pub(super) fn row(&self, number: u32) -> [u8; ROW] {
         let mut row = [0; ROW];
         row[..4].copy_from_slice(&number.to_le_bytes());
@@ -59,66 +59,78 @@ impl State {
     }
 }
 
-/// Moments that wait: 44 bytes an agent and moment on the disk, next to the file that is to be; in memory, who there is, and one moment.
+/// Frames that wait on disk: 44 bytes per agent and frame, beside the output file. Memory holds the agents and a single
+/// frame.
 #[derive(Debug)]
 pub(super) struct Spill {
     file: BufWriter<File>,
     origin: DVec2,
-    /// Everybody, in the order in which they came.
-    pub(super) agents: Vec<Agent>,
+    /// All agents, in order of their first frames.
+    pub(super) agents: Vec<SpilledAgent>,
     index: BTreeMap<u32, u32>,
-    /// The times of the moments, seconds, and how many were there.
+    /// The latest frame of each agent.
+    last: Vec<u32>,
+    /// The time of each frame, seconds, and its number of agents.
     pub(super) moments: Vec<(f64, u32)>,
     pub(super) rate: Rate,
-    /// Corners of the box in which everybody was, world coordinates.
+    /// Corners of the bounding box of all positions, world coordinates.
     pub(super) seen: [DVec2; 2],
 }
 
 impl Spill {
-    /// Begins beside the file of `output`.
+    /// Starts a spill file beside the file of `output`.
     ///
     /// # Errors
-    /// The system's.
+    /// A system error.
     pub(super) fn new(output: &Output, setting: &Setting) -> Result<Self, OutputError> {
         Ok(Self {
             file: BufWriter::new(beside(output).map_err(|error| output.error(error))?),
             origin: setting.origin,
             agents: Vec::new(),
             index: BTreeMap::new(),
+            last: Vec::new(),
             moments: Vec::new(),
             rate: Rate::default(),
             seen: [DVec2::INFINITY, DVec2::NEG_INFINITY],
         })
     }
 
-    /// Takes in a moment.
+    /// Adds a frame. If a number occurs twice, its first body counts.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub(super) fn push(&mut self, frame: &Frame) -> io::Result<()> {
         self.rate.push(frame.time);
-        self.moments.push((frame.time, frame.bodies.len() as u32));
+        let (moment, mut count) = (self.moments.len() as u32, 0);
         for body in &frame.bodies {
-            let state = State::of(body, self.origin);
+            let state = SpilledState::of(body, self.origin);
             let agents = &mut self.agents;
             let at = *self.index.entry(body.number).or_insert_with(|| {
-                let radius = body.shape().girth();
-                agents.push(Agent { number: body.number, group: body.group, radius, first: state });
+                let radius = body.shape().clearance_radius();
+                agents.push(SpilledAgent { number: body.number, group: body.group, radius, first: state });
                 agents.len() as u32 - 1
             });
+            self.last.resize(self.agents.len(), u32::MAX);
+            // a recording may have a number twice in a frame; a file organised by agent cannot
+            if std::mem::replace(&mut self.last[at as usize], moment) == moment {
+                continue;
+            }
+            count += 1;
             self.seen = [self.seen[0].min(body.position), self.seen[1].max(body.position)];
             self.file.write_all(&state.row(at))?;
         }
+        self.moments.push((frame.time, count));
         Ok(())
     }
 
-    /// Calls `each` with every moment in turn: its number, its time, and who was there (an index into [`agents`](Self::agents)) and how.
+    /// Calls `each` with every frame in turn: its index, its time, and the states of its agents (by index into
+    /// [`agents`](Self::agents)).
     ///
     /// # Errors
-    /// The system's, and those of `each`.
+    /// A system error, or an error of `each`.
     pub(super) fn replay(
         &mut self,
-        mut each: impl FnMut(u32, f64, &[(u32, State)]) -> io::Result<()>,
+        mut each: impl FnMut(u32, f64, &[(u32, SpilledState)]) -> io::Result<()>,
     ) -> io::Result<()> {
         self.file.flush()?;
         let file = self.file.get_mut();
@@ -129,7 +141,7 @@ impl Spill {
             rows.clear();
             for _ in 0..count {
                 reader.read_exact(&mut row)?;
-                rows.push(State::of_row(&row));
+                rows.push(SpilledState::of_row(&row));
             }
             each(moment as u32, time, &rows)?;
         }
@@ -137,10 +149,10 @@ impl Spill {
     }
 }
 
-/// A file without a name, in the folder of that of `output`.
+/// Creates a file without a name, in the folder of the file of `output`.
 ///
 /// # Errors
-/// The system's.
+/// A system error.
 pub(super) fn beside(output: &Output) -> io::Result<File> {
     let folder = output.own_file().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
     folder.map_or_else(tempfile::tempfile, tempfile::tempfile_in)

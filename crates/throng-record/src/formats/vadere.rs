@@ -1,18 +1,20 @@
 //! Trajectories of Vadere (`.traj`).
 //!
-//! Columns between blanks under a line of names, which may end in what wrote them (`startX-PID1`):
+//! Columns separated by blanks, under a line of names. A name may end in the processor that wrote the column
+//! (`startX-PID1`):
 //!
 //! | names | a line is |
 //! |---|---|
 //! | `pedestrianId simTime endTime startX startY endX endY ..` | a footstep, from one place and time to another |
-//! | `timeStep pedestrianId x y ..` (before 1.0) | a person and time step; the file does not say how long one lasts |
+//! | `timeStep pedestrianId x y ..` (before 1.0) | a pedestrian at a time step; the file does not state the length of a step |
 //!
-//! Footsteps begin and end at times of their own. They are read at moments all have in common, [`RATE`] a second or as many
-//! as [`Reading::rate`] says; between start and end people go straight, and they stand until the next footstep. Metres.
+//! Footsteps start and end at individual times. They are sampled at common times, [`RATE`] or [`Reading::rate`] per
+//! second. Between start and end of a footstep, pedestrians move along a straight line; then they stand until the next
+//! footstep. Units are metres.
 
 use super::text::{Fields, lines, people, rate, text, walker};
-use super::{Flaw, Format, Reading};
-use crate::tracks::{Spot, Tracks};
+use super::{Format, FormatFlaw, Reading};
+use crate::trajectories::{Sample, Trajectories};
 use glam::DVec2;
 
 /// Read only.
@@ -28,15 +30,15 @@ pub(super) const FORMAT: Format = Format {
 
 const HINT: &str = "a .traj file begins with names of columns: pedestrianId simTime endTime startX startY endX endY, or \
                     timeStep pedestrianId x y";
-/// Moments a second of footsteps, where nobody says how many.
+/// Samples per second of footsteps, unless the reading states a rate.
 const RATE: f64 = 10.0;
-/// A file of footsteps has at most so many moments a line, on average: what has more stands for hours.
+/// Greatest mean number of samples per footstep; pedestrians with more stand for hours.
 const MOST: usize = 1000;
 
-fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
     let text = text(bytes);
     let mut lines = lines(&text);
-    let names = lines.next().ok_or_else(|| Flaw { line: None, why: "it is empty".into(), hint: Some(HINT) })?;
+    let names = lines.next().ok_or_else(|| FormatFlaw { line: None, why: "it is empty".into(), hint: Some(HINT) })?;
     let unit = reading.unit.unwrap_or(1.0);
     let column = |name: &str| names.fields.iter().position(|field| field.split('-').next() == Some(name));
     let needed = |name: &str| column(name).ok_or_else(|| names.flaw(format!("there is no column `{name}`"), HINT));
@@ -48,7 +50,7 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
             let [step, x, y] = values(&fields, columns)?;
             Ok(walker(fields.person(person, HINT)?, step / rate, DVec2::new(x, y) * unit))
         };
-        return people(lines.map(spot).collect::<Result<_, Flaw>>()?, false);
+        return people(lines.map(spot).collect::<Result<_, FormatFlaw>>()?, false);
     }
     let names = ["simTime", "endTime", "startX", "startY", "endX", "endY"];
     let mut columns = [0; 6];
@@ -68,7 +70,7 @@ fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
     people(sampled(footsteps, rate(Some(RATE), reading)?)?, false)
 }
 
-fn values<const N: usize>(fields: &Fields, columns: [usize; N]) -> Result<[f64; N], Flaw> {
+fn values<const N: usize>(fields: &Fields, columns: [usize; N]) -> Result<[f64; N], FormatFlaw> {
     let mut out = [0.0; N];
     for (value, at) in out.iter_mut().zip(columns) {
         *value = fields.number(at, "a column", HINT)?;
@@ -76,20 +78,23 @@ fn values<const N: usize>(fields: &Fields, columns: [usize; N]) -> Result<[f64; 
     Ok(out)
 }
 
-/// Where people were at common moments, `rate` a second, from the first footstep's start to the last one's end.
-fn sampled(mut footsteps: Vec<(u32, [(f64, DVec2); 2])>, rate: f64) -> Result<Vec<Spot>, Flaw> {
+/// Samples footsteps at common times, `rate` per second, from the start of each pedestrian's first footstep to the end
+/// of the last one.
+fn sampled(mut footsteps: Vec<(u32, [(f64, DVec2); 2])>, rate: f64) -> Result<Vec<Sample>, FormatFlaw> {
     footsteps.sort_by(|a, b| a.0.cmp(&b.0).then(a.1[0].0.total_cmp(&b.1[0].0)));
     let most = footsteps.len().saturating_mul(MOST) as f64;
     let mut spots = Vec::new();
     for own in footsteps.chunk_by(|a, b| a.0 == b.0) {
         let knots: Vec<(f64, DVec2)> = own.iter().flat_map(|footstep| footstep.1).collect();
         let (first, last) = (knots[0].0, knots.iter().map(|knot| knot.0).fold(f64::NEG_INFINITY, f64::max));
-        // rounding loses no moment
+        // the margin keeps samples that rounding would lose
         let [from, to] = [(first * rate - 1e-9).ceil(), (last * rate + 1e-9).floor()];
         if spots.len() as f64 + (to - from) > most || !(-1e15..1e15).contains(&from) {
-            let why =
-                format!("person {} is there from {first} to {last} s: too long for {rate} moments a second", own[0].0);
-            return Err(Flaw { line: None, why, hint: Some("say fewer, such as --frame-rate 1") });
+            let why = format!(
+                "agent {} is present from {first} to {last} s: too long for {rate} samples per second",
+                own[0].0
+            );
+            return Err(FormatFlaw { line: None, why, hint: Some("read fewer, such as --frame-rate 1") });
         }
         let mut next = 1;
         for frame in from as i64..=to as i64 {
@@ -115,7 +120,7 @@ mod tests {
             pedestrianId simTime endTime-PID1 startX-PID1 startY-PID1 endX-PID1 endY-PID1 targetId-PID2\n\
             3 0.05 0.45 0 0 0.4 0 1\n4 0.1 0.5 9 9 9 8 1\n3 0.65 1.05 0.4 0 0.8 0.4 1\n";
         let tracks = read(text, &Reading::default()).unwrap();
-        let own: Vec<&Spot> = tracks.spots.iter().filter(|spot| spot.number == 3).collect();
+        let own: Vec<&Sample> = tracks.spots.iter().filter(|spot| spot.number == 3).collect();
         let at = |k: usize| (own[k].time, own[k].place.truncate());
         assert_eq!((own.len(), at(0).0, at(9).0), (10, 0.1, 1.0));
         assert!(at(0).1.distance(DVec2::new(0.05, 0.0)) < 1e-12);

@@ -1,10 +1,10 @@
-//! Files that one process at a time writes under a name that all processes know.
+//! Files under fixed names that a single process may write at a time.
 
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
 
-/// Opens a file as [`claim`] does, after creating it where it does not exist.
+/// Opens a file as [`claim`] does; creates it first if it does not exist.
 pub(super) fn claim_new(path: &Path) -> io::Result<File> {
     match File::create_new(path) {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => Err(error),
@@ -12,13 +12,14 @@ pub(super) fn claim_new(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Opens a file to write it, as the only process until the file is closed. Its content stays.
+/// Opens a file for writing, exclusively until it is closed. Its content is kept.
 ///
 /// # Errors
-/// [`io::ErrorKind::ResourceBusy`]: another process writes it. It is a link or no ordinary file.
+/// [`io::ErrorKind::ResourceBusy`] if another process writes it. Any other error if it is a link or not an ordinary
+/// file, or from the system.
 pub(super) fn claim(path: &Path) -> io::Result<File> {
     if !path.symlink_metadata()?.is_file() {
-        let why = format!("{} is a link or no ordinary file; remove it, or name another file", path.display());
+        let why = format!("{} is a link or not an ordinary file; remove it, or name another file", path.display());
         return Err(io::Error::other(why));
     }
     let file = alone().open(path)?;
@@ -29,7 +30,7 @@ pub(super) fn claim(path: &Path) -> io::Result<File> {
     Ok(file)
 }
 
-/// Writes; on Windows, as the only process. A lock there would keep readers out too.
+/// Returns options for writing; on Windows, exclusively. A lock there would block readers too.
 fn alone() -> OpenOptions {
     let mut options = File::options();
     options.write(true);
@@ -41,7 +42,7 @@ fn alone() -> OpenOptions {
     options
 }
 
-/// Whether a name still means an open file: the process that held its lock may have renamed it meanwhile.
+/// Whether a name still refers to an open file: the process that held its lock may have renamed it meanwhile.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

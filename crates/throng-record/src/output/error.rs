@@ -1,14 +1,14 @@
-//! Why a file could not be written.
+//! Errors of writing a file.
 
 use super::folder_of;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a file could not be written. Every message names the path and says what to do.
+/// An error of writing a file. Every message names the path and how to fix the error.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
-    /// The folder the file should go to is not there.
+    /// The folder of the file does not exist.
     #[error("cannot write {}: there is no folder {}; create it, or name another", path.display(), folder.display())]
     FolderMissing {
         /// The file.
@@ -28,19 +28,19 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
-    /// The system does not let us write there.
+    /// The system denies write access.
     #[error("cannot write {}: permission denied; check the folder's permissions, or write elsewhere", path.display())]
     Denied {
         /// The file.
         path: PathBuf,
     },
-    /// No room is left.
+    /// The disk is full.
     #[error("cannot write {}: the disk is full; free some space, or write to another disk", path.display())]
     Full {
         /// The file.
         path: PathBuf,
     },
-    /// The file has reached the greatest size that is allowed.
+    /// The file has reached the greatest permitted size.
     #[error(
         "cannot write {}: a file may not grow larger here; raise the limit (`ulimit -f`), or write to another disk",
         path.display()
@@ -49,26 +49,26 @@ pub enum OutputError {
         /// The file.
         path: PathBuf,
     },
-    /// It could not be completed, and what there is of it can be read.
-    #[error("{error}\n  hint: what was written until then is in {}, and is read as the whole would be", part.display())]
+    /// The file could not be completed, but its part can be read.
+    #[error("{error}\n  hint: the part written so far is in {} and can be read like a complete file", part.display())]
     Kept {
-        /// Why.
+        /// The error.
         error: Box<OutputError>,
-        /// The file that is there.
+        /// The incomplete file.
         part: PathBuf,
     },
-    /// Anything else the system reports.
+    /// Any other error of the system.
     #[error("cannot write {}: {source}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
 }
 
 impl OutputError {
-    /// The error of the system as an error about `path`.
+    /// Converts an error of the system to an error about `path`.
     pub fn new(path: &Path, source: io::Error) -> Self {
         let path = path.to_path_buf();
         match source.kind() {
@@ -84,7 +84,7 @@ impl OutputError {
         }
     }
 
-    /// The file it is about.
+    /// Returns the path of the file.
     pub fn path(&self) -> &Path {
         match self {
             Self::FolderMissing { path, .. }

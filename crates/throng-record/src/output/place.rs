@@ -1,4 +1,4 @@
-//! Where a file is until it is complete.
+//! The place of a file until it is complete.
 
 use super::Hand;
 use std::fmt;
@@ -10,30 +10,30 @@ use std::time::Duration;
 use std::time::Instant;
 use tempfile::{NamedTempFile, TempPath};
 
-/// How the name of a temporary file begins.
+/// Prefix of the names of temporary files.
 const PREFIX: &str = ".throng-";
 
-/// The file that is not yet complete.
+/// A file that is not complete yet.
 #[derive(Debug)]
 pub(super) enum Temporary {
-    /// Is removed when dropped.
+    /// Removed when dropped.
     Removed(TempPath),
-    /// Stays.
-    Kept(Part),
+    /// Kept when dropped.
+    Kept(UnfinishedFile),
 }
 
-/// A file that stays as soon as the system has something of it.
+/// A file that stays once the system has received some of its bytes.
 #[derive(Debug)]
-pub(super) struct Part {
+pub(super) struct UnfinishedFile {
     pub(super) path: PathBuf,
-    /// When its bytes were last handed to the system.
+    /// When bytes were last passed to the system.
     pub(super) settled: Option<Instant>,
 }
 
-impl Drop for Part {
+impl Drop for UnfinishedFile {
     fn drop(&mut self) {
         if self.settled.is_none() {
-            // what cannot be removed stays, and is empty
+            // if it cannot be removed, an empty file stays
             let _ = std::fs::remove_file(&self.path);
         }
     }
@@ -60,13 +60,13 @@ impl Temporary {
     }
 }
 
-/// Where bytes are until the file is complete.
-pub(super) enum Place {
+/// The destination of bytes until the file is complete.
+pub(super) enum OutputPlace {
     File(BufWriter<File>),
     Memory(Vec<u8>, Hand),
 }
 
-impl fmt::Debug for Place {
+impl fmt::Debug for OutputPlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File(file) => file.fmt(f),
@@ -75,7 +75,7 @@ impl fmt::Debug for Place {
     }
 }
 
-impl Place {
+impl OutputPlace {
     pub(super) fn of(&mut self) -> &mut dyn Write {
         match self {
             Self::File(file) => file,
@@ -84,7 +84,7 @@ impl Place {
     }
 }
 
-/// A new file with a name of its own in a folder, locked until it is closed.
+/// Creates a file with a unique name in a folder, locked until it is closed.
 pub(super) fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(suffix);
@@ -102,11 +102,11 @@ pub(super) fn temporary(folder: &Path, suffix: &str) -> io::Result<NamedTempFile
     Ok(file)
 }
 
-/// A process locks its temporary file within this time after it creates it.
+/// Longest time from the creation of a temporary file to its lock.
 #[cfg(unix)]
 const LOCKED_AFTER: Duration = Duration::from_mins(1);
 
-/// Removes the temporary files in a folder that no process holds. What cannot be removed stays.
+/// Removes the temporary files in a folder that no process has locked. Files that cannot be removed stay.
 #[cfg(unix)]
 pub(super) fn remove_leftovers(folder: &Path) {
     let entries = folder.read_dir().into_iter().flatten().flatten();

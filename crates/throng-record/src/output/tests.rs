@@ -1,4 +1,4 @@
-//! Files are complete or not there.
+//! Tests that files are complete or absent.
 
 use super::*;
 use std::path::Path;
@@ -108,15 +108,20 @@ fn a_kept_file_has_one_writer() {
     first.settle(true).unwrap();
     let second = Output::create_kept(&path).unwrap_err();
     assert!(matches!(&second, OutputError::Busy { path: busy } if *busy == path), "{second}");
-    assert!(matches!(Output::append_kept(&path, 0).unwrap_err(), OutputError::Busy { .. }));
+    assert!(matches!(Output::append_kept(&path, 5, 0).unwrap_err(), OutputError::Busy { .. }));
     first.finish().unwrap();
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "first");
-    // a complete file that is gone on with takes the place of a `.part`, but not of one that is being written
+    // appending to a complete file replaces a `.part` file, unless that is being written
     let writing = Output::create_kept(&path).unwrap();
-    assert!(matches!(Output::append_kept(&path, 0).unwrap_err(), OutputError::Busy { .. }));
+    assert!(matches!(Output::append_kept(&path, 5, 0).unwrap_err(), OutputError::Busy { .. }));
     drop(writing);
     assert_eq!(names(folder.path()), std::slice::from_ref(&path));
-    let mut more = Output::append_kept(&path, 5).unwrap();
+    // the length differs from that at reading
+    for length in [4, 6] {
+        assert!(matches!(Output::append_kept(&path, length, 4).unwrap_err(), OutputError::Busy { .. }));
+    }
+    assert_eq!(names(folder.path()), std::slice::from_ref(&path));
+    let mut more = Output::append_kept(&path, 5, 5).unwrap();
     more.put(b" more").unwrap();
     assert!(matches!(Output::create_kept(&path).unwrap_err(), OutputError::Busy { .. }));
     more.finish().unwrap();
@@ -144,7 +149,7 @@ fn a_link_is_not_followed_where_a_kept_file_grows() {
             std::fs::write(&other, "precious").unwrap();
         }
         let error = Output::create_kept(&path).unwrap_err().to_string();
-        assert!(error.contains("run.rec.part is a link or no ordinary file; remove it"), "{error}");
+        assert!(error.contains("run.rec.part is a link or not an ordinary file; remove it"), "{error}");
         assert_eq!(other.exists(), there);
     }
     assert_eq!(std::fs::read_to_string(&other).unwrap(), "precious");

@@ -1,30 +1,30 @@
-//! How near people come to each other, and how soon they would touch.
+//! Distances and times to collision of pedestrians.
 
-use super::people::{Here, People};
+use super::people::{People, PersonRow};
 use super::speed::Velocities;
 use glam::DVec2;
 use std::collections::BTreeSet;
 
-/// A time to collision below this is a near miss, seconds.
+/// Time to collision below which a pair is a near miss, seconds.
 pub const NEAR_MISS: f64 = 0.5;
 
-/// What came of all pairs at all moments.
+/// Contacts of all pairs at all times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contacts {
-    /// Least distance of two centres, metres; infinite where two are never there at once.
+    /// Least distance of two centres, metres; infinite if no two pedestrians are ever present together.
     pub least: f64,
-    /// Least distance of two centres over the sum of their radii; 1: they touch.
+    /// Least distance of two centres over the sum of their radii; 1: the discs touch.
     pub separation: f64,
-    /// How often two bodies came to overlap: pairs count once as long as they do.
+    /// Number of times that two bodies started to overlap.
     pub collisions: usize,
-    /// How often the time to collision of two that do not overlap came to be below [`NEAR_MISS`].
+    /// Number of times that the time to collision of two bodies without overlap fell below [`NEAR_MISS`].
     pub near_misses: usize,
-    /// Least time to collision of all near misses, seconds; infinite where there are none.
+    /// Least time to collision of all near misses, seconds; infinite if there are none.
     pub least_time: f64,
 }
 
 impl Contacts {
-    /// Of everybody, with these velocities.
+    /// Computes the contacts of all pedestrians with these velocities.
     pub fn of(people: &People, velocities: &Velocities) -> Self {
         let mut out = Self {
             least: f64::INFINITY,
@@ -33,17 +33,18 @@ impl Contacts {
             near_misses: 0,
             least_time: f64::INFINITY,
         };
-        let radius = |here: &Here| people.walks[here.walk].radius;
+        let radius = |here: &PersonRow| people.walks[here.walk].radius;
         let (mut overlapped, mut missed) = (BTreeSet::new(), BTreeSet::new());
         for moment in &people.moments {
             let (mut overlap, mut miss) = (BTreeSet::new(), BTreeSet::new());
-            let mut order: Vec<(DVec2, Here)> = moment.here.iter().map(|&here| (people.place(here), here)).collect();
+            let mut order: Vec<(DVec2, PersonRow)> =
+                moment.here.iter().map(|&here| (people.place(here), here)).collect();
             order.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.1.walk.cmp(&b.1.walk)));
-            let speed = |here: Here| velocities.at(here).unwrap_or_default();
+            let speed = |here: PersonRow| velocities.at(here).unwrap_or_default();
             let fastest = order.iter().map(|(_, here)| speed(*here).length()).fold(0.0, f64::max);
             let widest = order.iter().map(|(_, here)| radius(here)).fold(0.0, f64::max);
             for (k, &(place, here)) in order.iter().enumerate() {
-                // beyond, nobody can matter
+                // pairs farther apart than this cannot be near misses or overlaps
                 let reach = 2.0 * (widest + fastest * NEAR_MISS);
                 for &(other, there) in &order[k + 1..] {
                     let aside = other.x - place.x;
@@ -72,9 +73,10 @@ impl Contacts {
     }
 }
 
-/// Time to collision: when two discs touch that go on as they do, seconds (J. C. Hayward, *Near-miss determination through use of a
-/// scale of danger*, Highway Research Record 384, 1972): where the other is and how it moves, seen from the one, and the sum of
-/// their radii. `None` if they never do; 0 for those that overlap.
+/// Returns the time to collision, seconds: the time until two discs touch at constant velocities (J. C. Hayward,
+/// *Near-miss determination through use of a scale of danger*, Highway Research Record 384, 1972). `apart` and
+/// `velocity` are the position and the velocity of one disc relative to the other; `radii` is the sum of their radii.
+/// Returns `None` if the discs never touch, and 0 if they overlap.
 ///
 /// ```
 /// use glam::DVec2;
@@ -95,7 +97,7 @@ pub fn time_to_collision(apart: DVec2, velocity: DVec2, radii: f64) -> Option<f6
 mod tests {
     use super::*;
     use crate::draws::draws;
-    use crate::pedestrian::{Border, Moment, Walk};
+    use crate::pedestrian::{Border, PeopleMoment, Walk};
 
     #[test]
     fn contacts_are_those_of_all_pairs() {
@@ -109,8 +111,8 @@ mod tests {
                     Walk { number, radius: 0.1 + 0.3 * next(), times, places }
                 })
                 .collect();
-            let here = |row: usize| (0..walks.len()).map(move |walk| Here { walk, row }).collect();
-            let moments = (0..20).map(|row| Moment { time: row as f64 * 0.1, here: here(row) }).collect();
+            let here = |row: usize| (0..walks.len()).map(move |walk| PersonRow { walk, row }).collect();
+            let moments = (0..20).map(|row| PeopleMoment { time: row as f64 * 0.1, here: here(row) }).collect();
             let people = People { walks, moments };
             let velocities = Velocities::of(&people, 1, Border::OneSided);
             let found = Contacts::of(&people, &velocities);
@@ -121,7 +123,7 @@ mod tests {
                     let (mut overlapped, mut missed) = (false, false);
                     for row in 0..20 {
                         let (apart, radii) = (b.places[row] - a.places[row], a.radius + b.radius);
-                        let speed = |walk| velocities.at(Here { walk, row }).unwrap();
+                        let speed = |walk| velocities.at(PersonRow { walk, row }).unwrap();
                         let time = time_to_collision(apart, speed(l) - speed(k), radii);
                         let overlap = apart.length() < radii;
                         let miss = !overlap && time.is_some_and(|time| time < NEAR_MISS);

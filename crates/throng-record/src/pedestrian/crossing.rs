@@ -1,43 +1,43 @@
-//! Who crosses a line, and when: N(t) and flows.
+//! Crossings of a line: N(t) and flows.
 
 use super::people::{People, Walk};
 use glam::DVec2;
 
-/// A line that people cross, from one end to the other, metres.
+/// A line at which pedestrians are counted, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Where it begins.
+    /// The start.
     pub from: DVec2,
-    /// Where it ends.
+    /// The end.
     pub to: DVec2,
 }
 
-/// Somebody's first crossing.
+/// The first crossing of a pedestrian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Whose.
+    /// The number of the pedestrian.
     pub number: u32,
-    /// The first time at which one is beyond the line, seconds.
+    /// The first time beyond the line, seconds.
     pub time: f64,
-    /// Whether from its right to its left, seen along the line.
+    /// Whether the pedestrian crosses from right to left, seen along the line.
     pub leftwards: bool,
-    /// Where on the line: the share of the way from its beginning to its end, 0 to 1.
+    /// The place of the crossing as a fraction of the line, 0 to 1.
     pub share: f64,
 }
 
-/// Nearer than this one is on the line, and not beyond it yet, metres.
+/// Distance within which a point is on the line, and not beyond it yet, metres.
 const ON: f64 = 1e-5;
-/// The part of those who cross that counts as the beginning, and as the end.
+/// Fraction of the crossings at either end that is left out.
 const TAIL: f64 = 0.05;
 
 impl Line {
-    /// How long it is, metres.
+    /// Returns the length, metres.
     pub fn length(&self) -> f64 {
         self.from.distance(self.to)
     }
 
-    /// The first crossing of everybody who crosses it, by time, then by number. Who ends a step on the line crosses it with
-    /// the next one. PedPy's `compute_n_t`.
+    /// Returns the first crossing of every pedestrian that crosses the line, by time, then by number. If a step ends on
+    /// the line, the crossing is that of the next step. Equals PedPy's `compute_n_t`.
     pub fn crossings(&self, people: &People) -> Vec<Crossing> {
         let mut all: Vec<Crossing> = people.walks.iter().filter_map(|walk| self.first(walk)).collect();
         all.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.number.cmp(&b.number)));
@@ -51,7 +51,7 @@ impl Line {
         let way = walk.places[step + 1] - start;
         let turn = line.perp_dot(way);
         let leftwards = turn > 0.0;
-        // along the line, the place where it is met is that where the step ends
+        // for motion along the line, the crossing is at the end of the step
         let share = if turn == 0.0 {
             (start + way - self.from).dot(line) / line.length_squared()
         } else {
@@ -60,13 +60,13 @@ impl Line {
         Some(Crossing { number: walk.number, time: walk.times[step + 1], leftwards, share: share.clamp(0.0, 1.0) })
     }
 
-    /// Whether it and the way from `a` to `b` have a point in common.
+    /// Whether the line and the segment from `a` to `b` have a common point.
     fn meets(&self, a: DVec2, b: DVec2) -> bool {
         let side = |from: DVec2, to: DVec2, of: DVec2| (to - from).perp_dot(of - from);
         let (p, q) = (side(self.from, self.to, a), side(self.from, self.to, b));
         let (r, s) = (side(a, b, self.from), side(a, b, self.to));
         if p == 0.0 && q == 0.0 {
-            // along it
+            // collinear
             return self.distance(a) == 0.0 || self.distance(b) == 0.0;
         }
         p * q <= 0.0 && r * s <= 0.0
@@ -79,12 +79,13 @@ impl Line {
     }
 }
 
-/// How many have crossed up to a time, that included: N(t).
+/// Returns the number of crossings up to and including a time: N(t).
 pub fn count(crossings: &[Crossing], time: f64) -> usize {
     crossings.partition_point(|crossing| crossing.time <= time)
 }
 
-/// Mean flow, people a second: those after the first over the time from the first to the last; not a number for fewer than two.
+/// Returns the mean flow, pedestrians per second: the number of crossings after the first one over the time from the
+/// first to the last; NaN for fewer than two crossings.
 pub fn flow(crossings: &[Crossing]) -> f64 {
     match crossings {
         [first, .., last] => (crossings.len() - 1) as f64 / (last.time - first.time),
@@ -92,22 +93,24 @@ pub fn flow(crossings: &[Crossing]) -> f64 {
     }
 }
 
-/// The same without the twentieth that crosses first and the one that crosses last: without how a crowd sets in and thins out.
+/// Returns the mean flow without the first and the last twentieth of the crossings, at which the flow builds up and
+/// fades.
 pub fn steady_flow(crossings: &[Crossing]) -> f64 {
     let n = crossings.len();
     let first = (TAIL * n as f64) as usize;
-    // as many people as there are from the first to the last of them
+    // `last` is exclusive
     let last = (((1.0 - TAIL) * n as f64) as usize).max(first);
     flow(crossings.get(first..last).unwrap_or_default())
 }
 
-/// The flow in windows of so many seconds, from the first crossing on, people a second: in each, those who cross over the time
-/// from the last crossing before to their last one. PedPy's `compute_flow`; `interval` is the time between frames, `end` the last.
+/// Returns the flows in windows of `window` seconds from the first crossing on, pedestrians per second. The flow of a
+/// window is its number of crossings over the time from the last crossing before it to its own last crossing. Equals
+/// PedPy's `compute_flow`. `interval` is the time between frames, `end` the last time.
 pub fn flows(crossings: &[Crossing], window: f64, interval: f64, end: f64) -> Vec<f64> {
     let Some(first) = crossings.first().filter(|_| window > 0.0) else { return Vec::new() };
     let (mut before, mut since) = (0, first.time);
     let mut out = Vec::new();
-    // half a frame, so that rounding counts nobody twice
+    // half a frame, so that no crossing is counted twice by rounding
     let half = 0.5 * interval;
     for k in 1.. {
         let time = first.time + f64::from(k) * window;
@@ -152,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn flows_are_people_over_time() {
+    fn flows_are_crossings_over_time() {
         let crossing = |k: u32| Crossing { number: k, time: 3.0 + 0.25 * f64::from(k), leftwards: true, share: 0.5 };
         let all: Vec<_> = (0..101).map(crossing).collect();
         assert_eq!((flow(&all), steady_flow(&all), count(&all, 4.0)), (4.0, 4.0, 5));

@@ -1,35 +1,35 @@
-//! All figures of a recording at once.
+//! All figures of a recording.
 
 use super::lanes::{Directions, order};
-use super::{Area, Border, Contacts, Crossing, Ground, Line, Motion, People, Velocities, Ways, voronoi};
+use super::{Area, Border, Contacts, Crossing, Ground, Line, People, PeopleMotion, Velocities, Ways, voronoi};
 
-/// What is to be measured.
+/// The settings of a measurement.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Question {
-    /// Time over which a velocity is taken, seconds: as many rows before and after as come nearest to it, one at least.
+    /// Interval of velocities, seconds; rounded to rows before and after, at least a row each.
     pub interval: f64,
-    /// Where densities and speeds are measured.
+    /// Areas of densities and speeds.
     pub areas: Vec<Area>,
-    /// Which lines people are counted at.
+    /// Lines at which pedestrians are counted.
     pub lines: Vec<Line>,
-    /// How far Voronoi cells reach.
+    /// The extent of Voronoi cells.
     pub ground: Ground,
 }
 
-/// One moment. What is not known is not a number.
+/// Figures at a time. Unknown values are NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant {
     /// Seconds.
     pub time: f64,
-    /// How many are there.
+    /// Number of pedestrians.
     pub people: usize,
-    /// Mean speed of those whose is known, m/s.
+    /// Mean speed of the pedestrians with a known velocity, m/s.
     pub speed: f64,
     /// Lane order parameter.
     pub lane_order: f64,
 }
 
-/// An area at one moment. What is not known is not a number.
+/// Figures of an area at a time. Unknown values are NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
     /// Classic density of the area, 1/m².
@@ -45,30 +45,30 @@ pub struct Inside {
 /// The figures of a recording.
 #[derive(Clone, Debug)]
 pub struct Figures {
-    /// How many people.
+    /// Number of pedestrians.
     pub people: usize,
-    /// Time from row to row, seconds.
+    /// Interval of rows, seconds.
     pub interval: f64,
-    /// Rows to each side that a velocity is taken over.
+    /// Number of rows before and after over which a velocity is taken.
     pub rows: usize,
-    /// Moment by moment.
+    /// Figures at every time.
     pub instants: Vec<Instant>,
-    /// How people move.
-    pub motion: Motion,
-    /// Their ways.
+    /// The motion of the pedestrians.
+    pub motion: PeopleMotion,
+    /// The ways of the pedestrians.
     pub ways: Ways,
-    /// How near they come.
+    /// The contacts of the pedestrians.
     pub contacts: Contacts,
-    /// Of each area, moment by moment.
+    /// By area: figures at every time.
     pub areas: Vec<Vec<Inside>>,
-    /// Of each line, who crosses it, and when.
+    /// By line: the crossings.
     pub crossings: Vec<Vec<Crossing>>,
-    /// How many go each way along the axis most go along.
+    /// Number of pedestrians in each direction along the main axis.
     pub directions: [usize; 2],
 }
 
 impl Figures {
-    /// Measures people.
+    /// Measures a recording.
     ///
     /// ```
     /// use throng_record::pedestrian::{Figures, People, Question};
@@ -93,7 +93,7 @@ impl Figures {
             };
             people.moments.iter().map(at).collect()
         };
-        let instant = |moment: &super::Moment| {
+        let instant = |moment: &super::PeopleMoment| {
             let speeds = moment.here.iter().filter_map(|&here| velocities.at(here)).map(glam::DVec2::length);
             let (sum, known) = speeds.fold((0.0, 0u32), |(sum, known), speed| (sum + speed, known + 1));
             Instant {
@@ -108,7 +108,7 @@ impl Figures {
             interval,
             rows,
             instants: people.moments.iter().map(instant).collect(),
-            motion: Motion::of(people, &velocities, rows),
+            motion: PeopleMotion::of(people, &velocities, rows),
             ways: Ways::of(people),
             contacts: Contacts::of(people, &velocities),
             areas: question.areas.iter().map(inside).collect(),
@@ -117,12 +117,13 @@ impl Figures {
         }
     }
 
-    /// The mean over moments of what is known.
+    /// Returns the mean of a figure over all times at which it is known.
     pub fn mean(&self, figure: impl Fn(&Instant) -> f64) -> f64 {
         mean(self.instants.iter().map(figure))
     }
 
-    /// The mean lane order parameter of the middle half of the time in which both directions are there: when lanes have formed.
+    /// Returns the mean lane order parameter over the middle half of the time in which both directions are present:
+    /// lanes have formed then.
     pub fn steady_lane_order(&self) -> f64 {
         let known: Vec<&Instant> = self.instants.iter().filter(|at| at.lane_order.is_finite()).collect();
         let (Some(first), Some(last)) = (known.first(), known.last()) else { return f64::NAN };
@@ -133,13 +134,13 @@ impl Figures {
 }
 
 impl Inside {
-    /// The mean over moments of what is known.
+    /// Returns the mean of a figure over all times at which it is known.
     pub fn mean(of: &[Self], figure: impl Fn(&Self) -> f64) -> f64 {
         mean(of.iter().map(figure))
     }
 
-    /// The fundamental diagram: Voronoi density and mean speed of an area at every moment at which somebody is in it. Voronoi speeds
-    /// would be too low where cells are cut off and leave ground to nobody.
+    /// Returns the fundamental diagram: Voronoi density and mean speed of an area at every time at which it is not
+    /// empty. Voronoi speeds would be too low: if cells are cut off, a part of the area belongs to no pedestrian.
     pub fn fundamental_diagram(of: &[Self]) -> Vec<[f64; 2]> {
         let known = of.iter().filter(|at| at.voronoi_density > 0.0 && at.speed.is_finite());
         known.map(|at| [at.voronoi_density, at.speed]).collect()

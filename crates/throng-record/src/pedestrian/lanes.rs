@@ -1,53 +1,54 @@
-//! Whether people who walk both ways form lanes.
+//! Lane formation of two-way pedestrian flows.
 
-use super::people::{Here, Moment, People};
+use super::people::{People, PeopleMoment, PersonRow};
 use glam::DVec2;
 
-/// Others this far to the side at most are in somebody's lane, metres.
+/// Greatest lateral distance of two pedestrians in a lane, metres.
 pub const WIDTH: f64 = 0.3;
 
-/// Which way everybody goes on the whole, along the axis along which most go.
+/// The direction of every pedestrian along the main axis of motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Directions {
     axis: DVec2,
-    /// Of every walk: 1, -1, or 0 for who comes back to where one began.
+    /// By walk: 1, -1, or 0 for a pedestrian that returns to its start.
     signs: Vec<f64>,
 }
 
 impl Directions {
-    /// By the way from where everybody is first to where everybody is last. The axis is that of their mean, where opposite
-    /// ways are the same, weighted by how long they are.
+    /// Computes directions from the displacements between first and last positions. The axis is the mean axis of the
+    /// displacements, weighted by their length; opposite displacements have the same axis.
     pub fn of(people: &People) -> Self {
         let way = |places: &[DVec2]| match places {
             [first, .., last] => *last - *first,
             _ => DVec2::ZERO,
         };
         let ways: Vec<DVec2> = people.walks.iter().map(|walk| way(&walk.places)).collect();
-        // doubled angles make opposite ways one
+        // doubled angles map opposite displacements to the same angle
         let doubled: DVec2 = ways.iter().map(|way| way.length() * DVec2::from_angle(2.0 * way.to_angle())).sum();
         let axis = DVec2::from_angle(0.5 * doubled.to_angle());
         let sign = |way: &DVec2| if way.dot(axis) == 0.0 { 0.0 } else { way.dot(axis).signum() };
         Self { axis, signs: ways.iter().map(sign).collect() }
     }
 
-    /// How many go the one way and how many the other.
+    /// Returns the number of pedestrians in each direction.
     pub fn counts(&self) -> [usize; 2] {
         [1.0, -1.0].map(|which| self.signs.iter().filter(|&&sign| sign == which).count())
     }
 
-    /// Somebody's.
-    fn sign(&self, here: Here) -> f64 {
+    /// Returns the direction of a pedestrian.
+    fn sign(&self, here: PersonRow) -> f64 {
         self.signs[here.walk]
     }
 }
 
-/// The lane order parameter of a moment: the mean over people of ((same - opposite) / (same + opposite))², of the others whose
-/// places are at most [`WIDTH`] to the side of one's own. 1: lanes; about 0 where all are mixed. `None` where not both
-/// directions are there. S. Nowak, A. Schadschneider, *Quantitative analysis of pedestrian counterflow in a cellular automaton model*,
-/// Phys. Rev. E 85, 2012, after Rex and Löwen.
-pub fn order(people: &People, moment: &Moment, directions: &Directions) -> Option<f64> {
+/// Returns the lane order parameter at a time: the mean over pedestrians of ((same - opposite) / (same + opposite))²,
+/// where same and opposite count the directions of other pedestrians at a lateral distance of at most [`WIDTH`]. It is
+/// 1 for lanes, and about 0 for a mixture. Returns `None` unless both directions are present. S. Nowak, A.
+/// Schadschneider, *Quantitative analysis of pedestrian counterflow in a cellular automaton model*, Phys. Rev. E 85,
+/// 2012, after Rex and Löwen.
+pub fn order(people: &People, moment: &PeopleMoment, directions: &Directions) -> Option<f64> {
     let across = directions.axis.perp();
-    let walker = |&here: &Here| (people.place(here).dot(across), directions.sign(here));
+    let walker = |&here: &PersonRow| (people.place(here).dot(across), directions.sign(here));
     let mut all: Vec<(f64, f64)> = moment.here.iter().map(walker).filter(|(_, sign)| *sign != 0.0).collect();
     if [1.0, -1.0].iter().any(|&way| all.iter().all(|&(_, sign)| sign != way)) {
         return None;
@@ -64,7 +65,7 @@ pub fn order(people: &People, moment: &Moment, directions: &Directions) -> Optio
             balance -= all[first].1;
             first += 1;
         }
-        // without oneself
+        // without the pedestrian itself
         let others = (end - first - 1) as f64;
         if others > 0.0 {
             sum += ((balance - sign) / others).powi(2);
@@ -95,8 +96,8 @@ mod tests {
                     Walk { number, radius: 0.2, times: vec![0.0, 9.0], places }
                 })
                 .collect();
-            let here = (0..200).map(|walk| Here { walk, row: 0 }).collect();
-            let people = People { walks, moments: vec![Moment { time: 0.0, here }] };
+            let here = (0..200).map(|walk| PersonRow { walk, row: 0 }).collect();
+            let people = People { walks, moments: vec![PeopleMoment { time: 0.0, here }] };
             let directions = Directions::of(&people);
             let found = order(&people, &people.moments[0], &directions).unwrap();
             let one = |a: usize| {

@@ -1,64 +1,67 @@
-//! How people move next to each other, sampled every 0.4 s: figures by which a model of pedestrians is judged beside recorded people.
+//! Microscopic figures of interacting pedestrians, sampled every 0.4 s, by which models are compared with recordings.
 //!
-//! All of them are taken of places every 0.4 s, straight between rows, and of the velocities from each to the next, so that the sway of
-//! steps and the noise of tracking weigh the same in every recording and in every replay of it.
+//! All figures are computed from positions every 0.4 s, interpolated linearly between rows, and the velocities from
+//! each to the next. Sway of steps and tracking noise therefore have the same weight in every recording and in every
+//! replay of it.
 
 use super::contact::time_to_collision;
 use super::people::{People, Walk, median};
 use glam::DVec2;
 
-/// Time from sample to sample, seconds.
+/// Interval of samples, seconds.
 const EVERY: f64 = 0.4;
-/// A slower person stands, m/s.
+/// Speed below which a pedestrian stands, m/s.
 const STANDS: f64 = 0.2;
-/// Sum of the radii of two people, metres: the same for all, so that models with other bodies compare.
+/// Sum of the radii of two pedestrians, metres: the same for all, so that models with different bodies are comparable.
 const RADII: f64 = 0.4;
-/// Head-on pairs: so long before they are nearest, seconds; both at least so fast, m/s; cosine between their velocities at most; and the
-/// distance at which they would miss each other if they went on, metres.
+/// Head-on pairs: the time before their least distance at which they are classified, seconds; the least speed of both,
+/// m/s; the greatest cosine between their velocities; the greatest distance at which they would pass at constant
+/// velocities, metres.
 const BEFORE: f64 = 3.0;
 const FASTEST_STROLL: f64 = 0.5;
 const AGAINST: f64 = -0.7;
 const MISS: f64 = 0.6;
-/// How many times to collision g has: every 0.4 s, from 0.4 to 4 s.
+/// Number of times to collision at which g is computed: every 0.4 s, from 0.4 to 4 s.
 const BINS: usize = 10;
-/// Pairs that touch so much later hardly interact: there g is 1, seconds.
+/// Times to collision of pairs that hardly interact, seconds: g is normalised to 1 there.
 const FREE: std::ops::Range<f64> = 5.0..10.0;
-/// How many pairs of places at different times stand for people that do not interact.
+/// Number of pairs of positions at different times, which represent pedestrians without interaction.
 const SHUFFLED: u64 = 1 << 20;
 
-/// Figures of people sampled every 0.4 s. What is not known is not a number.
+/// Figures of pedestrians sampled every 0.4 s. Unknown values are NaN.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Microscopic {
-    /// Share of samples slower than 0.2 m/s.
+    /// Fraction of samples slower than 0.2 m/s.
     pub standing: f64,
-    /// Standard deviation of a person's own speed while it walks: the median over people, m/s.
+    /// Standard deviation of a pedestrian's speed while walking: the median over pedestrians, m/s.
     pub speed_deviation: f64,
-    /// Turning of directions of motion while walking: the median, degrees a second.
+    /// Absolute change of the direction of motion while walking: the median, degrees per second.
     pub turning: f64,
-    /// Magnitude of accelerations: the median, and what 99 % are below, m/s².
+    /// Magnitude of accelerations: the median and the 99th percentile, m/s².
     pub acceleration: [f64; 2],
-    /// How many pairs were head on: 3 s before they were nearest, both walked at 0.5 m/s or faster, against each other (cosine below -0.7),
-    /// and would have missed each other by less than 0.6 m.
+    /// Number of head-on pairs: 3 s before their least distance, both walked at 0.5 m/s or faster, in opposite
+    /// directions (cosine below -0.7), and would have passed each other within 0.6 m.
     pub head_on: usize,
-    /// Least distance of centres of those pairs: the median, and what 5 % are below, metres.
+    /// Least distance of the centres of those pairs: the median and the 5th percentile, metres.
     pub passing: [f64; 2],
-    /// g of the time to collision, by time, every 0.4 s from 0.4 to 4 s (I. Karamouzas, B. Skinner, S. J. Guy, *Universal power law
-    /// governing pedestrian interactions*, Physical Review Letters 113, 238701, 2014): how often pairs have it, over how often pairs of
-    /// people at different times have it, which do not interact; 1 for those of 5 to 10 s together. Discs of 0.2 m.
+    /// g of the time to collision, every 0.4 s from 0.4 to 4 s (I. Karamouzas, B. Skinner, S. J. Guy, *Universal power
+    /// law governing pedestrian interactions*, Physical Review Letters 113, 238701, 2014): the frequency of a time to
+    /// collision over its frequency in pairs of pedestrians at different times, which do not interact; normalised to 1
+    /// for times of 5 to 10 s together. Discs have a radius of 0.2 m.
     pub interaction: Vec<f64>,
 }
 
-/// A person every 0.4 s.
-struct Sampled {
-    /// Samples since the start.
+/// A pedestrian sampled every 0.4 s.
+struct SampledPerson {
+    /// Index of the first sample since the start.
     first: usize,
     places: Vec<DVec2>,
-    /// From each place to the next.
+    /// Velocities from each position to the next.
     velocities: Vec<DVec2>,
 }
 
-impl Sampled {
-    /// `None` of a person that was there for less than two samples.
+impl SampledPerson {
+    /// Samples a walk; `None` for fewer than two samples.
     fn of(walk: &Walk, start: f64) -> Option<Self> {
         let first = ((walk.times.first()? - start) / EVERY - 1e-6).ceil().max(0.0);
         let places = (first as usize..).map_while(|k| walk.at(start + EVERY * k as f64));
@@ -69,9 +72,10 @@ impl Sampled {
 }
 
 impl Microscopic {
-    /// Of people, sampled from a time on, which is the first of the recording (also for replayed people, so that both are sampled alike).
+    /// Computes the figures. `start` is the first sampling time: that of the recording, for replays too, so that both
+    /// are sampled alike.
     pub fn of(people: &People, start: f64) -> Self {
-        let all: Vec<Sampled> = people.walks.iter().filter_map(|walk| Sampled::of(walk, start)).collect();
+        let all: Vec<SampledPerson> = people.walks.iter().filter_map(|walk| SampledPerson::of(walk, start)).collect();
         let speeds = || all.iter().flat_map(|one| &one.velocities).map(|velocity| velocity.length());
         let (mut turning, mut accelerations, mut deviations) = (Vec::new(), Vec::new(), Vec::new());
         for one in &all {
@@ -96,7 +100,8 @@ impl Microscopic {
         }
     }
 
-    /// Root of the mean square of the difference of g from that of others, over the times at which both are known; not a number for none.
+    /// Returns the root mean square difference of g to that of another recording, over the times at which both are
+    /// known; NaN if there are none.
     pub fn interaction_off(&self, other: &Self) -> f64 {
         let squares = self.interaction.iter().zip(&other.interaction).map(|(a, b)| (a - b).powi(2));
         let (sum, count) =
@@ -105,7 +110,7 @@ impl Microscopic {
     }
 }
 
-/// Standard deviation of the whole; of three values at least.
+/// Returns the population standard deviation; `None` for fewer than three values.
 fn deviation(values: &[f64]) -> Option<f64> {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -113,7 +118,7 @@ fn deviation(values: &[f64]) -> Option<f64> {
     (values.len() > 2).then(|| square.sqrt())
 }
 
-/// The value that this part of all is below, between two in proportion; not a number for none.
+/// Returns a quantile, interpolated linearly; NaN for no values.
 fn quantile(values: &mut [f64], part: f64) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     let rank = part * values.len().saturating_sub(1) as f64;
@@ -121,7 +126,7 @@ fn quantile(values: &mut [f64], part: f64) -> f64 {
     at(rank.floor()) + rank.fract() * (at(rank.ceil()) - at(rank.floor()))
 }
 
-/// The least distances of pairs that were head on.
+/// Returns the least distances of head-on pairs.
 fn head_on(people: &People) -> Vec<f64> {
     let span = |walk: &Walk| walk.times.first().copied().zip(walk.times.last().copied());
     let mut walks: Vec<(f64, f64, &Walk)> =
@@ -136,12 +141,12 @@ fn head_on(people: &People) -> Vec<f64> {
     found
 }
 
-/// The least distance of two that are both there from a time to another, if they were head on.
+/// Returns the least distance of two pedestrians between two times, if they were a head-on pair.
 fn passing(a: &Walk, b: &Walk, from: f64, to: f64) -> Option<f64> {
     let apart = |time: f64| Some(b.at(time)? - a.at(time)?);
     let times = (0..).map(|k| from + EVERY * f64::from(k)).take_while(|time| *time <= to);
     let offsets: Vec<(f64, DVec2)> = times.filter_map(|time| Some((time, apart(time)?))).collect();
-    // the nearest on the straight way from each to the next
+    // the least distance within each interval of linear motion
     let nearest = offsets.windows(2).map(|pair| {
         let [(time, from), (_, to)] = [pair[0], pair[1]];
         let way = to - from;
@@ -161,8 +166,8 @@ fn passing(a: &Walk, b: &Walk, from: f64, to: f64) -> Option<f64> {
     (until > 0.0 && (offset + until * closing).length() < MISS).then_some(least)
 }
 
-/// g of the time to collision.
-fn interaction(all: &[Sampled]) -> Vec<f64> {
+/// Computes g of the time to collision.
+fn interaction(all: &[SampledPerson]) -> Vec<f64> {
     let end = all.iter().map(|one| one.first + one.velocities.len()).max().unwrap_or(0);
     let mut moments: Vec<Vec<(usize, DVec2, DVec2)>> = vec![Vec::new(); end];
     for (index, one) in all.iter().enumerate() {
@@ -188,17 +193,17 @@ fn interaction(all: &[Sampled]) -> Vec<f64> {
     (0..BINS).map(|bin| share(&real, bin) / share(&shuffled, bin)).collect()
 }
 
-/// How often times to collision come.
+/// A histogram of times to collision.
 #[derive(Default)]
 struct Histogram {
-    /// Around 0.4 s and its multiples.
+    /// Counts around 0.4 s and its multiples.
     bins: [u64; BINS],
-    /// Those of pairs that hardly interact.
+    /// Count of pairs that hardly interact.
     free: u64,
 }
 
 impl Histogram {
-    /// A pair: where one is and how it moves, seen from the other.
+    /// Adds a pair, given its relative position and velocity.
     fn add(&mut self, apart: DVec2, velocity: DVec2) {
         let Some(time) = time_to_collision(apart, velocity, RADII) else { return };
         let bin = (time / EVERY - 0.5).floor();
@@ -209,7 +214,7 @@ impl Histogram {
     }
 }
 
-/// The bits of a number, mixed (splitmix64): draws that are the same everywhere.
+/// Returns the mixed bits of a number (splitmix64): random numbers that are the same on all machines.
 fn mixed(index: u64) -> u64 {
     let mut bits = index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,8 +1,8 @@
-//! Measures of pedestrians: density, speed, flow, lanes, how near they come, how they move and when they have left.
+//! Measures of pedestrians: density, speed, flow, lane formation, contacts, motion and evacuation times.
 //!
-//! `docs/measures.md` defines each, says where it is from, and compares with PedPy and with what real people did. What they have in
-//! common: [`People`], on the ground, in metres and seconds; a velocity is that from some rows before to some rows after
-//! ([`velocities`]).
+//! `docs/measures.md` defines each measure and its source, and compares the results with PedPy and with recordings of
+//! pedestrians. All measures apply to [`People`], on the ground, in metres and seconds. A velocity is the displacement
+//! from some rows before to some rows after over the time between them ([`velocities`]).
 
 mod area;
 mod contact;
@@ -24,8 +24,8 @@ pub use crossing::{Crossing, Line, count, flow, flows, steady_flow};
 pub use figures::{Figures, Inside, Instant, Question};
 pub use groups::groups;
 pub use microscopic::Microscopic;
-pub use motion::Motion;
-pub use people::{Here, Moment, People, Walk, median};
+pub use motion::PeopleMotion;
+pub use people::{People, PeopleMoment, PersonRow, Walk, median};
 pub use speed::{Border, Velocities, accelerations, velocities};
 pub use voronoi::Ground;
 pub use ways::Ways;

@@ -1,30 +1,30 @@
-//! How people move: how they turn, speed up, and what it costs them.
+//! The motion of pedestrians: turning, acceleration and effort.
 
 use super::people::People;
 use super::speed::{Velocities, accelerations};
 use crate::swarm::Distribution;
 
-/// Who is slower stands: directions of motion say nothing, m/s.
+/// Speed below which a pedestrian stands and has no direction of motion, m/s.
 const STANDS: f64 = 0.1;
-/// Power of standing, W/kg, and of walking, J s/(kg m²): S. J. Guy and others, *PLEdestrians: a least-effort approach to crowd
-/// simulation*, SCA 2010, after measurements of metabolism.
+/// Power of standing, W/kg, and of walking, J s/(kg m²): S. J. Guy and others, *PLEdestrians: a least-effort approach
+/// to crowd simulation*, SCA 2010, after measurements of metabolism.
 const POWER: [f64; 2] = [2.23, 1.26];
 
-/// How everybody moves, over all rows.
+/// The motion of all pedestrians, over all rows.
 #[derive(Clone, Debug, Default)]
-pub struct Motion {
+pub struct PeopleMotion {
     /// Speeds, m/s.
     pub speed: Distribution,
-    /// Turning of directions of motion from row to row, either way, of those who do not stand, degrees a second.
+    /// Absolute change of the direction of motion from row to row while walking, degrees per second.
     pub turning: Distribution,
     /// Magnitudes of accelerations, m/s².
     pub acceleration: Distribution,
-    /// Effort: the power that walking so fast takes, W/kg: 2.23 + 1.26 v².
+    /// Effort: the power of walking at a speed, W/kg: 2.23 + 1.26 v².
     pub effort: Distribution,
 }
 
-impl Motion {
-    /// Of everybody; velocities and accelerations over `n` rows to each side.
+impl PeopleMotion {
+    /// Computes the motion of all pedestrians; velocities and accelerations are over `n` rows before and after.
     pub fn of(people: &People, velocities: &Velocities, n: usize) -> Self {
         let mut out = Self::default();
         for (walk, own) in people.walks.iter().zip(velocities.walks()) {
@@ -52,12 +52,12 @@ mod tests {
     use glam::DVec2;
 
     #[test]
-    fn round_a_circle_one_turns_and_accelerates_evenly() {
+    fn turning_and_acceleration_are_constant_on_a_circle() {
         let (radius, rate, step) = (3.0, 0.4, 0.02);
         let times: Vec<f64> = (0..500).map(|k| f64::from(k) * step).collect();
         let places = times.iter().map(|time| radius * DVec2::from_angle(rate * time)).collect();
         let people = People { walks: vec![Walk { number: 1, radius: 0.2, times, places }], moments: vec![] };
-        let found = Motion::of(&people, &Velocities::of(&people, 5, Border::Exclude), 5);
+        let found = PeopleMotion::of(&people, &Velocities::of(&people, 5, Border::Exclude), 5);
         assert!((found.turning.mean() - f64::to_degrees(rate)).abs() < 1e-9 && found.turning.deviation() < 1e-6);
         assert!((found.speed.mean() - radius * rate).abs() < 1e-3);
         assert!((found.acceleration.mean() - radius * rate * rate).abs() < 1e-3);

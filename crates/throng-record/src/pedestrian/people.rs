@@ -1,23 +1,24 @@
-//! Recorded people, one by one and moment by moment.
+//! Recorded pedestrians, by walk and by time.
 
-use crate::tracks::{Spot, Tracks};
+use crate::trajectories::{Sample, Trajectories};
 use glam::DVec2;
 
-/// Somebody's way: where one was at which times.
+/// The trajectory of a pedestrian: its positions at times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Walk {
-    /// The number.
+    /// The agent number.
     pub number: u32,
     /// Radius of the body, metres.
     pub radius: f64,
-    /// When, ascending, seconds.
+    /// Times, ascending, seconds.
     pub times: Vec<f64>,
-    /// Where at each of those, metres.
+    /// The position at each time, metres.
     pub places: Vec<DVec2>,
 }
 
 impl Walk {
-    /// Where one was at a time: between two rows, on the straight way from one to the other; `None` before the first and after the last.
+    /// Returns the position at a time, interpolated linearly between rows; `None` before the first and after the last
+    /// row.
     ///
     /// ```
     /// use glam::DVec2;
@@ -29,9 +30,10 @@ impl Walk {
         Some(if share > 0.0 { self.places[row].lerp(self.places[row + 1], share) } else { self.places[row] })
     }
 
-    /// The last row at a time or before it, and how much of the time to the next one has gone, 0 to 1.
+    /// Returns the last row at or before a time, and the fraction of the interval to the next row that has passed, 0 to
+    /// 1.
     pub(crate) fn row_at(&self, time: f64) -> Option<(usize, f64)> {
-        // rounding leaves out nothing
+        // the tolerance keeps rows that rounding would skip
         let row = self.times.partition_point(|&row| row <= time + 1e-9).checked_sub(1)?;
         let Some(next) = self.times.get(row + 1) else {
             return (time <= self.times[row] + 1e-9).then_some((row, 0.0));
@@ -40,50 +42,51 @@ impl Walk {
     }
 }
 
-/// Somebody who is there: which walk, and which of its rows.
+/// A row of a walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Here {
+pub struct PersonRow {
     /// Index into [`People::walks`].
     pub walk: usize,
-    /// Index into its times and places.
+    /// Index into the times and places of the walk.
     pub row: usize,
 }
 
-/// A moment and who is there.
+/// The pedestrians that are present at a time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
+pub struct PeopleMoment {
     /// Seconds.
     pub time: f64,
-    /// Who, by number.
-    pub here: Vec<Here>,
+    /// Their rows, by number.
+    pub here: Vec<PersonRow>,
 }
 
-/// Recorded people on the ground. What is above it does not count.
+/// Recorded pedestrians on the ground. Altitudes are ignored.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct People {
-    /// Everybody, by number.
+    /// All walks, by number.
     pub walks: Vec<Walk>,
-    /// Every moment, in order.
-    pub moments: Vec<Moment>,
+    /// All times, in order.
+    pub moments: Vec<PeopleMoment>,
 }
 
 impl People {
-    /// Those of trajectories whom `counts` lets pass; of two rows of one at the same time the first counts.
+    /// Returns the pedestrians of trajectories, from the samples that `counts` accepts. If an agent has two samples at
+    /// a time, the first one counts.
     ///
     /// ```
     /// use throng_record::pedestrian::People;
     /// # let folder = tempfile::tempdir()?;
     /// # let path = folder.path().join("walk.csv");
     /// std::fs::write(&path, "number,time,x,y\n7,0,0,0\n7,0.5,0.6,0\n7,1,1.2,0\n")?;
-    /// let people = People::of(&throng_record::Tracks::read(path)?, |_| true);
+    /// let people = People::of(&throng_record::Trajectories::read(path)?, |_| true);
     /// assert_eq!((people.walks.len(), people.moments.len(), people.interval()), (1, 3, 0.5));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -> Self {
-        let mut spots: Vec<&Spot> = tracks.spots.iter().filter(|spot| counts(spot)).collect();
+    pub fn of(tracks: &Trajectories, counts: impl Fn(&Sample) -> bool) -> Self {
+        let mut spots: Vec<&Sample> = tracks.spots.iter().filter(|spot| counts(spot)).collect();
         spots.sort_by(|a, b| a.number.cmp(&b.number).then(a.time.total_cmp(&b.time)));
         spots.dedup_by(|b, a| a.number == b.number && a.time == b.time);
-        let walk = |own: &[&Spot]| Walk {
+        let walk = |own: &[&Sample]| Walk {
             number: own[0].number,
             radius: own[0].radius.into(),
             times: own.iter().map(|spot| spot.time).collect(),
@@ -92,31 +95,31 @@ impl People {
         Self::new(spots.chunk_by(|a, b| a.number == b.number).map(walk).collect())
     }
 
-    /// Those who went these ways; `walks` are by number, and no two of one.
+    /// Creates pedestrians from walks, which are sorted by number and unique.
     pub fn new(walks: Vec<Walk>) -> Self {
-        let rows = |(walk, own): (usize, &Walk)| (0..own.times.len()).map(move |row| Here { walk, row });
-        let mut here: Vec<Here> = walks.iter().enumerate().flat_map(rows).collect();
-        let time = |here: &Here| walks[here.walk].times[here.row];
-        // stable: those of one moment stay by number
+        let rows = |(walk, own): (usize, &Walk)| (0..own.times.len()).map(move |row| PersonRow { walk, row });
+        let mut here: Vec<PersonRow> = walks.iter().enumerate().flat_map(rows).collect();
+        let time = |here: &PersonRow| walks[here.walk].times[here.row];
+        // a stable sort keeps the order by number at each time
         here.sort_by(|a, b| time(a).total_cmp(&time(b)));
         let moments = here.chunk_by(|a, b| time(a) == time(b));
-        let moments = moments.map(|here| Moment { time: time(&here[0]), here: here.to_vec() }).collect();
+        let moments = moments.map(|here| PeopleMoment { time: time(&here[0]), here: here.to_vec() }).collect();
         Self { walks, moments }
     }
 
-    /// Where somebody is.
-    pub fn place(&self, here: Here) -> DVec2 {
+    /// Returns the position of a row.
+    pub fn place(&self, here: PersonRow) -> DVec2 {
         self.walks[here.walk].places[here.row]
     }
 
-    /// The time from one row of somebody to the next: the median, seconds; not a number where nobody has two.
+    /// Returns the median interval of rows, seconds; NaN if no walk has two rows.
     pub fn interval(&self) -> f64 {
         let steps = self.walks.iter().flat_map(|walk| walk.times.windows(2).map(|pair| pair[1] - pair[0]));
         median(steps.collect())
     }
 }
 
-/// The value in the middle, of an even number the mean of the two there; not a number for none.
+/// Returns the median, the mean of the two middle values for an even number of values; NaN for no values.
 pub fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
         return f64::NAN;

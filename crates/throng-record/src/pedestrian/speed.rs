@@ -3,19 +3,19 @@
 use super::people::{People, Walk};
 use glam::DVec2;
 
-/// What a velocity is where there are too few rows before or after, at the ends of a walk.
+/// The velocity at the ends of a walk, where too few rows come before or after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Border {
-    /// None.
+    /// No velocity.
     Exclude,
-    /// That over as many rows as there are on both sides.
+    /// The velocity over fewer rows, as many before as after.
     Adaptive,
-    /// That over the rows on the other side alone.
+    /// The velocity over the rows on the other side alone.
     OneSided,
 }
 
-/// Velocities at every row of a walk, m/s: from `n` rows before to `n` rows after, over the time between them. `None` where
-/// there are too few. PedPy's `compute_individual_speed` with the frame step `n`.
+/// Returns velocities at every row of a walk, m/s: the displacement from `n` rows before to `n` rows after, over the
+/// time between them. `None` where rows are missing. Equals PedPy's `compute_individual_speed` with the frame step `n`.
 ///
 /// ```
 /// use throng_record::pedestrian::{Border, Walk, velocities};
@@ -48,8 +48,9 @@ pub fn velocities(walk: &Walk, n: usize, border: Border) -> Vec<Option<DVec2>> {
     (0..walk.times.len()).map(velocity).collect()
 }
 
-/// Accelerations at every row, m/s²: the change from the velocity of the `n` rows before to that of the `n` rows after, over
-/// half the time. `None` at the ends. PedPy's `compute_individual_acceleration`, which enters them `n` frames later.
+/// Returns accelerations at every row, m/s²: the change from the velocity of the `n` rows before to that of the `n`
+/// rows after, over half the time. `None` at the ends. Equals PedPy's `compute_individual_acceleration`, which assigns
+/// them to the row `n` frames later.
 pub fn accelerations(walk: &Walk, n: usize) -> Vec<Option<DVec2>> {
     let acceleration = |row: usize| {
         let (before, after) = (row.checked_sub(n)?, row + n);
@@ -61,22 +62,22 @@ pub fn accelerations(walk: &Walk, n: usize) -> Vec<Option<DVec2>> {
     (0..walk.times.len()).map(acceleration).collect()
 }
 
-/// The velocities of everybody at every row, as [`velocities`] says them.
+/// The velocities of all pedestrians at every row, as [`velocities`] computes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Velocities(Vec<Vec<Option<DVec2>>>);
 
 impl Velocities {
-    /// Of all walks.
+    /// Computes the velocities of all walks.
     pub fn of(people: &People, n: usize, border: Border) -> Self {
         Self(people.walks.iter().map(|walk| velocities(walk, n, border)).collect())
     }
 
-    /// Somebody's at a moment.
-    pub fn at(&self, here: super::Here) -> Option<DVec2> {
+    /// Returns the velocity at a row.
+    pub fn at(&self, here: super::PersonRow) -> Option<DVec2> {
         self.0[here.walk][here.row]
     }
 
-    /// Every walk's.
+    /// Returns the velocities by walk.
     pub fn walks(&self) -> &[Vec<Option<DVec2>>] {
         &self.0
     }

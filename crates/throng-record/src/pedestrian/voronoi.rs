@@ -1,11 +1,11 @@
-//! Voronoi densities: everybody has the ground that is nearer to them than to anybody else.
+//! Voronoi densities: every pedestrian has the ground that is nearer to it than to any other pedestrian.
 //!
 //! B. Steffen, A. Seyfried, *Methods for measuring pedestrian density, flow, speed and direction with minimal scatter*,
-//! Physica A 389, 2010. As PedPy has it: a cell is clipped to the walkable area, of which the part counts that its owner
-//! stands on, and to a polygon round its owner where there is a cut-off.
+//! Physica A 389, 2010. As in PedPy, a cell is clipped to the walkable area and, with a cut-off, to a polygon around
+//! the pedestrian. If the cell falls apart, the part with the pedestrian counts.
 
 use super::area::{Area, signed_area, winds};
-use super::people::{Here, Moment, People};
+use super::people::{People, PeopleMoment, PersonRow};
 use glam::DVec2;
 use i_overlay::core::{fill_rule::FillRule, overlay_rule::OverlayRule};
 use i_overlay::float::single::SingleFloatOverlay;
@@ -13,34 +13,34 @@ use std::f64::consts::TAU;
 use std::slice;
 use throng::Walkable;
 
-/// How far cells reach.
+/// The extent of Voronoi cells.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ground {
-    /// The ground that can be walked on, apart from each other; empty: all round those who are there.
+    /// Walkable areas, which do not overlap; empty: a box around all pedestrians.
     pub walkable: Vec<Walkable>,
-    /// Cells reach no farther than this, metres: the radius of a polygon of [`CORNERS`] corners round everybody.
+    /// Greatest extent of cells, metres: the radius of a polygon of [`CORNERS`] corners around each pedestrian.
     pub cut_off: Option<f64>,
 }
 
-/// Corners of the polygon of a cut-off, as PedPy has them.
+/// Corners of the cut-off polygon, as in PedPy.
 pub const CORNERS: u32 = 12;
 
 /// A polygon with holes: its rings, the outer one first.
 type Shape = Vec<Vec<[f64; 2]>>;
 
-/// A cell that reaches into a measurement area.
+/// A cell that overlaps a measurement area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Whose it is.
-    pub here: Here,
-    /// How large it is, m².
+    /// Its pedestrian.
+    pub here: PersonRow,
+    /// Its area, m².
     pub size: f64,
-    /// How much of it is in the measurement area, m².
+    /// The area of its overlap with the measurement area, m².
     pub inside: f64,
 }
 
-/// The cells of a moment that reach into an area, by number.
-pub fn cells(people: &People, moment: &Moment, ground: &Ground, area: &Area) -> Vec<Cell> {
+/// Returns the cells at a time that overlap an area, by number.
+pub fn cells(people: &People, moment: &PeopleMoment, ground: &Ground, area: &Area) -> Vec<Cell> {
     let places: Vec<DVec2> = moment.here.iter().map(|&here| people.place(here)).collect();
     let room = room(&places, ground, area);
     let walkable: Vec<Shape> = ground.walkable.iter().map(rings).collect();
@@ -56,7 +56,7 @@ pub fn cells(people: &People, moment: &Moment, ground: &Ground, area: &Area) -> 
         let cell = vec![cell.iter().map(|corner| corner.to_array()).collect::<Vec<_>>()];
         let walked = if walkable.is_empty() { vec![cell] } else { common(&walkable, &[cell]) };
         let on = |shape: &&Shape| winds(&corners(&shape[0]), place);
-        // who stands beside the ground has the largest part
+        // a pedestrian outside the walkable area has the largest part
         let largest = || walked.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
         let part = walked.iter().find(on).or_else(largest)?;
         let inside = common(slice::from_ref(part), slice::from_ref(&region)).iter().map(size).sum();
@@ -67,18 +67,19 @@ pub fn cells(people: &People, moment: &Moment, ground: &Ground, area: &Area) -> 
     cells
 }
 
-/// Voronoi density of an area: of every cell that reaches into it the part that does, over the size of the area, 1/m².
+/// Returns the Voronoi density of an area: the sum of the overlapping fractions of its cells over its size, 1/m².
 pub fn density(cells: &[Cell], area: &Area) -> f64 {
     cells.iter().map(|cell| cell.inside / cell.size).sum::<f64>() / area.size()
 }
 
-/// Voronoi speed of an area: speeds by how much of it is theirs, m/s. What nobody has counts as speed 0.
-pub fn speed(cells: &[Cell], area: &Area, velocity: impl Fn(Here) -> Option<DVec2>) -> f64 {
+/// Returns the Voronoi speed of an area: speeds weighted by their cells' overlaps over the size of the area, m/s. Parts
+/// without a cell count as speed 0.
+pub fn speed(cells: &[Cell], area: &Area, velocity: impl Fn(PersonRow) -> Option<DVec2>) -> f64 {
     let part = |cell: &Cell| velocity(cell.here).map_or(0.0, DVec2::length) * cell.inside;
     cells.iter().map(part).sum::<f64>() / area.size()
 }
 
-/// A box that holds all cells: lower left and upper right corner.
+/// Returns a box that contains all cells: lower left and upper right corner.
 fn room(places: &[DVec2], ground: &Ground, area: &Area) -> [DVec2; 2] {
     let corners = ground.walkable.iter().flat_map(|walkable| &walkable.outer).chain(area.corners());
     let start = [DVec2::INFINITY, DVec2::NEG_INFINITY];
@@ -86,7 +87,8 @@ fn room(places: &[DVec2], ground: &Ground, area: &Area) -> [DVec2; 2] {
     [low - 1.0, high + 1.0]
 }
 
-/// The cell of one of those in `order`, by x: what is nearer to it than to anybody else, within the room and the cut-off.
+/// Returns the cell of the pedestrian at index `at` in `order`, by x: the points nearer to it than to any other
+/// pedestrian, within the room and the cut-off.
 fn around(places: &[DVec2], order: &[usize], at: usize, cut_off: Option<f64>, [low, high]: [DVec2; 2]) -> Vec<DVec2> {
     let place = places[order[at]];
     let mut cell = vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
@@ -116,14 +118,14 @@ fn around(places: &[DVec2], order: &[usize], at: usize, cut_off: Option<f64>, [l
             right = other + 1;
         }
         let other = places[order[other]];
-        // two at one place share a cell
+        // pedestrians at the same position share a cell
         if other != place && other.distance(place) <= 2.0 * reach {
             cell = halved(&cell, 0.5 * (place + other), other - place);
         }
     }
 }
 
-/// The part of a convex polygon that is not beyond a line through a point, against its normal.
+/// Returns the part of a convex polygon behind a line through a point, on the side opposite to the normal.
 fn halved(polygon: &[DVec2], point: DVec2, normal: DVec2) -> Vec<DVec2> {
     let beyond = |corner: DVec2| (corner - point).dot(normal);
     let mut out = Vec::with_capacity(polygon.len() + 1);
@@ -139,7 +141,7 @@ fn halved(polygon: &[DVec2], point: DVec2, normal: DVec2) -> Vec<DVec2> {
     out
 }
 
-/// Whether the boxes round two polygons meet.
+/// Whether the bounding boxes of two polygons overlap.
 fn meet(a: &[DVec2], b: &[DVec2]) -> bool {
     let bounds = |polygon: &[DVec2]| {
         let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
@@ -149,7 +151,7 @@ fn meet(a: &[DVec2], b: &[DVec2]) -> bool {
     low.cmple(to).all() && from.cmple(high).all()
 }
 
-/// What two lots of shapes have in common.
+/// Returns the intersection of two sets of shapes.
 fn common(a: &[Shape], b: &[Shape]) -> Vec<Shape> {
     a.overlay(&b, OverlayRule::Intersect, FillRule::EvenOdd)
 }
@@ -165,7 +167,7 @@ fn corners(ring: &[[f64; 2]]) -> Vec<DVec2> {
     ring.iter().copied().map(DVec2::from_array).collect()
 }
 
-/// The size of a shape: its outer ring less its holes.
+/// Returns the area of a shape: its outer ring less its holes.
 fn size(shape: &Shape) -> f64 {
     let ring = |ring: &Vec<[f64; 2]>| signed_area(&corners(ring)).abs();
     shape.first().map_or(0.0, ring) - shape.iter().skip(1).map(ring).sum::<f64>()

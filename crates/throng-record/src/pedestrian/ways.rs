@@ -1,24 +1,24 @@
-//! How long people are on their way, how far they go, and when they have left.
+//! Travel times, path lengths and evacuation times of pedestrians.
 
 use super::people::{People, Walk};
 use crate::swarm::Distribution;
 use glam::DVec2;
 
-/// Ways from where everybody is first to where everybody is last.
+/// Ways of pedestrians from their first to their last positions.
 #[derive(Clone, Debug, Default)]
 pub struct Ways {
-    /// How long they take, seconds.
+    /// Travel times, seconds.
     pub time: Distribution,
-    /// How long they are, metres.
+    /// Path lengths, metres.
     pub length: Distribution,
-    /// Path ratio: their length over the straight distance, of those that are longer than a metre; swaying counts.
+    /// Path ratios: path length over straight distance, of ways with a straight distance above 1 m; swaying counts.
     pub ratio: Distribution,
-    /// When everybody was seen for the last time, ascending, seconds after the first moment of all.
+    /// Last times of all pedestrians, ascending, seconds after the first time of the recording.
     left: Vec<f64>,
 }
 
 impl Ways {
-    /// Of everybody.
+    /// Computes the ways of all pedestrians.
     pub fn of(people: &People) -> Self {
         let mut out = Self::default();
         let start = people.moments.first().map_or(0.0, |moment| moment.time);
@@ -36,8 +36,8 @@ impl Ways {
         out
     }
 
-    /// Evacuation time: when this part of all people, 0 to 1, had been seen for the last time, seconds after the first moment;
-    /// `None` for nobody.
+    /// Returns the evacuation time: the time after which a fraction `part` of all pedestrians, 0 to 1, is no longer
+    /// present, seconds after the first time; `None` for no pedestrians.
     pub fn left(&self, part: f64) -> Option<f64> {
         let count = (part.clamp(0.0, 1.0) * self.left.len() as f64).ceil() as usize;
         self.left.get(count.max(1) - 1).copied()
@@ -51,7 +51,7 @@ fn length(walk: &Walk) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pedestrian::Moment;
+    use crate::pedestrian::PeopleMoment;
 
     #[test]
     fn ways_and_leaving_are_counted_from_first_to_last() {
@@ -64,7 +64,7 @@ mod tests {
             walk(2, &[11.0, 13.0], &[(0.0, 0.0), (0.5, 0.0)]),
             walk(3, &[20.0], &[(0.0, 0.0)]),
         ];
-        let found = Ways::of(&People { walks, moments: vec![Moment { time: 10.0, here: vec![] }] });
+        let found = Ways::of(&People { walks, moments: vec![PeopleMoment { time: 10.0, here: vec![] }] });
         assert_eq!((found.time.mean(), found.length.mean(), found.ratio.mean()), (3.0, 3.75, 1.4));
         assert_eq!([0.0, 0.3, 0.5, 0.95, 1.0].map(|part| found.left(part).unwrap()), [3.0, 3.0, 4.0, 10.0, 10.0]);
         assert_eq!(Ways::default().left(0.5), None);

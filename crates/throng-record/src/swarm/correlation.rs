@@ -1,39 +1,40 @@
-//! How long velocities stay what they were.
+//! The autocorrelation of velocities.
 
 use super::both;
 use glam::DVec3;
 use std::collections::VecDeque;
 
-/// Autocorrelation of velocities: `C(tau) = <v(t) . v(t + tau)> / <v . v>`, over all moments and all who are there
-/// at both, with both sides' own squares in the mean below, so that it is never more than 1.
+/// Autocorrelation of velocities: `C(tau) = <v(t) . v(t + tau)> / <v . v>`, over all times and all agents present at
+/// both times. The denominator is the geometric mean of the squares at both times, so that the result is at most 1.
 ///
-/// For a velocity that forgets itself at a rate `1/T` (a Langevin or Ornstein-Uhlenbeck process) it is `exp(-tau/T)`; bound to a
-/// place it swings below 0 (Okubo, *Adv. Biophys.* 22, 1986).
+/// For a velocity that decorrelates at a rate `1/T` (a Langevin or Ornstein-Uhlenbeck process) it is `exp(-tau/T)`; if
+/// the position is bound, it oscillates below 0 (Okubo, *Adv. Biophys.* 22, 1986).
 #[derive(Clone, Debug)]
 pub struct Correlation {
-    /// Seconds up to which it is counted.
+    /// Longest lag, seconds.
     longest: f64,
-    /// Velocities by number, the last moment first.
+    /// Velocities by number, latest frame first.
     before: VecDeque<Vec<(u32, DVec3)>>,
-    /// By lag: sums of products, of squares then, and of squares later.
+    /// By lag: sums of products, of squares at the earlier time, and of squares at the later time.
     sums: Vec<[f64; 3]>,
-    /// Seconds from one moment to the next that is taken in, and of these how many are passed over for one that is.
+    /// Interval of incoming frames, seconds; every `stride`-th frame is used, and `passed` counts the frames since the
+    /// last one used.
     spacing: f64,
     stride: usize,
     passed: usize,
 }
 
-/// The most lags.
+/// Greatest number of lags.
 const LAGS: usize = 120;
 
 impl Correlation {
-    /// For lags of up to so many seconds.
+    /// Creates a correlation for lags of up to `longest` seconds.
     pub fn new(longest: f64) -> Self {
         Self { longest, before: VecDeque::new(), sums: Vec::new(), spacing: 0.0, stride: 1, passed: 0 }
     }
 
-    /// Takes in the velocities of the next moment, by number, so many seconds after the last. The first spacing counts
-    /// for all; after another one it begins anew.
+    /// Adds the velocities of the next frame, by number. `spacing` is the time since the frame before, seconds. The
+    /// first spacing counts for all frames; a different spacing restarts the lags.
     pub fn push(&mut self, spacing: f64, velocities: &[(u32, DVec3)]) {
         if self.spacing == 0.0 {
             self.stride = ((self.longest / spacing / LAGS as f64).ceil() as usize).max(1);
@@ -62,7 +63,7 @@ impl Correlation {
         }
     }
 
-    /// Lags, seconds, and the correlation there; as far as anybody was there that long.
+    /// Returns lags, seconds, and the correlation at each; only lags at which some agent was present at both times.
     pub fn points(&self) -> Vec<(f64, f64)> {
         let seconds = self.spacing * self.stride as f64;
         let value = |&[product, then, later]: &[f64; 3]| product / (then * later).sqrt();
@@ -70,7 +71,8 @@ impl Correlation {
         all.filter(|(_, value)| value.is_finite()).collect()
     }
 
-    /// Seconds after which it first falls to 1/e, between lags along a line; `None` if it does not.
+    /// Returns the first lag at which the correlation falls to 1/e, seconds, interpolated linearly between lags; `None`
+    /// if it does not.
     pub fn time(&self) -> Option<f64> {
         let limit = (-1.0f64).exp();
         let points = self.points();

@@ -1,10 +1,10 @@
-//! How values are distributed, counted while they come.
+//! Distributions of values, computed incrementally.
 
-/// How values are distributed: moments, and a histogram that grows with them. What is not finite is left out.
+/// The distribution of values: moments, and a histogram that grows with them. Values that are not finite are ignored.
 ///
-/// Moments are counted in one pass (Pébay, *Formulas for robust, one-pass parallel computation of covariances and
-/// arbitrary-order statistical moments*, Sandia 2008). Bins are as wide as a power of two; where values come to lie farther
-/// apart than there are bins, two become one.
+/// Moments are computed in one pass (Pébay, *Formulas for robust, one-pass parallel computation of covariances and
+/// arbitrary-order statistical moments*, Sandia 2008). The width of a bin is a power of two. If the values span more
+/// than the greatest number of bins, pairs of bins are merged.
 ///
 /// ```
 /// use throng_record::swarm::Distribution;
@@ -23,16 +23,16 @@ pub struct Distribution {
     range: [f64; 2],
     /// Width of a bin, a power of two.
     width: f64,
-    /// The first bin, counted from the one that begins at 0.
+    /// Index of the first bin; bin 0 begins at 0.
     first: i64,
     bins: Vec<u64>,
 }
 
-/// The most bins.
+/// Greatest number of bins.
 const BINS: usize = 1024;
-/// Width of the bins of the first value: finer than anything that is measured.
+/// Width of the bins of the first value: finer than any measurement.
 const FINEST: f64 = 1.0 / (1u64 << 30) as f64;
-/// The least and the greatest value that finds a bin: beyond, counting bins would not be exact.
+/// Greatest absolute value with its own bin: beyond it, bin indices would not be exact.
 const FARTHEST: f64 = 1e6;
 
 impl Default for Distribution {
@@ -50,7 +50,7 @@ impl Default for Distribution {
 }
 
 impl Distribution {
-    /// Takes in a value.
+    /// Adds a value.
     pub fn add(&mut self, value: f64) {
         if !value.is_finite() {
             return;
@@ -94,60 +94,61 @@ impl Distribution {
         self.bins[index] += 1;
     }
 
-    /// How many bins there would be with this one.
+    /// Returns the number of bins including bin `at`.
     fn span(&self, at: i64) -> i64 {
         (self.first + self.bins.len() as i64).max(at + 1) - self.first.min(at)
     }
 
-    /// Makes one bin of two.
+    /// Merges pairs of bins.
     fn widen(&mut self) {
         self.width *= 2.0;
         self.bins = merged(&self.bins, self.first, 2).1;
         self.first = self.first.div_euclid(2);
     }
 
-    /// How many values.
+    /// Returns the number of values.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// Their mean; not a number for none.
+    /// Returns the mean; NaN for no values.
     pub fn mean(&self) -> f64 {
         if self.count > 0 { self.mean } else { f64::NAN }
     }
 
-    /// Their standard deviation: of all that there are, not of a sample of more.
+    /// Returns the standard deviation of the values themselves, not an estimate for a larger population.
     pub fn deviation(&self) -> f64 {
         (self.sums[0] / self.count as f64).sqrt()
     }
 
-    /// Root of the mean square.
+    /// Returns the root mean square.
     pub fn rms(&self) -> f64 {
         (self.sums[0] / self.count as f64 + self.mean * self.mean).sqrt()
     }
 
-    /// Skewness, the third moment over the cube of the deviation: 0 for a distribution that is the same on both sides.
+    /// Returns the skewness, the third moment over the cube of the deviation: 0 for a symmetric distribution.
     pub fn skewness(&self) -> f64 {
         (self.count as f64).sqrt() * self.sums[1] / self.sums[0].powi(3).sqrt()
     }
 
-    /// Kurtosis, the fourth moment over that of the deviation: 3 for a normal distribution, more with heavy tails.
+    /// Returns the kurtosis, the fourth moment over the fourth power of the deviation: 3 for a normal distribution,
+    /// more with heavy tails.
     pub fn kurtosis(&self) -> f64 {
         self.count as f64 * self.sums[2] / (self.sums[0] * self.sums[0])
     }
 
-    /// The least value; infinite for none.
+    /// Returns the least value; infinity for no values.
     pub fn least(&self) -> f64 {
         self.range[0]
     }
 
-    /// The greatest value; minus infinity for none.
+    /// Returns the greatest value; minus infinity for no values.
     pub fn most(&self) -> f64 {
         self.range[1]
     }
 
-    /// The probability density: middles of bins and densities, in order. Bins are about `part` of a deviation wide; finer
-    /// ones than there are there is no telling.
+    /// Returns the probability density: centres of bins and densities, in order. Bins are about `part` of a deviation
+    /// wide, and at least as wide as the bins of the histogram.
     pub fn density(&self, part: f64) -> Vec<(f64, f64)> {
         if self.bins.is_empty() {
             return Vec::new();
@@ -161,14 +162,14 @@ impl Distribution {
         bins.iter().enumerate().map(|(k, &count)| (at(k), count as f64 * share)).collect()
     }
 
-    /// The density of what is left of values when the mean is taken off, over their deviation: comparable with others.
+    /// Returns the density of the standardised values: less their mean, over their deviation.
     pub fn standardised(&self, part: f64) -> Vec<(f64, f64)> {
         let (mean, deviation) = (self.mean(), self.deviation());
         self.density(part).into_iter().map(|(x, density)| ((x - mean) / deviation, density * deviation)).collect()
     }
 }
 
-/// So many bins made one, and which is the first.
+/// Merges `many` bins into one; returns the index of the first merged bin, and the bins.
 fn merged(bins: &[u64], first: i64, many: i64) -> (i64, Vec<u64>) {
     let start = first.div_euclid(many);
     let end = (first + bins.len() as i64 - 1).div_euclid(many);
@@ -213,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_what_is_no_number_do_no_harm() {
+    fn no_values_and_extreme_values_are_handled() {
         let mut none = Distribution::default();
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             none.add(value);

@@ -1,17 +1,18 @@
-//! What a swarm is like: distributions of speeds, accelerations and distances, how long velocities last, how wide it is.
+//! Figures of a swarm: distributions of speeds, accelerations and distances, the persistence of velocities, and the
+//! size.
 //!
-//! The figures of Kelley and Ouellette, *Emergent dynamics of laboratory insect swarms*, Sci. Rep. 3:1073 (2013), and of Puckett,
-//! Kelley and Ouellette, *Searching for effective forces in laboratory insect swarms*, Sci. Rep. 4:4766 (2014), from positions
-//! over time. `docs/swarms.md` says what these found.
+//! The figures are those of Kelley and Ouellette, *Emergent dynamics of laboratory insect swarms*, Sci. Rep. 3:1073
+//! (2013), and of Puckett, Kelley and Ouellette, *Searching for effective forces in laboratory insect swarms*, Sci.
+//! Rep. 4:4766 (2014), computed from positions over time. `docs/swarms.md` lists their results.
 //!
 //! | figure | what | unit |
 //! |---|---|---|
-//! | velocity | of one who is there at three consecutive moments, at the middle one: from the first to the third over the time between them | m/s |
-//! | acceleration | the same: the change from the first half's velocity to that of the second, over half the time | m/s² |
-//! | nearest | distance to the nearest other's centre, in space, of everybody at every moment | m |
-//! | correlation | of velocities with their own later: [`Correlation`] | |
-//! | size | root of the mean square distance from the centroid, along each axis and in all: the radius of gyration | m |
-//! | polarisation | length of the mean of all directions of flight: 1 where all fly one way, about `1/sqrt(N)` where nobody cares | |
+//! | velocity | of an agent present in three consecutive frames, at the middle frame: displacement from the first to the third over the time between them | m/s |
+//! | acceleration | of the same agents: change from the velocity of the first interval to that of the second, over half the time | m/s² |
+//! | nearest | distance to the centre of the nearest other agent, in space, of all agents in every frame | m |
+//! | correlation | autocorrelation of velocities: [`Correlation`] | |
+//! | size | root mean square distance from the centroid, along each axis and in all: the radius of gyration | m |
+//! | polarisation | length of the mean direction of flight: 1 if all agents fly in one direction, about `1/sqrt(N)` for random directions | |
 
 mod correlation;
 mod distribution;
@@ -23,31 +24,31 @@ use crate::Frame;
 use glam::{DVec3, Vec2};
 use throng::perceive::{Grid, Near};
 
-/// A swarm at one moment.
+/// A swarm at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub struct SwarmMoment {
     /// Seconds.
     pub time: f64,
-    /// How many are there.
+    /// Number of agents.
     pub count: usize,
-    /// Mean of their positions.
+    /// Mean position.
     pub centroid: DVec3,
-    /// Root of their mean square distance from it along each axis, metres.
+    /// Root mean square distance from the centroid along each axis, metres.
     pub axes: DVec3,
-    /// Length of the mean of their directions; not a number at the first and last moment.
+    /// Length of the mean direction; NaN in the first and the last frame.
     pub polarisation: f64,
-    /// Their mean speed, m/s; the same.
+    /// Mean speed, m/s; NaN in the first and the last frame.
     pub speed: f64,
 }
 
-impl Moment {
-    /// The radius of gyration, metres.
+impl SwarmMoment {
+    /// Returns the radius of gyration, metres.
     pub fn size(&self) -> f64 {
         self.axes.length()
     }
 }
 
-/// The figures of a swarm, counted while it goes on. See the [module](self) for what they are.
+/// The figures of a swarm, computed incrementally. The [module](self) defines them.
 ///
 /// ```
 /// use glam::DVec3;
@@ -63,8 +64,8 @@ impl Moment {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Swarm {
-    moments: Vec<Moment>,
-    /// The last two moments, the last one first: when, and who was where.
+    moments: Vec<SwarmMoment>,
+    /// The last two frames, latest first: the time, and the positions by number.
     before: [(f64, Vec<(u32, DVec3)>); 2],
     velocities: Vec<(u32, DVec3)>,
     speed: Distribution,
@@ -72,12 +73,12 @@ pub struct Swarm {
     acceleration: [Distribution; 3],
     nearest: Distribution,
     correlation: Correlation,
-    search: Search,
+    search: SwarmSearch,
 }
 
-/// Memory for finding who is nearest.
+/// Memory of the nearest-neighbour search.
 #[derive(Clone, Debug, Default)]
-struct Search {
+struct SwarmSearch {
     grid: Grid,
     points: Vec<Vec2>,
     numbers: Vec<u32>,
@@ -85,7 +86,7 @@ struct Search {
 }
 
 impl Swarm {
-    /// Nothing yet; velocities are correlated with those of up to so many seconds later.
+    /// Creates empty figures. `longest` is the longest lag of the velocity correlation, seconds.
     pub fn new(longest: f64) -> Self {
         Self {
             moments: Vec::new(),
@@ -96,19 +97,19 @@ impl Swarm {
             acceleration: Default::default(),
             nearest: Distribution::default(),
             correlation: Correlation::new(longest),
-            search: Search::default(),
+            search: SwarmSearch::default(),
         }
     }
 
-    /// Takes in where those of a group are in the next frame.
+    /// Adds the positions of a group in the next frame.
     pub fn push_frame(&mut self, frame: &Frame, group: u32) {
         let members = frame.bodies.iter().filter(|body| body.group == group);
         let places: Vec<(u32, DVec3)> = members.map(|body| (body.number, body.center())).collect();
         self.push(frame.time, &places);
     }
 
-    /// Takes in the next moment: who is where, by number, ascending; seconds, metres. A moment that is not later than the last,
-    /// and places that are not finite, are left out.
+    /// Adds the next frame: seconds, and positions in metres by number, ascending. A frame that is not later than the
+    /// last one, and positions that are not finite, are ignored.
     pub fn push(&mut self, time: f64, places: &[(u32, DVec3)]) {
         let is_later = self.moments.last().is_none_or(|last| time > last.time);
         if !is_later || !time.is_finite() {
@@ -130,12 +131,12 @@ impl Swarm {
         let squares = now.iter().map(|&(_, place)| (place - centroid) * (place - centroid)).sum::<DVec3>() / n;
         let axes = DVec3::from_array(squares.to_array().map(f64::sqrt));
         let (polarisation, speed) = (f64::NAN, f64::NAN);
-        self.moments.push(Moment { time, count: now.len(), centroid, axes, polarisation, speed });
+        self.moments.push(SwarmMoment { time, count: now.len(), centroid, axes, polarisation, speed });
     }
 
     fn distances(&mut self, now: &[(u32, DVec3)]) {
         let Some(middle) = self.moments.last().map(|moment| moment.centroid) else { return };
-        let Search { grid, points, numbers, found } = &mut self.search;
+        let SwarmSearch { grid, points, numbers, found } = &mut self.search;
         points.clear();
         points.extend(now.iter().map(|&(_, place)| (place - middle).truncate().as_vec2()));
         numbers.clear();
@@ -152,7 +153,7 @@ impl Swarm {
         }
     }
 
-    /// Velocities and accelerations of the moment before this one.
+    /// Computes velocities and accelerations of the frame before `now`.
     fn differentiate(&mut self, time: f64, now: &[(u32, DVec3)]) {
         let [(middle, then), (start, first)] = &self.before;
         let (early, late) = (middle - start, time - middle);
@@ -183,43 +184,43 @@ impl Swarm {
         self.correlation.push(early, velocities);
     }
 
-    /// The swarm moment by moment.
-    pub fn moments(&self) -> &[Moment] {
+    /// Returns the swarm in every frame.
+    pub fn moments(&self) -> &[SwarmMoment] {
         &self.moments
     }
 
-    /// Speeds, m/s.
+    /// Returns the distribution of speeds, m/s.
     pub fn speed(&self) -> &Distribution {
         &self.speed
     }
 
-    /// Velocities along x, y and z, m/s.
+    /// Returns the distributions of velocities along x, y and z, m/s.
     pub fn velocity(&self) -> &[Distribution; 3] {
         &self.velocity
     }
 
-    /// Accelerations along x, y and z, m/s².
+    /// Returns the distributions of accelerations along x, y and z, m/s².
     pub fn acceleration(&self) -> &[Distribution; 3] {
         &self.acceleration
     }
 
-    /// Distances to the nearest other, metres.
+    /// Returns the distribution of distances to the nearest other agent, metres.
     pub fn nearest(&self) -> &Distribution {
         &self.nearest
     }
 
-    /// How velocities are correlated with their own later.
+    /// Returns the autocorrelation of velocities.
     pub fn correlation(&self) -> &Correlation {
         &self.correlation
     }
 }
 
-/// Those who are in both lists, by number: what the lists say of them.
+/// Returns the values of agents that are in both lists, which are sorted by number.
 fn both<'a, T: Copy>(a: &'a [(u32, T)], b: &'a [(u32, T)]) -> impl Iterator<Item = (T, T)> + 'a {
     numbered(a, b).map(|((_, first), second)| (first, second))
 }
 
-/// The same with their numbers.
+/// Returns the values of agents that are in both lists, with their numbers.
 fn numbered<'a, T: Copy>(a: &'a [(u32, T)], b: &'a [(u32, T)]) -> impl Iterator<Item = ((u32, T), T)> + 'a {
     let mut others = b.iter().copied().peekable();
     a.iter().filter_map(move |&(number, value)| {

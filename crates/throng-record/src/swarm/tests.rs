@@ -1,8 +1,8 @@
-//! Closed forms: processes whose figures are known.
+//! Tests with processes that have closed forms.
 
 use super::*;
 
-/// Numbers from 0 to 1 that look random, and normal ones.
+/// A pseudorandom number generator: uniform in 0 to 1, and normal.
 struct Draw(u64);
 
 impl Draw {
@@ -20,8 +20,8 @@ impl Draw {
     }
 }
 
-/// Ornstein-Uhlenbeck velocities with a time constant and a deviation along each axis, exact from step to step; places
-/// by steps much finer than those that are pushed.
+/// Returns a swarm with Ornstein-Uhlenbeck velocities of a time constant and a deviation along each axis. Velocities
+/// are exact from step to step; positions are integrated with finer steps than those pushed.
 fn langevin(count: u32, time: f64, deviation: f64, step: f64, steps: u32) -> Swarm {
     const FINE: u32 = 8;
     let mut draw = Draw(9);
@@ -48,7 +48,7 @@ fn a_langevin_swarm_has_its_correlation_and_maxwellian_speeds() {
     let (time, deviation, step) = (0.5, 0.3, 0.01);
     let swarm = langevin(1500, time, deviation, step, 400);
     for (lag, value) in swarm.correlation().points() {
-        // velocities are means over two steps, which last by a little longer: by a factor of 1 + 2 * step / (3 * time)
+        // velocities are means over two steps, which decorrelate more slowly by a factor of 1 + 2 * step / (3 * time)
         assert!((value - (-lag / time).exp()).abs() < 0.03, "{lag}: {value}");
     }
     let found = swarm.correlation().time().unwrap();
@@ -72,12 +72,12 @@ fn a_langevin_swarm_has_its_correlation_and_maxwellian_speeds() {
     }
     let polarisation: Vec<f64> = swarm.moments()[1..399].iter().map(|moment| moment.polarisation).collect();
     let mean = polarisation.iter().sum::<f64>() / polarisation.len() as f64;
-    // the mean of the length of N directions at random is sqrt(8/(3 pi N))
+    // the mean length of the sum of N random directions over N is sqrt(8/(3 pi N))
     assert!((mean / (8.0 / (3.0 * std::f64::consts::PI * 1500.0)).sqrt() - 1.0).abs() < 0.35, "{mean}");
 }
 
 #[test]
-fn who_swings_about_a_place_has_the_acceleration_of_a_spring() {
+fn agents_that_oscillate_have_the_acceleration_of_a_spring() {
     let (omega, step) = (3.0f64, 0.002);
     let mut swarm = Swarm::new(2.0);
     // several phases, whole periods
@@ -107,7 +107,7 @@ fn distances_on_a_lattice_and_of_all_pairs() {
     let lattice: Vec<(u32, DVec3)> = (0..125).map(|k| (k, far + side(k))).collect();
     swarm.push(0.0, &lattice);
     assert!((swarm.nearest().mean() - 0.3).abs() < 1e-6 && swarm.nearest().deviation() < 1e-6);
-    // along an axis the places are -2 to 2 cells from the middle: the mean square is 2 cells squared
+    // along each axis the positions are -2 to 2 cells from the middle: the mean square is 2 cells squared
     let size = swarm.moments()[0].size();
     assert!((size - 0.3 * 6f64.sqrt()).abs() < 1e-9, "{size}");
     let mut draw = Draw(3);
@@ -129,12 +129,12 @@ fn distances_on_a_lattice_and_of_all_pairs() {
 }
 
 #[test]
-fn who_comes_and_goes_counts_while_there() {
+fn agents_count_while_they_are_present() {
     let mut swarm = Swarm::new(1.0);
     for k in 0..30u32 {
         let time = f64::from(k) * 0.1;
         let mut places = vec![(1, DVec3::X * time)];
-        // one who is there now and then, but never at three moments on end, and one who leaves
+        // an agent that is present intermittently, but never in three consecutive frames, and an agent that leaves
         if k % 3 != 0 {
             places.push((5, DVec3::Y * 50.0 * time));
         }
@@ -151,6 +151,6 @@ fn who_comes_and_goes_counts_while_there() {
     swarm.push(f64::NAN, &[(1, DVec3::ZERO)]);
     swarm.push(9.0, &[(1, DVec3::NAN)]);
     assert_eq!((swarm.moments().len(), swarm.moments()[before].count), (before + 1, 0));
-    // a gap in time is no velocity that lasts
+    // a gap in time gives no velocity
     assert!(swarm.correlation().points().iter().all(|&(_, value)| (value - 1.0).abs() < 1e-9));
 }

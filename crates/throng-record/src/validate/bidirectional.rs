@@ -1,10 +1,10 @@
-//! Two-way corridors: flow, speed, lanes.
+//! Two-way corridors: flow, speed, lane formation.
 
 use super::measure::{across, density_and_speed, mean, moments, steady};
 use super::place::{WEIDMANN, rectangle, until_empty};
 use super::{Case, Experiment, Figure, Run};
 use crate::pedestrian::lanes::{Directions, order};
-use crate::pedestrian::{Area, Moment, steady_flow};
+use crate::pedestrian::{Area, PeopleMoment, steady_flow};
 
 /// The experiment.
 pub const EXPERIMENT: Experiment = Experiment {
@@ -22,7 +22,7 @@ const WIDTH: f64 = 4.0;
 /// Agents of each direction.
 const AGENTS: u32 = 140;
 
-/// Lanes are looked at so far from the middle, m: the experiments' cameras saw about 8 m.
+/// Lane order is measured within this distance of the middle, m: the experiments' cameras covered about 8 m.
 const LANES: f64 = 4.0;
 
 fn cases() -> Vec<Case> {
@@ -83,7 +83,7 @@ fn measure(run: &Run) -> Vec<f64> {
     let directions = Directions::of(&run.people);
     let phi = mean(moments(run, &time).filter_map(|moment| {
         let here = moment.here.iter().copied().filter(|&here| run.people.place(here).x.abs() <= LANES);
-        order(&run.people, &Moment { time: moment.time, here: here.collect() }, &directions)
+        order(&run.people, &PeopleMoment { time: moment.time, here: here.collect() }, &directions)
     }));
     vec![steady_flow(&crossings) / WIDTH, rho, v, phi, run.left as f64]
 }

@@ -1,4 +1,4 @@
-//! A closed loop wide enough to overtake: does a crowd keep walking?
+//! A closed loop wide enough to overtake: does the crowd keep walking?
 
 use super::measure::{mean, speed_round};
 use super::place::{WEIDMANN, until};

@@ -1,4 +1,4 @@
-//! A corner: how far from the inner corner agents pass.
+//! A corner: the distance at which agents pass the inner corner.
 
 use super::measure::{across, density_and_speed, quantile, steady};
 use super::place::{HERMES, rectangle, until_empty};

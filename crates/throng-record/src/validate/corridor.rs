@@ -22,7 +22,7 @@ const AGENTS: u32 = 180;
 /// Length of the constriction at the entrance and at the exit, m.
 const DOOR: f64 = 0.2;
 
-/// What people and simulators did: flow, density and speed.
+/// Measurements of experiments and simulators: flow, density and speed.
 struct Known {
     people: [&'static str; 3],
     jupedsim: [f64; 3],

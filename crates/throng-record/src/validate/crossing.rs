@@ -3,7 +3,7 @@
 use super::measure::{across, density_and_speed, mean, moments, steady};
 use super::place::{WEIDMANN, rectangle, until_empty};
 use super::{Case, Experiment, Figure, Run};
-use crate::pedestrian::{Area, Moment};
+use crate::pedestrian::{Area, PeopleMoment};
 use glam::DVec2;
 
 /// The experiment.
@@ -21,7 +21,7 @@ pub const EXPERIMENT: Experiment = Experiment {
 const HALF: f64 = 2.0;
 /// Agents of each stream.
 const AGENTS: u32 = 148;
-/// So far from the middle is a metre into an arm.
+/// Distance from the middle that is a metre into an arm.
 const INTO_ARM: f64 = HALF + 1.0;
 
 fn cases() -> Vec<Case> {
@@ -70,8 +70,8 @@ fn measure(run: &Run) -> Vec<f64> {
     vec![wave_direction(&inside), swept, v, rho, run.left as f64]
 }
 
-/// The places of agents in the crossing: 1 for the one stream, -1 for the other, less the mean.
-fn streams(run: &Run, moment: &Moment) -> Vec<(DVec2, f64)> {
+/// Returns the positions of agents in the crossing, with 1 for one stream and -1 for the other, less the mean.
+fn streams(run: &Run, moment: &PeopleMoment) -> Vec<(DVec2, f64)> {
     let stream = |number: u32| if run.group(number) == 0 { 1.0 } else { -1.0 };
     let all = moment.here.iter().map(|&here| (run.people.place(here), stream(run.people.walks[here.walk].number)));
     let inside: Vec<(DVec2, f64)> = all.filter(|(place, _)| place.abs().max_element() <= HALF).collect();
@@ -79,7 +79,8 @@ fn streams(run: &Run, moment: &Moment) -> Vec<(DVec2, f64)> {
     inside.into_iter().map(|(place, stream)| (place, stream - average)).collect()
 }
 
-/// The direction, in degrees from +x, -44 to 134: round the 45 that are expected, of the plane wave that has the most in common with how two streams alternate.
+/// Returns the direction of the plane wave that correlates most strongly with the alternation of two streams, in
+/// degrees from +x, from -44 to 134: centred on the expected 45.
 fn wave_direction(moments: &[Vec<(DVec2, f64)>]) -> f64 {
     // from 1.2 m, two files, to the width of the corridor
     let lengths = (0..15).map(|k| 1.2 + 0.2 * f64::from(k));
@@ -104,7 +105,7 @@ mod tests {
     fn stripes_are_found_in_their_direction() {
         for degrees in [20.0, 45.0, 110.0_f64] {
             let wave = std::f64::consts::TAU / 2.0 * DVec2::from_angle(degrees.to_radians());
-            // a lattice whose agents belong to the stream of the stripe they stand in
+            // a lattice; each agent belongs to the stream of its stripe
             let places = (0..400).map(|k| DVec2::new(f64::from(k % 20), f64::from(k / 20)) * 0.2 - 2.0);
             let stripes = places.map(|place| (place, wave.dot(place).cos().signum())).collect();
             assert!((wave_direction(&[stripes]) - degrees).abs() <= 4.0);

@@ -1,4 +1,4 @@
-//! Doors: how many agents come through, by the width, and how close they stand before it.
+//! Doors: the flow by the width, and the density before the door.
 
 use super::measure::{across, mean, steady, voronoi_density};
 use super::place::{HERMES, rectangle, until_empty};
@@ -41,7 +41,7 @@ fn case(width: f64, flow: Figure) -> Case {
     let figures = vec![
         flow,
         if required { rho.within(4.0, 10.0) } else { rho },
-        Figure::new("cv", "", "standard deviation over mean of the gaps between two who come through")
+        Figure::new("cv", "", "standard deviation over mean of the gaps between consecutive crossings")
             .people("0.52–0.78 (0.5 m)"),
         Figure::new("gaps > 3 s", "", "share of the gaps that are longer than 3 s").people("0 (0.5 m)"),
         Figure::new("longest", "s", "the longest gap").people("2.7 (0.5 m)"),
@@ -73,7 +73,7 @@ fn measure(run: &Run, width: f64) -> Vec<f64> {
     vec![steady_flow(&crossings) / width, before, deviation / average, long, longest, run.left as f64]
 }
 
-/// While at least half of the crowd is there, from the crossing of the first 5 % on, seconds.
+/// Returns the time from the crossing of the first 5 % until half of the crowd has crossed, seconds.
 fn crowded(crossings: &[Crossing]) -> RangeInclusive<f64> {
     let half = crossings.get(crossings.len() / 2).map_or(0.0, |at| at.time);
     *steady(crossings).start()..=half

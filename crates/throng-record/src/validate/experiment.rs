@@ -1,19 +1,19 @@
-//! What an experiment is.
+//! The definition of an experiment.
 
 use super::{Run, motion};
 use std::fmt;
 use throng_scene::{Error, Scene};
 
-/// An experiment with people.
+/// An experiment with pedestrians.
 #[derive(Clone, Copy)]
 pub struct Experiment {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// Its name in tables.
+    /// Name in tables.
     pub title: &'static str,
-    /// The geometry and what is measured, in a sentence or two.
+    /// The geometry and the measures, in a sentence or two.
     pub about: &'static str,
-    /// Where the figures of people are from.
+    /// The source of the pedestrians' figures.
     pub source: &'static str,
     pub(super) cases: fn() -> Vec<Case>,
     /// Figures that compare the cases with each other.
@@ -21,15 +21,15 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// What this engine did with its defaults before its interaction rules were rebuilt (commit 3d7b9bf): mean of seeds 1 to 5, by these measures. The case is `all` for
-    /// figures of all cases. Not a number where it is not known.
+    /// Returns the result of this engine with its defaults before its interaction rules were rebuilt (commit 3d7b9bf):
+    /// mean of seeds 1 to 5, by the same measures. The case is `all` for figures of all cases. Returns NaN if unknown.
     ///
     /// ```
     /// use throng_record::validate::EXPERIMENTS;
     /// assert!(EXPERIMENTS[0].before("2.24 per m", "v") > 1.0);
     /// ```
     pub fn before(&self, case: &str, figure: &str) -> f64 {
-        // names of cases may have commas: they are written as semicolons
+        // commas in names of cases are written as semicolons
         let case = case.replace(',', ";");
         let value = |line: &str| {
             let mut cells = line.split(',');
@@ -39,7 +39,7 @@ impl Experiment {
         include_str!("before.csv").lines().skip(1).find_map(value).unwrap_or(f64::NAN)
     }
 
-    /// Its cases, in order.
+    /// Returns the cases, in order.
     pub fn cases(&self) -> Vec<Case> {
         (self.cases)()
     }
@@ -55,17 +55,18 @@ impl fmt::Debug for Experiment {
 #[derive(Clone, Copy)]
 pub struct Overall {
     pub(super) figures: fn() -> Vec<Figure>,
-    /// From the values of each case, empty for a case that did not run, of one seed.
+    /// Computes the values from those of each case with one seed, empty for a case that did not run.
     pub(super) measure: fn(&[Vec<f64>]) -> Vec<f64>,
 }
 
 impl Overall {
-    /// The figures.
+    /// Returns the figures.
     pub fn figures(&self) -> Vec<Figure> {
         (self.figures)()
     }
 
-    /// Their values, from the values of each of the experiment's cases with one seed; empty for a case that did not run. Not a number where they need such a case.
+    /// Computes the values from those of each of the experiment's cases with one seed, empty for a case that did not
+    /// run. A value that needs such a case is NaN.
     pub fn measure(&self, cases: &[Vec<f64>]) -> Vec<f64> {
         (self.measure)(cases)
     }
@@ -77,17 +78,17 @@ impl fmt::Debug for Overall {
     }
 }
 
-/// A scene of an experiment, and what is measured on it.
+/// A scene of an experiment and its measures.
 pub struct Case {
-    /// Its name within the experiment.
+    /// Name within the experiment.
     pub name: String,
-    /// Whether it belongs to the quick selection.
+    /// Whether the case belongs to the quick selection.
     pub quick: bool,
     /// The scene file.
     pub text: String,
-    /// Seconds from one recorded position to the next.
+    /// Interval of recorded positions, seconds.
     pub interval: f64,
-    /// What is measured, in the order of the values.
+    /// The figures, in the order of the values.
     pub figures: Vec<Figure>,
     pub(super) measure: Measure,
 }
@@ -96,7 +97,8 @@ pub struct Case {
 pub(super) type Measure = Box<dyn Fn(&Run) -> Vec<f64> + Send + Sync>;
 
 impl Case {
-    /// A case that is recorded every 0.08 s. How the agents move is measured in every case, after its own figures.
+    /// Creates a case that is recorded every 0.08 s. Every case also measures the agents' motion, after its own
+    /// figures.
     pub(super) fn new(
         name: impl Into<String>,
         text: String,
@@ -112,22 +114,22 @@ impl Case {
         Self { name: name.into(), quick: true, text, interval: 0.08, figures, measure: Box::new(measure) }
     }
 
-    /// The same case, outside of the quick selection.
+    /// Takes the case out of the quick selection.
     pub(super) fn slow(self) -> Self {
         Self { quick: false, ..self }
     }
 
-    /// Its scene with a seed.
+    /// Returns the scene with a seed.
     ///
     /// # Errors
-    /// The text is no scene: a mistake in the experiment.
+    /// The text is not a scene: an error in the experiment.
     pub fn scene(&self, seed: u64) -> Result<Scene, Error> {
         let mut scene: Scene = self.text.parse()?;
         scene.seed = seed;
         Ok(scene)
     }
 
-    /// The values of its figures. What is not known is not a number.
+    /// Returns the values of the figures. Unknown values are NaN.
     pub fn measure(&self, run: &Run) -> Vec<f64> {
         (self.measure)(run)
     }
@@ -139,24 +141,24 @@ impl fmt::Debug for Case {
     }
 }
 
-/// What is measured, what people did, and what is tolerated.
+/// A measured figure, the result of pedestrians, and the tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Its symbol or name in tables.
+    /// Symbol or name in tables.
     pub name: &'static str,
-    /// Its unit; empty for a pure number.
+    /// Unit; empty for a pure number.
     pub unit: &'static str,
-    /// What it is, in a few words.
+    /// What it measures, in a few words.
     pub meaning: &'static str,
-    /// From where to where a model may be; `None`: only shown.
+    /// Range of acceptable values; `None`: no requirement.
     pub tolerance: Option<[f64; 2]>,
-    /// What people did, as text, since it may be a range or several experiments. Empty: not known.
+    /// Result of pedestrians, as text, since it may be a range or several experiments; empty if unknown.
     pub people: &'static str,
-    /// What simulators did in the same geometry, measured the same way.
+    /// Results of simulators in the same geometry, by the same measure.
     pub reference: Reference,
 }
 
-/// What simulators did. Not a number where it was not measured.
+/// Results of simulators; NaN if not measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// The best of the models of JuPedSim 1.4.2.
@@ -166,33 +168,33 @@ pub struct Reference {
 }
 
 impl Figure {
-    /// A figure that is only shown.
+    /// Creates a figure without a requirement.
     pub(super) fn new(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         let reference = Reference { jupedsim: f64::NAN, rvo2: f64::NAN };
         Self { name, unit, meaning, tolerance: None, people: "", reference }
     }
 
-    /// Has to be from `low` to `high`.
+    /// Requires values from `low` to `high`.
     pub(super) fn within(self, low: f64, high: f64) -> Self {
         Self { tolerance: Some([low, high]), ..self }
     }
 
-    /// What people did.
+    /// Sets the result of pedestrians.
     pub(super) fn people(self, people: &'static str) -> Self {
         Self { people, ..self }
     }
 
-    /// What JuPedSim's best and RVO2 did.
+    /// Sets the results of JuPedSim's best model and RVO2.
     pub(super) fn reference(self, jupedsim: f64, rvo2: f64) -> Self {
         Self { reference: Reference { jupedsim, rvo2 }, ..self }
     }
 
-    /// Agents that did not arrive: there have to be none.
+    /// Returns the figure of agents that did not arrive, which must be 0.
     pub(super) fn left() -> Self {
         Self::new("left", "", "agents that did not arrive").within(0.0, 0.0)
     }
 
-    /// Whether a value is tolerated; `None`: nothing is required. A value that is not known is not tolerated.
+    /// Whether a value is acceptable; `None` without a requirement. NaN is not acceptable.
     ///
     /// ```
     /// use throng_record::validate::EXPERIMENTS;

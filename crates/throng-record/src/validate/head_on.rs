@@ -1,29 +1,29 @@
-//! Two agents that meet head on, and one alone.
+//! Two agents that meet head on, and a single agent.
 
 use super::place::until_empty;
 use super::{Case, Experiment, Figure, Run};
 
-/// Two that meet.
+/// Two agents that meet.
 pub const PAIR: Experiment = Experiment {
     name: "head-on",
     title: "Head-on pair",
-    about: "Two agents 24 m apart that walk towards each other at 1.3 m/s, exactly or by an offset; where they begin to avoid (0.1 m aside) and how far apart their centres pass.",
+    about: "Two agents 24 m apart that walk towards each other at 1.3 m/s, exactly or with an offset; their distance when avoidance begins (0.1 m aside), and the least distance of their centres.",
     source: "Least distances of recorded head-on pairs: ETH 1.17, hotel 1.10, zara 0.98 m (median), measured on the recordings; avoidance begins at 5 to 8 m.",
     cases: pair,
     overall: None,
 };
 
-/// One alone.
+/// A single agent.
 pub const LONE: Experiment = Experiment {
     name: "lone-walker",
     title: "Lone walker",
-    about: "An agent that walks 24 m straight ahead: how far aside it gets.",
-    source: "There is no reason to leave the straight way.",
+    about: "An agent that walks 24 m straight ahead: its greatest lateral displacement.",
+    source: "There is no reason to leave the straight line.",
     cases: lone,
     overall: None,
 };
 
-/// How far aside is the beginning of an avoidance, m.
+/// Lateral displacement that counts as the start of avoidance, m.
 const ASIDE: f64 = 0.1;
 
 fn pair() -> Vec<Case> {
@@ -55,7 +55,7 @@ fn measure(run: &Run) -> Vec<f64> {
     let least = moments.clone().map(|(a, b)| a.distance(*b)).fold(f64::INFINITY, f64::min);
     let aside = |walk: &crate::pedestrian::Walk, at: usize| (walk.places[at].y - walk.places[0].y).abs();
     let first = (0..a.places.len().min(b.places.len())).find(|&at| aside(a, at).max(aside(b, at)) > ASIDE);
-    // those who have passed did not begin
+    // agents that have already passed each other do not start to avoid
     let begins = first.filter(|&at| a.places[at].x < b.places[at].x).map(|at| a.places[at].distance(b.places[at]));
     vec![begins.unwrap_or(f64::NAN), least, run.left as f64]
 }
@@ -63,7 +63,9 @@ fn measure(run: &Run) -> Vec<f64> {
 fn lone() -> Vec<Case> {
     let rest = "\n[[group]]\nplace.point = [-12, 0]\ngoal.exit.rectangle = { center = [13, 0], size = [2, 6] }\nspeed.preferred = 1.3\n";
     let figures = vec![
-        Figure::new("aside", "m", "farthest aside of the straight way").within(0.0, 0.05).reference(f64::NAN, 0.0),
+        Figure::new("aside", "m", "greatest distance from the straight line")
+            .within(0.0, 0.05)
+            .reference(f64::NAN, 0.0),
         Figure::left(),
     ];
     let measure = |run: &Run| {

@@ -1,8 +1,9 @@
-//! The experiments with people that models of pedestrians are judged by: their scenes, how they are measured, and what people did.
+//! The experiments with pedestrians that models are validated by: their scenes, measures and results.
 //!
-//! An [`Experiment`] is a list of [`Case`]s. A case is a scene, whose text is a scene file, and the [`Figure`]s measured on a [`Run`] of it. Each
-//! figure holds what people did, what other simulators did in the same geometry, and the tolerance of a model that walks as people do.
-//! [`families`] draws variants of scenes at random and checks what has to hold in all of them. `docs/validation.md` describes all of it.
+//! An [`Experiment`] is a list of [`Case`]s. A case is a scene, as the text of a scene file, and the [`Figure`]s
+//! measured on a [`Run`] of it. Each figure holds the result of pedestrians, the results of other simulators in the
+//! same geometry, and the tolerance for a model of pedestrians. [`families`] draws random variants of scenes and checks
+//! requirements that hold in all of them. `docs/validation.md` describes all of it.
 //!
 //! ```
 //! use throng_record::validate::{EXPERIMENTS, Run};
@@ -35,7 +36,7 @@ mod single_file;
 pub use experiment::{Case, Experiment, Figure, Overall, Reference};
 pub use run::Run;
 
-/// All experiments, in the order in which they are listed.
+/// All experiments, in the order of tables.
 pub const EXPERIMENTS: &[Experiment] = &[
     single_file::EXPERIMENT,
     corridor::EXPERIMENT,

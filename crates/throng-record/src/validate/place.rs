@@ -1,4 +1,4 @@
-//! What the scene files of experiments have in common.
+//! Common parts of the experiments' scene files.
 
 /// The free speeds of the participants of the HERMES experiments in straight corridors.
 pub const HERMES: &str = "speed = { preferred = { normal = { mean = 1.55, deviation = 0.18 } }, max = 2.3 }";

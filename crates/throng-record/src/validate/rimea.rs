@@ -33,7 +33,7 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// Positions in [`cases`] that the figures of all cases compare.
+/// Indices of the [`cases`] that the overall figures compare.
 const EXITS: [usize; 2] = [4, 5];
 const BENDS: [usize; 2] = [9, 10];
 
@@ -51,7 +51,7 @@ fn overall(cases: &[Vec<f64>]) -> Vec<f64> {
     vec![time(EXITS[1]) / time(EXITS[0]), time(BENDS[0]) / time(BENDS[1])]
 }
 
-/// When the last agent left, s.
+/// The time at which the last agent left, s.
 fn time() -> Figure {
     Figure::new("T", "s", "when the last agent left")
 }
@@ -60,7 +60,7 @@ fn last_time(run: &Run) -> f64 {
     run.people.walks.iter().filter_map(|walk| walk.times.last()).copied().fold(f64::NAN, f64::max)
 }
 
-/// Test 1: one agent of 1.33 m/s in a corridor of 40 m by 2 m.
+/// Test 1: an agent of 1.33 m/s in a corridor of 40 m by 2 m.
 fn walking_speed() -> Case {
     let rest = "walkable.rectangle = { center = [20, 0], size = [42, 2] }\n\n[[group]]\nplace.point = [0, 0]\n\
                 goal.exit.rectangle = { center = [40.5, 0], size = [1, 2] }\nspeed.preferred = 1.33\n";
@@ -70,7 +70,7 @@ fn walking_speed() -> Case {
     })
 }
 
-/// Test 5: ten agents that set off after 10 to 100 s.
+/// Test 5: ten agents that start to walk after 10 to 100 s.
 fn reaction_times() -> Case {
     let rest = "walkable.rectangles = [{ center = [4, 2.5], size = [8, 5] }, { center = [9, 2.5], size = [2.2, 1] }]\n\n[[group]]\ncount = 10\n\
                 place.rectangle = { center = [4, 2.5], size = [7, 4] }\ngoal.exit.rectangle = { center = [9.5, 2.5], size = [1, 1] }\nwait = { uniform = [10, 100] }\n";
@@ -89,7 +89,7 @@ fn reaction_times() -> Case {
     })
 }
 
-/// Test 6: twenty agents round a corner of a corridor of 2 m.
+/// Test 6: twenty agents that walk around a corner of a corridor of 2 m.
 fn corner() -> Case {
     let parts = [rectangle([0.0, 0.0], [12.0, 2.0]), rectangle([10.0, 0.0], [12.0, 12.0])];
     let rest = format!(
@@ -108,7 +108,7 @@ fn corner() -> Case {
     })
 }
 
-/// Test 7: fifty agents with distributed speeds, one after the other.
+/// Test 7: fifty agents with distributed speeds, side by side.
 fn speeds() -> Case {
     let mut rest = String::from("walkable.rectangle = { center = [15, 0], size = [32, 50] }\n");
     let _ = write!(
@@ -157,7 +157,7 @@ fn exits(name: &str, open: &[usize]) -> Case {
     })
 }
 
-/// Test 10: 23 agents in twelve rooms along a corridor; those of the first eight rooms are assigned the main exit.
+/// Test 10: 23 agents in twelve rooms along a corridor; the agents of eight rooms are assigned the main exit.
 fn assigned_exits() -> Case {
     let mut ground = vec![rectangle([-1.0, -1.0], [20.0, 1.0])];
     let mut places = [Vec::new(), Vec::new()];
@@ -200,7 +200,7 @@ fn assigned_exits() -> Case {
     )
 }
 
-/// Test 11: 500 agents before two exits, one nearer: some have to take the other.
+/// Test 11: 500 agents before two exits, one nearer: some must take the farther exit.
 fn choice_of_exit() -> Case {
     let exit = |y: f64| format!("{{ exit.rectangle = {} }}", rectangle([31.0, y - 0.5], [31.5, y + 0.5]));
     let passage = |y: f64| rectangle([29.0, y - 0.5], [31.5, y + 0.5]);
@@ -224,7 +224,8 @@ fn choice_of_exit() -> Case {
     })
 }
 
-/// Test 12: 150 agents through a corridor of 1 m into a second room, which has an exit of 1 m: they jam before the corridor only.
+/// Test 12: 150 agents walk through a corridor of 1 m into a second room with an exit of 1 m: a jam may form only
+/// before the corridor.
 fn bottlenecks() -> Case {
     let parts = [
         rectangle([-10.0, -5.0], [0.0, 5.0]),
@@ -255,7 +256,7 @@ fn bottlenecks() -> Case {
     })
 }
 
-/// Test 15: 250 agents round a bend of a corridor of 4 m, or straight on along the length of its outer wall.
+/// Test 15: 250 agents around a bend of a corridor of 4 m, or straight on along the length of its outer wall.
 fn bend(name: &str, bent: bool) -> Case {
     let (ground, exit) = if bent {
         ("[[0, 0], [30, 0], [30, 30], [26, 30], [26, 4], [0, 4]]", rectangle([26.0, 28.5], [30.0, 30.0]))

@@ -1,35 +1,35 @@
-//! A run of a scene, recorded.
+//! Records a run of a scene.
 
 use crate::pedestrian::{People, Walk};
 use std::ops::Range;
 use throng::{Status, Summary, Walkable, World};
 use throng_scene::{Error, Scene};
 
-/// What happened in a run.
+/// The recording of a run.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Where every agent was.
+    /// The trajectories of all agents.
     pub people: People,
     /// The numbers of the agents of each group of the scene.
     pub groups: Vec<Range<u32>>,
     /// The ground.
     pub walkable: Vec<Walkable>,
-    /// The world's own figures.
+    /// The summary of the world.
     pub summary: Summary,
-    /// Agents that had not arrived at the end.
+    /// Number of agents that had not arrived at the end.
     pub left: usize,
 }
 
 impl Run {
-    /// Runs a scene to its end and records it every `interval` seconds, rounded to whole steps. `goes_on` is called after every step with the world;
-    /// where it returns `false` the run ends without a result.
+    /// Runs a scene to its end and records it every `interval` seconds, rounded to whole steps. `goes_on` is called
+    /// after every step; if it returns `false`, the run ends without a result.
     ///
     /// # Errors
     /// The scene cannot be built.
     pub fn of(scene: &Scene, interval: f64, mut goes_on: impl FnMut(&World) -> bool) -> Result<Option<Self>, Error> {
         let (mut world, built) = scene.build()?;
         let every = (interval / scene.time.step).round().max(1.0) as u64;
-        let mut walks = Walks::default();
+        let mut walks = AgentPaths::default();
         walks.push(&world);
         while !scene.time.over(&world) {
             world.step();
@@ -46,7 +46,7 @@ impl Run {
         Ok(Some(Self { people: walks.people(), groups, walkable: built.walkable, summary, left }))
     }
 
-    /// The group of an agent, by its number.
+    /// Returns the group of an agent, by its number.
     pub fn group(&self, number: u32) -> usize {
         self.groups.iter().position(|numbers| numbers.contains(&number)).unwrap_or(0)
     }
@@ -54,12 +54,12 @@ impl Run {
 
 /// Positions of all agents, by number.
 #[derive(Debug, Default)]
-struct Walks(Vec<Walk>);
+struct AgentPaths(Vec<Walk>);
 
-impl Walks {
-    /// Adds the present moment.
+impl AgentPaths {
+    /// Adds the current positions.
     fn push(&mut self, world: &World) {
-        let agents = world.agents();
+        let agents = world.relative_columns();
         for row in 0..agents.len() {
             let (number, id) = (agents.number[row], world.id(row));
             let Some(place) = world.position(id).filter(|_| agents.status[row] != Status::Stranded) else { continue };

@@ -1,4 +1,4 @@
-//! Single file: how fast agents walk that cannot overtake, by their density.
+//! Single file: the speed of agents that cannot overtake, by their density.
 
 use super::measure::speed_round;
 use super::place::until;

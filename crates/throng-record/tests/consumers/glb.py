@@ -113,7 +113,7 @@ for time in times[:: max(1, len(times) // 100)]:
         want = [float(row["x"]), float(row["y"]), float(row.get("z", 0))]
         ahead = turned(value("rotation"), (0, 0, 1))
         off = (math.atan2(-ahead[2], ahead[0]) - float(row["heading"]) + math.pi) % (2 * math.pi) - math.pi
-        # of who flies steeply, a small turn is a large one along the ground
+        # for an agent that flies steeply, a small rotation is a large one along the ground
         level = math.hypot(ahead[0], ahead[2])
         worst = [max(a, b) for a, b in zip(worst, (max(abs(a - b) for a, b in zip(place, want)), abs(off) * level, 1))]
         assert worst[0] < 1.1e-3 and worst[1] < math.radians(0.4), (time, row, place, off)

@@ -1,4 +1,4 @@
-"""What PedPy says of the recorded people in shared/data: the numbers that tests/pedestrian.rs compares with.
+"""What PedPy says of the recorded people in shared/data: the numbers that tests/outside/pedestrian.rs compares with.
 
     pip install pedpy
     python pedpy_reference.py ../../../../../shared/data/trajectories/juelich

@@ -35,7 +35,7 @@ for time in times[:: max(1, len(times) // 50)]:
         assert math.dist(velocities[k][:2], (float(row["vx"]), float(row["vy"]))) < 1e-3
         ahead = Gf.Quatd(turns[k]).GetNormalized().Transform(Gf.Vec3d(1, 0, 0))
         off = (math.atan2(ahead[1], ahead[0]) - float(row["heading"]) + math.pi) % (2 * math.pi) - math.pi
-        # of who flies steeply, a small turn is a large one along the ground
+        # for an agent that flies steeply, a small rotation is a large one along the ground
         assert abs(off) * math.hypot(ahead[0], ahead[1]) < math.radians(0.15), (time, row, ahead)
         compared += 1
 if len(sys.argv) > 3:

@@ -1,10 +1,10 @@
-//! What the schema says of a value, as a hint for errors about its type or its range.
+//! Descriptions of values from the schema, as hints for errors about their type or range.
 
 use super::path::{Path, Step};
 use serde_json::Value;
 
-/// The description of the value at a path, or of the nearest enclosing one that has a description: what it is, its unit, its limits,
-/// and its default. `None` for a path that the schema does not know, such as into parameters of a plug-in.
+/// Returns the description of the value at a path, or of the nearest enclosing value with a description: its meaning,
+/// unit, limits and default. `None` for a path that the schema does not contain, such as into parameters of a plug-in.
 pub(super) fn about(path: &Path) -> Option<String> {
     let root = crate::schema();
     let (mut schema, mut key, mut found) = (&root, "", None);
@@ -23,7 +23,7 @@ pub(super) fn about(path: &Path) -> Option<String> {
     found
 }
 
-/// The schema of what lies one step below a schema, and its description.
+/// Returns the schema one step below a schema, and its description.
 fn child<'s>(root: &'s Value, schema: &'s Value, step: &Step) -> Option<(&'s Value, Option<&'s str>)> {
     if let Some(name) = schema["$ref"].as_str() {
         return child(root, &root["$defs"][name.rsplit('/').next()?], step);
@@ -36,7 +36,7 @@ fn child<'s>(root: &'s Value, schema: &'s Value, step: &Step) -> Option<(&'s Val
         let choices = ["anyOf", "oneOf"].into_iter().filter_map(|key| schema[key].as_array()).flatten();
         return choices.filter(|choice| choice.is_object()).find_map(|choice| child(root, choice, step));
     };
-    // a choice is a table of one key, which has the description of the choice
+    // a choice is a table with one key; the description belongs to the choice
     Some((next, next["description"].as_str().or_else(|| schema["required"].get(0).and(schema["description"].as_str()))))
 }
 
@@ -53,8 +53,11 @@ mod tests {
                 "`step`: Seconds from one output to the next. Limit: 0.00001 to 10. Default: 0.04.",
             ),
             (group.key("body.radius"), "`radius`: A disc of this radius, metres. Limit: > 0, at most 1000."),
-            (group.key("body.radius.uniform").index(1), "`uniform`: Evenly between two bounds, the lower first."),
-            (group.key("place.ring.center").index(0), "`center`: Its middle."),
+            (
+                group.key("body.radius.uniform").index(1),
+                "`uniform`: Uniformly distributed between two bounds, the lower first.",
+            ),
+            (group.key("place.ring.center").index(0), "`center`: Its centre."),
         ] {
             assert_eq!(about(&path).as_deref(), Some(expected));
         }

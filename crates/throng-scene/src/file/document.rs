@@ -1,4 +1,4 @@
-//! A scene file as it was read: its text, what `--set` changed, and where each value stands.
+//! A scene file as it was read: its text, the values that `--set` changed, and the position of each value.
 
 use super::about::about;
 use super::path::{Path, Problem, Step};
@@ -14,23 +14,23 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Where a scene was read from.
+/// The source of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Origin {
-    /// The folder that relative file names in the scene refer to; empty for the current one.
+    /// The folder to which relative file names in the scene refer; empty for the current folder.
     pub folder: PathBuf,
     pub(crate) document: Option<Arc<Document>>,
 }
 
 impl PartialEq for Origin {
-    /// Always: where a scene was read from is not part of what it says.
+    /// Returns true: the source of a scene is not part of its content.
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-/// A scene file as it was read. Byte positions beyond the file's text name places in the overrides' values, one
-/// after the other.
+/// A scene file as it was read. Byte positions beyond the file's text are positions in the values of the overrides,
+/// which follow each other.
 #[derive(Clone, Debug)]
 pub(crate) struct Document {
     name: Option<String>,
@@ -38,7 +38,7 @@ pub(crate) struct Document {
     overrides: Vec<Override>,
 }
 
-/// Tables of one kind that a scene has at most.
+/// The maximum number of tables of one kind in a scene.
 const MOST_TABLES: usize = 100_000;
 
 impl Document {
@@ -46,14 +46,14 @@ impl Document {
         Self { name, text, overrides: vec![] }
     }
 
-    /// With one more value changed.
+    /// Returns the document with one more changed value.
     pub fn with(&self, change: Override) -> Self {
         let mut document = self.clone();
         document.overrides.push(change);
         document
     }
 
-    /// The tree of values, overrides applied.
+    /// Returns the tree of values, with the overrides applied.
     fn tree(&self) -> Result<Spanned<DeTable<'_>>, Error> {
         let mut tree = DeTable::parse(&self.text).map_err(|error| {
             let out = Error::new(Kind::Syntax, format!("this is not TOML: {}", error.message()));
@@ -86,7 +86,7 @@ impl Document {
         })
     }
 
-    /// Turns a problem with a value into an error with the value's place.
+    /// Turns a problem with a value into an error with the value's position.
     pub fn explain(&self, problem: Problem) -> Error {
         let mut error = Error::new(problem.kind, problem.message);
         let hint = || about(&problem.path).filter(|_| is_of_value(problem.kind)).map(Into::into);
@@ -97,7 +97,7 @@ impl Document {
         }
     }
 
-    /// Adds file, line and column to an error about these bytes.
+    /// Adds file, line and column to an error about the bytes `span`.
     fn place(&self, error: Error, span: Range<usize>) -> Error {
         let mut start = self.text.len() + 1;
         for change in &self.overrides {
@@ -111,12 +111,12 @@ impl Document {
     }
 }
 
-/// Whether a mistake is a value of the wrong type or out of its range.
+/// Whether a mistake is a value of the wrong type or out of range.
 fn is_of_value(kind: Kind) -> bool {
     matches!(kind, Kind::WrongType | Kind::OutOfRange)
 }
 
-/// The path to the innermost value that has the byte `at` of the text, below the value at `path`.
+/// Returns the path to the innermost value that contains the byte `at` of the text, below the value at `path`.
 fn holding(value: &DeValue<'_>, at: usize, path: &Path) -> Option<Path> {
     let within = |value: &Spanned<DeValue<'_>>, path: Path| {
         holding(value.get_ref(), at, &path).or_else(|| value.span().contains(&at).then_some(path))
@@ -128,13 +128,13 @@ fn holding(value: &DeValue<'_>, at: usize, path: &Path) -> Option<Path> {
     }
 }
 
-/// The key of a list that is too long, and where its first table too many stands.
+/// Returns the key of a list that is too long, and the position of its first surplus table.
 fn surplus<'a>((key, value): (&'a Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)) -> Option<(&'a str, Range<usize>)> {
     let surplus = <[_]>::get(value.get_ref().as_array()?, MOST_TABLES)?;
     Some((key.get_ref(), surplus.span()))
 }
 
-/// The bytes of the value at a path, or of the nearest enclosing thing that the file has.
+/// Returns the bytes of the value at a path, or of the nearest enclosing value in the file.
 fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
     let mut span = 0..0;
     let mut table = Some(tree.get_ref());
@@ -143,7 +143,8 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
         let value = match (step, table, array) {
             (Step::Key(key), Some(items), _) => items.get(key.as_str()),
             (Step::Index(index), _, Some(items)) => <[Spanned<DeValue>]>::get(items, *index),
-            // A single source may stand where a list could be, and a list where a table of it could.
+            // A file may have a single source where the path has a list, and a list where the path has a table with
+            // that list.
             (Step::Index(0), Some(_), _) => continue,
             (Step::Key(key), _, Some(_)) if key == "of" => continue,
             _ => None,
@@ -156,7 +157,7 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
             _ => (None, None),
         };
     }
-    // The table of a dotted key (`place.ring = ..`) stands nowhere itself: its only value does.
+    // The table of a dotted key (`place.ring = ..`) has no position in the text: its only value has.
     while let (Some(Step::Key(_)), Some(items)) = (path.steps.last(), table) {
         let mut values = items.values();
         match (values.next(), values.next()) {

@@ -1,4 +1,4 @@
-//! Scene files: TOML in and out, and where in a file a value came from.
+//! Scene files: reads and writes TOML, and finds the position of a value in a file.
 
 mod about;
 mod document;

@@ -3,7 +3,7 @@
 use crate::error::Kind;
 use std::fmt;
 
-/// The way to a value of a scene: `group`, `0`, `body`, `radius`.
+/// The path to a value of a scene: `group`, `0`, `body`, `radius`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Path {
     pub steps: Vec<Step>,
@@ -21,21 +21,21 @@ impl Path {
         Self::default().key(key)
     }
 
-    /// Further down, by key; dots separate keys.
+    /// Returns the path extended by keys; dots separate keys.
     pub fn key(&self, keys: &str) -> Self {
         let mut path = self.clone();
         path.steps.extend(keys.split('.').map(|key| Step::Key(key.to_owned())));
         path
     }
 
-    /// Further down, by a key that may have dots in it.
+    /// Returns the path extended by one key, which may contain dots.
     pub fn name(&self, key: &str) -> Self {
         let mut path = self.clone();
         path.steps.push(Step::Key(key.to_owned()));
         path
     }
 
-    /// Further down, by position in a list.
+    /// Returns the path extended by a position in a list.
     pub fn index(&self, index: usize) -> Self {
         let mut path = self.clone();
         path.steps.push(Step::Index(index));
@@ -56,7 +56,7 @@ impl fmt::Display for Path {
     }
 }
 
-/// Something wrong with the value at a path.
+/// A problem with the value at a path.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
     pub path: Path,

@@ -12,8 +12,8 @@ impl Scene {
     /// Reads a scene file.
     ///
     /// # Errors
-    /// With file, line, column and a hint: the file cannot be read, is not TOML, or has keys or values that scenes
-    /// do not have. What the values mean together is checked by [`Scene::plan`] and [`Scene::build`].
+    /// The file cannot be read, is not TOML, or has keys or values that scenes do not have. The error has file, line,
+    /// column and a hint. [`Scene::plan`] and [`Scene::build`] check whether the values fit together.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let text = text(path, read_at_most(path, LARGEST_SCENE)?)?;
@@ -22,10 +22,10 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Reads the text of a scene file; `name` is the name errors give it.
+    /// Reads the text of a scene file. Errors use `name` as the file name.
     ///
     /// # Errors
-    /// Like [`Scene::load`].
+    /// As for [`Scene::load`].
     pub fn parse(name: &str, text: impl Into<String>) -> Result<Self, Error> {
         let document = Document::new(Some(name.to_owned()), text.into());
         let mut scene: Self = document.read()?;
@@ -33,10 +33,10 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The scene as the text of a scene file. Reading it gives the same scene.
+    /// Returns the text of a scene file. Reading it gives the same scene.
     ///
     /// # Errors
-    /// A seed too large for TOML.
+    /// The seed is too large for TOML.
     pub fn to_toml(&self) -> Result<String, Error> {
         toml::to_string(self).map_err(|error| {
             Error::new(Kind::OutOfRange, format!("this scene cannot be written as TOML: {error}"))
@@ -53,18 +53,18 @@ impl FromStr for Scene {
     }
 }
 
-/// Bytes of a floor plan, a picture or a scenario, at most.
+/// Maximum size of a floor plan, a picture or a scenario, bytes.
 pub(crate) const LARGEST: u64 = 64 << 20;
-/// Bytes of a scene file, at most: what its text says takes up to a hundred times as much memory.
+/// Maximum size of a scene file, bytes: the parsed values take up to a hundred times as much memory.
 const LARGEST_SCENE: u64 = 16 << 20;
 
-/// The error of a file with more bytes than `most`.
+/// Returns the error for a file with more bytes than `most`.
 pub(crate) fn too_large(name: &str, most: u64) -> Error {
     Error::new(Kind::File, format!("{name} is larger than {} MB", most >> 20))
         .hint("leave out what the scene does not need, and say many agents of one kind by `count`")
 }
 
-/// The bytes of a file, or why not.
+/// Reads the bytes of a file.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Error> {
     read_at_most(path, LARGEST)
 }
@@ -76,12 +76,12 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     if bytes.len() as u64 > most { Err(too_large(&path.display().to_string(), most)) } else { Ok(bytes) }
 }
 
-/// The text of a file, or why not.
+/// Reads the text of a file.
 pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
     text(path, read_bytes(path)?)
 }
 
-/// A file's bytes as text.
+/// Converts the bytes of a file to text.
 fn text(path: &Path, bytes: Vec<u8>) -> Result<String, Error> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map(<[u8]>::to_vec).unwrap_or(bytes);
     String::from_utf8(bytes).map_err(|_| {
@@ -90,7 +90,7 @@ fn text(path: &Path, bytes: Vec<u8>) -> Result<String, Error> {
     })
 }
 
-/// Why a file cannot be read, and what is there instead.
+/// Returns the error for a file that cannot be read, with the names of similar files in its folder.
 pub(crate) fn missing(path: &Path, error: &std::io::Error) -> Error {
     let shown = path.display();
     if error.kind() != ErrorKind::NotFound {

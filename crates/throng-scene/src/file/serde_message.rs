@@ -1,4 +1,4 @@
-//! Messages of the deserialiser in the words of a scene's author.
+//! Translates the messages of the deserialiser into the terms of scene files.
 
 use super::value::{Misread, Value};
 use crate::error::{Error, Kind};
@@ -40,12 +40,19 @@ pub(crate) fn explain(message: &str) -> Error {
     Error::new(kind, in_plain_words(message))
 }
 
-/// Keys that are no more, and the key that does what they did.
+/// Removed keys, and the key that replaces each.
 const REPLACED: [(&str, &str); 2] = [("queue", "look_ahead"), ("detour", "look_ahead")];
 
-/// "This key does not exist", with those that do.
+/// Renamed keys: the old name and the new one.
+const RENAMED: [(&str, &str); 4] =
+    [("who", "groups"), ("what", "obstacles"), ("way", "direction"), ("says", "encoding")];
+
+/// Returns the error for an unknown key, with the keys that exist.
 pub(crate) fn unknown_key(wrong: &str, keys: &[String]) -> Error {
     let error = Error::new(Kind::UnknownKey, format!("there is no key `{wrong}` here"));
+    if let Some((_, new)) = RENAMED.iter().find(|(old, new)| *old == wrong && keys.iter().any(|key| key == new)) {
+        return error.hint(format!("its name is `{new}` now"));
+    }
     match REPLACED.iter().find(|(old, new)| *old == wrong && keys.iter().any(|key| key == new)) {
         Some((_, new)) => {
             error.hint(format!("`{new}` does what it did, and is on unless it says false: leave `{wrong}` out"))
@@ -65,7 +72,7 @@ fn with_nearest(error: Error, wrong: &str, known: &[String], what: &str) -> Erro
     }
 }
 
-/// The known word nearest to what was written, if any is near.
+/// Returns the known word nearest to the written one, if any is near.
 pub(crate) fn nearest<'a>(wrong: &str, known: &'a [String]) -> Option<&'a str> {
     let wrong = wrong.to_lowercase();
     known
@@ -79,7 +86,7 @@ pub(crate) fn nearest<'a>(wrong: &str, known: &'a [String]) -> Option<&'a str> {
         .map(|(_, word)| word.as_str())
 }
 
-/// How many letters must be added, left out or changed to make one word of the other (Levenshtein).
+/// Returns the number of letters to add, leave out or change to make one word of the other (Levenshtein).
 fn edits(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
@@ -95,7 +102,7 @@ fn edits(a: &str, b: &str) -> usize {
     row[b.len()]
 }
 
-/// The keys a table of this type can have, as serde knows them.
+/// Returns the keys that a table of this type can have, as serde knows them.
 pub(crate) fn keys_of<T: for<'de> Deserialize<'de>>() -> Vec<String> {
     match value_of::<T>("\"no such key\" = 0") {
         Err(misread) => quoted(&misread.message).into_iter().skip(1).collect(),
@@ -103,23 +110,23 @@ pub(crate) fn keys_of<T: for<'de> Deserialize<'de>>() -> Vec<String> {
     }
 }
 
-/// What a text says that is no file.
+/// Reads a value from a text that is not a file.
 pub(crate) fn value_of<T: for<'de> Deserialize<'de>>(text: &str) -> Result<T, Misread> {
     let tree = DeTable::parse(text).map_err(|error| Misread { message: error.message().into(), span: error.span() })?;
     T::deserialize(Value::from(tree))
 }
 
-/// What stands between backticks.
+/// Returns the words between backticks.
 fn quoted(message: &str) -> Vec<String> {
     message.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// What a point of so many coordinates is.
+/// Describes a point with this number of coordinates.
 pub(crate) fn point(coordinates: usize) -> &'static str {
     if coordinates == 2 { "two numbers, [x, y]" } else { "three numbers, [x, y, z]" }
 }
 
-/// Rust's and serde's type names in plain words.
+/// Replaces the type names of Rust and serde by plain words.
 fn in_plain_words(message: &str) -> String {
     let (found, expected) = match message.split_once(", expected ") {
         Some((found, expected)) => (found.to_owned(), Some(expected)),

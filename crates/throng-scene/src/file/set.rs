@@ -1,4 +1,4 @@
-//! Changing single values of a scene, as the program's `--set group.walkers.body.radius=0.3` does.
+//! Changes single values of a scene, as the program's `--set group.walkers.body.radius=0.3` does.
 
 use super::document::Document;
 use super::serde_message::{self, keys_of};
@@ -9,21 +9,24 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-/// Keys whose table names one choice: setting another choice replaces it.
+/// Keys of tables that hold one choice: setting another choice replaces it.
 const CHOICES: [&str; 12] =
     ["body", "walkable", "shape", "place", "goal", "avoid", "steer", "radius", "preferred", "max", "area", "exit"];
 
-/// One changed value.
+/// The maximum number of keys of a path: no value of a scene is that deep, and a much deeper tree overflows the stack.
+const MOST_KEYS: usize = 50;
+
+/// A changed value.
 #[derive(Clone, Debug)]
 pub(crate) struct Override {
     /// The path as it was written.
     pub written: String,
-    /// The text of the value, TOML.
+    /// The TOML text of the value.
     pub value: String,
 }
 
 impl Scene {
-    /// Changes one value. `path` is the way to it, `value` its TOML text (quotes round a text may be left out):
+    /// Changes one value. `path` is the path to it, `value` its TOML text (the quotes of a text may be left out):
     ///
     /// | path | changes |
     /// |---|---|
@@ -33,8 +36,8 @@ impl Scene {
     /// | `obstacle.pillar.shape.circle.radius` | that value of one obstacle |
     ///
     /// # Errors
-    /// There is no such key, group or obstacle, or the value is not of its type. Whether the value is within its
-    /// limits is checked when the scene is built.
+    /// The key, group or obstacle does not exist, or the value has the wrong type. Building the scene checks whether
+    /// the value is within its limits.
     pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
         let document = match &self.origin.document {
             Some(document) if document.read::<Self>().as_ref() == Ok(self) => Document::clone(document),
@@ -51,18 +54,22 @@ impl Scene {
     }
 }
 
-/// The text as a TOML value: as it is, or else in quotes.
+/// Returns the text as a TOML value: as it is, or else in quotes.
 pub(crate) fn quoted(value: &str) -> String {
     if DeValue::parse(value).is_ok() { value.to_owned() } else { toml::Value::String(value.to_owned()).to_string() }
 }
 
-/// Changes a tree. Places in the value are counted from byte `start` on.
+/// Changes a tree. Positions in the value are counted from byte `start`.
 pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usize) -> Result<(), Error> {
     let mut path: Vec<&str> = change.written.split('.').map(str::trim).collect();
     let here = |error: Error| error.file(format!("--set {}={}", change.written, change.value));
     if path.iter().any(|key| key.is_empty()) {
         let error = Error::new(Kind::UnknownKey, format!("`{}` is not a path to a value", change.written));
         return Err(here(error.hint("write the keys with dots between them, as in avoid.orca.time_horizon=3")));
+    }
+    if path.len() > MOST_KEYS {
+        let message = format!("this path has {} keys, but may have at most {MOST_KEYS}", path.len());
+        return Err(here(Error::new(Kind::UnknownKey, message)));
     }
     match path[0] {
         "groups" => path[0] = "group",
@@ -114,7 +121,7 @@ pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usi
     }
 }
 
-/// The tables of a list.
+/// Returns the tables of a list.
 fn entries<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str) -> Vec<&'t mut DeTable<'i>> {
     let Some(DeValue::Array(items)) = tree.get_mut(list).map(Spanned::get_mut) else { return vec![] };
     let tables = items.iter_mut().filter_map(|item| match item.get_mut() {
@@ -124,7 +131,7 @@ fn entries<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str) -> Vec<&'t mut DeTable
     tables.collect()
 }
 
-/// One table of a list, by name or number.
+/// Returns one table of a list, by name or number.
 fn find<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str, which: &str) -> Result<&'t mut DeTable<'i>, Error> {
     let mut all = entries(tree, list);
     let names: Vec<String> = all
@@ -146,7 +153,7 @@ fn find<'t, 'i>(tree: &'t mut DeTable<'i>, list: &str, which: &str) -> Result<&'
     }
 }
 
-/// Puts a value at a path, making the tables on the way.
+/// Puts a value at a path, and creates missing tables.
 fn insert<'i>(table: &mut DeTable<'i>, path: &[&'i str], value: Spanned<DeValue<'i>>) -> Result<(), Error> {
     let Some((first, rest)) = path.split_first() else { return Ok(()) };
     let span = value.span();
@@ -185,7 +192,7 @@ fn empty<'i>(span: &std::ops::Range<usize>) -> Spanned<DeValue<'i>> {
     Spanned::new(span.clone(), DeValue::Table(DeTable::new()))
 }
 
-/// The same value, its places moved by `shift` bytes.
+/// Returns the value with its positions moved by `shift` bytes.
 fn shifted(value: Spanned<DeValue<'_>>, shift: usize) -> Spanned<DeValue<'_>> {
     let span = value.span().start + shift..value.span().end + shift;
     let value = match value.into_inner() {

@@ -1,7 +1,7 @@
-//! The values of a scene file as serde takes them, each with its place in the text.
+//! Deserialises the values of a scene file, each with its position in the text.
 //!
-//! Each asks for just what it can be; what it is not is refused in one place, so that reading all of a scene is little code (the
-//! studio's page holds it).
+//! Each method accepts only the kinds of values it can read; one function refuses all others. That keeps the code that
+//! reads a scene small (it is part of the studio's web page).
 
 use serde::de::value::StrDeserializer;
 use serde::de::{
@@ -22,7 +22,7 @@ pub(crate) struct Misread {
 }
 
 impl Misread {
-    /// There, if nothing within said where.
+    /// Sets the position, unless an inner value has set it.
     fn at(mut self, span: Range<usize>) -> Self {
         self.span.get_or_insert(span);
         self
@@ -53,7 +53,7 @@ impl<'de> From<Spanned<DeTable<'de>>> for Value<'de> {
     }
 }
 
-/// A whole number, as far as there are any so large.
+/// A whole number: signed, or unsigned if it is too large for `i64`.
 enum Whole {
     Signed(i64),
     Large(u64),
@@ -73,7 +73,7 @@ fn real(value: &str) -> Result<f64, Misread> {
     parsed.filter(fits).ok_or_else(|| de::Error::custom("floating-point number overflowed"))
 }
 
-/// That a value is not what is expected.
+/// Returns the error for a value that is not what is expected.
 fn refused(value: &DeValue<'_>, expected: &dyn Expected) -> Misread {
     let found = match value {
         DeValue::String(text) => Unexpected::Str(text),
@@ -95,7 +95,7 @@ fn refused(value: &DeValue<'_>, expected: &dyn Expected) -> Misread {
 }
 
 impl<'de> Value<'de> {
-    /// Lets a value be read; what is wrong is there, if it is nowhere within.
+    /// Reads a value. An error without a position gets the position of this value.
     fn read<T>(self, read: impl FnOnce(DeValue<'de>, Range<usize>) -> Result<T, Misread>) -> Result<T, Misread> {
         let span = self.0.span();
         read(self.0.into_inner(), span.clone()).map_err(|error| error.at(span))
@@ -152,7 +152,7 @@ fn nothing<'de, V: Visitor<'de>>(value: DeValue<'de>, visitor: V) -> Result<V::V
     Err(refused(&value, &visitor))
 }
 
-/// What reads values of one kind.
+/// Defines methods that read values of one kind.
 macro_rules! read_as {
     ($($method:ident)* => $read:ident) => {$(
         fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Misread> {
@@ -186,7 +186,7 @@ impl<'de> Deserializer<'de> for Value<'de> {
 
     fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, Misread> {
         self.read(|value, _| match &value {
-            // a visitor would not look at what is too much
+            // a visitor ignores surplus entries
             DeValue::Array(items) if items.len() > length => Err(de::Error::invalid_length(items.len(), &visitor)),
             _ => list(value, visitor),
         })
@@ -286,7 +286,7 @@ impl<'de, I: Iterator<Item = (Spanned<DeString<'de>>, Spanned<DeValue<'de>>)>> M
     }
 }
 
-/// One of several: its name, and what stands under it.
+/// A choice: its name and its value.
 struct Choice<'de> {
     name: Spanned<DeString<'de>>,
     value: Option<Spanned<DeValue<'de>>>,

@@ -1,27 +1,30 @@
-//! One runs for a base, four defend it (OpenSteer's "capture the flag").
+//! One agent runs for a base, four defend it (OpenSteer's "capture the flag").
 
 use super::{on_ring, touch};
-use crate::scene::Cast;
+use crate::scene::SceneNames;
 use glam::{DVec2, Vec2, Vec3};
 use throng::motion::Steering;
-use throng::steer::{AvoidObstacles, Behaviour, Branch, Prediction, Pursue, SlipThrough, Target, View, Why};
-use throng::{Agent, Error, Rules, World};
+use throng::steer::{
+    AvoidObstacles, Behaviour, BoxedBehaviour, Prediction, Pursue, SlipThrough, SteeringInput, Target, TraceRecorder,
+};
+use throng::{Agent, AgentRef, Error, Rules, World};
 
-/// The only one of the group `seeker` runs for the base at the origin; who of `defenders` touches it has tagged it, and
-/// beyond the field it is out. Some seconds after any of these all begin anew, on a ring round the base.
+/// The only agent of the group `seeker` runs for the base at the origin. A defender of the group `defenders` that
+/// touches it has tagged it. Beyond the field the seeker is out. Some seconds after the end of a run all agents start
+/// again on a ring around the base.
 #[derive(Clone, Copy, Debug)]
 pub struct CaptureTheFlag {
     /// Radius of the base, metres.
     pub base: f64,
     /// Inner and outer radius of the ring, metres.
     pub ring: (f64, f64),
-    /// How fast all are at first, m/s.
+    /// The start speed of all agents, m/s.
     pub start_speed: f32,
-    /// Radius of the field, metres: beyond it the seeker is out.
+    /// Radius of the field, metres. Beyond it the seeker is out.
     pub field: f64,
-    /// How far off obstacles they begin, radii.
+    /// Distance from obstacles at the start, in radii.
     pub clearance: f32,
-    /// How many seconds pass from the end of a run to the beginning of the next.
+    /// Seconds from the end of a run to the start of the next.
     pub pause: f64,
 }
 
@@ -31,7 +34,7 @@ impl Default for CaptureTheFlag {
     }
 }
 
-/// The places of the figures.
+/// The indices of the figures.
 const STATE: usize = 0;
 const ENDED: usize = 1;
 const RUNS: usize = 2;
@@ -39,13 +42,14 @@ const TAGS: usize = 3;
 const CAPTURES: usize = 4;
 const OUTS: usize = 5;
 
-/// What [`STATE`] can be.
+/// The values of [`STATE`].
 const RUNNING: f64 = 0.0;
 const TAGGED: f64 = 1.0;
 const AT_GOAL: f64 = 2.0;
 const OUT: f64 = 3.0;
 
-/// How much nearer than touching is near enough to tag, a part of the radii: the guard keeps bodies from touching.
+/// How near a defender must be to tag, beyond contact, as a part of the sum of the radii: the guard keeps bodies from
+/// touching.
 const REACH: f64 = 0.05;
 
 impl Rules for CaptureTheFlag {
@@ -64,7 +68,7 @@ impl Rules for CaptureTheFlag {
         }
         let defenders = world.members(world.group_named("defenders")?);
         for seeker in world.members(world.group_named("seeker")?) {
-            let Some(agent) = world.agent(seeker) else { continue };
+            let Some(agent) = world.agent(seeker).map(AgentRef::to_agent) else { continue };
             let end = if defenders.iter().any(|&defender| touch(world, defender, seeker, REACH)) {
                 (TAGGED, TAGS)
             } else if agent.position.length() <= self.base + f64::from(agent.radius) {
@@ -92,13 +96,13 @@ impl Rules for CaptureTheFlag {
 }
 
 impl CaptureTheFlag {
-    /// Begins a run: everybody on the ring, facing somewhere.
+    /// Starts a run: all agents on the ring, with random headings.
     fn start(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
         (figures[STATE], figures[RUNS]) = (RUNNING, figures[RUNS] + 1.0);
         let seekers = world.members(world.group_named("seeker")?);
         let defenders = world.members(world.group_named("defenders")?);
         for (id, k) in seekers.into_iter().chain(defenders).zip(0..) {
-            let Some(agent) = world.agent(id) else { continue };
+            let Some(agent) = world.agent(id).map(AgentRef::to_agent) else { continue };
             let position = on_ring(world, 1000 * k, DVec2::ZERO, self.ring, agent.radius * self.clearance);
             let heading = world.draw(1000 * k + 999) * std::f32::consts::TAU;
             let (sin, cos) = libm::sincosf(heading);
@@ -109,17 +113,18 @@ impl CaptureTheFlag {
     }
 }
 
-/// Whether the run goes on, as players see it.
-fn runs(view: &View<'_>) -> bool {
+/// Whether the run is in progress, as players see it.
+fn runs(view: &SteeringInput<'_>) -> bool {
     view.figures.get(STATE).is_none_or(|&state| state == RUNNING)
 }
 
-/// Brakes, at a rate of so much a second.
-fn brake(view: &View<'_>, rate: f32) -> Option<Steering> {
+/// Returns the steering that brakes at `rate` per second.
+fn brake(view: &SteeringInput<'_>, rate: f32) -> Option<Steering> {
     Some(view.vehicle.brake(&view.motion, rate, view.seconds).into())
 }
 
-/// Runs for the base: round obstacles, and past defenders. While the way is clear and straight ahead it looks farther.
+/// Runs for the base, around obstacles and past defenders. While the corridor is clear and the base is straight ahead,
+/// it looks farther ahead.
 #[derive(Clone, Debug)]
 struct Seeker {
     slip: SlipThrough,
@@ -127,11 +132,11 @@ struct Seeker {
     far: AvoidObstacles,
 }
 
-/// Cosine of the angle within which a way is straight ahead.
+/// Cosine of the angle within which a direction counts as straight ahead.
 const STRAIGHT: f32 = 0.98;
 
 /// Makes the seeker for a scene with defenders.
-pub fn seeker(cast: &Cast<'_>) -> Result<Branch, Error> {
+pub fn seeker(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     let base = Target::Point(cast.place(0.0, 0.0));
     let slip = SlipThrough::from(base).past(cast.group("defenders")?);
     let near = avoidance(cast, base, 0.9)?;
@@ -144,7 +149,7 @@ impl Behaviour for Seeker {
         self.near.memory()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         if !runs(view) {
             return brake(view, 0.75);
         }
@@ -160,7 +165,7 @@ impl Behaviour for Seeker {
     }
 }
 
-/// Pursues the seeker, to where it will be before it is at the base; round obstacles.
+/// Pursues the seeker, around obstacles, to where it will be before it reaches the base.
 #[derive(Clone, Debug)]
 struct Defender {
     seeker: Target,
@@ -168,11 +173,11 @@ struct Defender {
     avoid: AvoidObstacles,
 }
 
-/// The part of the seeker's time to the base that a defender looks ahead at most.
+/// The maximum prediction time of a defender, as a part of the seeker's time to the base.
 const AHEAD: f32 = 0.9;
 
 /// Makes a defender for a scene with a seeker.
-pub fn defender(cast: &Cast<'_>) -> Result<Branch, Error> {
+pub fn defender(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     let seeker = cast.agent("seeker", 0)?;
     Ok(Defender { seeker, base: cast.place(0.0, 0.0), avoid: avoidance(cast, seeker, 0.9)? }.into())
 }
@@ -182,7 +187,7 @@ impl Behaviour for Defender {
         self.avoid.memory()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         if !runs(view) {
             return brake(view, 0.75);
         }
@@ -198,7 +203,7 @@ impl Behaviour for Defender {
     }
 }
 
-/// Avoidance of what is solid in a scene.
-fn avoidance(cast: &Cast<'_>, towards: Target, seconds: f32) -> Result<AvoidObstacles, Error> {
+/// Returns the avoidance of the solid surfaces of a scene.
+fn avoidance(cast: &SceneNames<'_>, towards: Target, seconds: f32) -> Result<AvoidObstacles, Error> {
     Ok(AvoidObstacles { towards, seconds, ..AvoidObstacles::from(cast.barriers()?) })
 }

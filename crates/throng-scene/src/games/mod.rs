@@ -1,6 +1,6 @@
-//! The games of the gallery: scenes whose rules no file can say. Each is one file: the rules, and the behaviours of its
-//! players where the library has none; the scene's file says who is where. They are written as a program's own would be
-//! (`docs/rules.md`).
+//! The games of the gallery: scenes with rules that a file cannot express. Each game is one file: the rules, and the
+//! behaviours of its players that the library lacks. The scene file places the players. The games use the interface
+//! that every program has (`docs/rules.md`).
 
 mod capture;
 mod map_drive;
@@ -9,9 +9,9 @@ mod soccer;
 
 use crate::scene::{Behaviours, Rulebook};
 use glam::{DVec2, Vec2};
-use throng::{AgentId, World};
+use throng::{AgentId, AgentRef, World};
 
-/// Adds the rules of all games to a book.
+/// Adds the rules of all games to a rulebook.
 pub fn rules(book: &mut Rulebook) {
     book.add("multiple-pursuit", |_| Ok(multiple_pursuit::MultiplePursuit::default()));
     book.add("soccer", |_| Ok(soccer::Soccer::default()));
@@ -19,7 +19,7 @@ pub fn rules(book: &mut Rulebook) {
     book.add("map-drive", map_drive::rules);
 }
 
-/// The players that scene files can name.
+/// Returns the behaviours of the players, which scene files can name.
 pub fn behaviours() -> Behaviours {
     let mut behaviours = Behaviours::default();
     behaviours.add("soccer-player", soccer::player);
@@ -29,16 +29,18 @@ pub fn behaviours() -> Behaviours {
     behaviours
 }
 
-/// Whether two touch, or are nearer than a part of the sum of their radii more.
+/// Whether two agents touch, or are nearer than the sum of their radii times (1 + `more`).
 fn touch(world: &World, a: AgentId, b: AgentId, more: f64) -> bool {
-    let (Some(a), Some(b)) = (world.agent(a), world.agent(b)) else { return false };
+    let (Some(a), Some(b)) = (world.agent(a).map(AgentRef::to_agent), world.agent(b).map(AgentRef::to_agent)) else {
+        return false;
+    };
     a.position.distance(b.position) <= f64::from(a.radius + b.radius) * (1.0 + more)
 }
 
-/// A place on a ring round another, by the first of some draws where a disc of this radius is free; the last if none is.
-/// `first` is the number of the first of its draws.
+/// Returns a position on a ring around `center`: the first of several draws at which a disc of this radius is free, or
+/// the last draw if none is. `first` is the number of the first draw.
 fn on_ring(world: &World, first: u32, center: DVec2, (inner, outer): (f64, f64), radius: f32) -> DVec2 {
-    /// How many places it tries.
+    /// The number of positions tried.
     const TRIES: u32 = 32;
     let place = |k: u32| {
         let (turn, part) = (world.draw(first + 2 * k), world.draw(first + 2 * k + 1));

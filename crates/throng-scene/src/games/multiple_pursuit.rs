@@ -1,9 +1,10 @@
-//! A pack chases one that wanders; who catches it begins anew somewhere round it (OpenSteer's "multiple pursuit").
+//! A pack chases a wanderer; an agent that catches it starts again on a ring around it (OpenSteer's "multiple
+//! pursuit").
 
 use super::{on_ring, touch};
-use throng::{Agent, Error, Rules, World};
+use throng::{Agent, AgentRef, Error, Rules, World};
 
-/// Who of the group `pack` touches the only one of `wanderer` begins anew on a ring round it.
+/// An agent of the group `pack` that touches the only agent of `wanderer` starts again on a ring around it.
 #[derive(Clone, Copy, Debug)]
 pub struct MultiplePursuit {
     /// Inner and outer radius of the ring, metres.
@@ -16,7 +17,8 @@ impl Default for MultiplePursuit {
     }
 }
 
-/// How much nearer than touching is near enough to catch, a part of the radii: the guard keeps bodies from touching.
+/// How near an agent must be to catch, beyond contact, as a part of the sum of the radii: the guard keeps bodies from
+/// touching.
 const REACH: f64 = 0.05;
 
 impl Rules for MultiplePursuit {
@@ -35,7 +37,10 @@ impl Rules for MultiplePursuit {
                 if !touch(world, hunter, quarry, REACH) {
                     continue;
                 }
-                let (Some(agent), Some(center)) = (world.agent(hunter), world.position(quarry)) else { continue };
+                let (Some(agent), Some(center)) = (world.agent(hunter).map(AgentRef::to_agent), world.position(quarry))
+                else {
+                    continue;
+                };
                 let position = on_ring(world, 1000 * k, center, self.ring, agent.radius);
                 let heading = world.draw(1000 * k + 999) * std::f32::consts::TAU;
                 world.replace(

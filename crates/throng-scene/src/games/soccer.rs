@@ -1,20 +1,21 @@
 //! Two teams, a ball and two goals (OpenSteer's "Michael's Simple Soccer").
 
-use crate::scene::Cast;
+use crate::scene::SceneNames;
 use glam::{DVec2, Vec2, Vec3};
 use throng::motion::Steering;
-use throng::steer::{Arrive, Behaviour, Branch, Reason, Target, View, Why};
-use throng::{Agent, AgentId, Error, Rules, World};
+use throng::steer::{Arrive, Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
+use throng::{Agent, AgentId, AgentRef, Error, Rules, World};
 
-/// Those of the groups `red` and `blue` kick the only one of `ball` by touching it. It bounces off the lines, but for the
-/// goals at both ends: red scores on the left, at negative x, and blue on the right. After a goal it is back in the middle.
+/// Players of the groups `red` and `blue` kick the only agent of the group `ball` by touching it. The ball bounces off
+/// the lines, except in the goals at both ends: red scores on the left, at negative x, and blue on the right. After a
+/// goal the ball is back in the middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Soccer {
     /// Half the length of the field along x, and half its width, metres.
     pub field: DVec2,
     /// Half the width of the goals, metres.
     pub goal: f64,
-    /// How fast the ball is when it is kicked, m/s.
+    /// The speed of the ball after a kick, m/s.
     pub kick: f32,
 }
 
@@ -24,13 +25,14 @@ impl Default for Soccer {
     }
 }
 
-/// The places of the figures.
+/// The indices of the figures.
 const RED: usize = 0;
 const BLUE: usize = 1;
 const GOALS: usize = 2;
 const KICKS: usize = 3;
 
-/// How much nearer than touching is near enough to kick, a part of the radii: the guard keeps bodies from touching.
+/// How near a player must be to kick, beyond contact, as a part of the sum of the radii: the guard keeps bodies from
+/// touching.
 const REACH: f64 = 0.05;
 
 impl Rules for Soccer {
@@ -48,7 +50,7 @@ impl Rules for Soccer {
                 world.set_velocity(ball, push)?;
                 figures[KICKS] += 1.0;
             }
-            let Some(agent) = world.agent(ball) else { continue };
+            let Some(agent) = world.agent(ball).map(AgentRef::to_agent) else { continue };
             if agent.position.x.abs() > self.field.x + f64::from(agent.radius) {
                 figures[if agent.position.x < 0.0 { RED } else { BLUE }] += 1.0;
                 figures[GOALS] += 1.0;
@@ -67,10 +69,10 @@ impl Rules for Soccer {
 }
 
 impl Soccer {
-    /// The velocity that one who touches the ball gives it: away from itself, and towards the goal if that lies there. Of
-    /// several, one by chance.
+    /// Returns the velocity that a player gives the ball it touches: away from the player, and towards the goal if
+    /// that lies on that side. If several players touch it, a random one kicks.
     fn kicked(&self, world: &World, ball: AgentId) -> Result<Option<Vec3>, Error> {
-        let Some(ball) = world.agent(ball) else { return Ok(None) };
+        let Some(ball) = world.agent(ball).map(AgentRef::to_agent) else { return Ok(None) };
         let mut kickers = Vec::new();
         for (team, goal) in [("red", -self.field.x), ("blue", self.field.x)] {
             let players = world.members(world.group_named(team)?);
@@ -78,8 +80,13 @@ impl Soccer {
                 let reach = f64::from(player.radius + ball.radius) * (1.0 + REACH);
                 player.position.distance(ball.position) <= reach
             };
-            kickers
-                .extend(players.into_iter().filter_map(|id| world.agent(id)).filter(near).map(|player| (player, goal)));
+            kickers.extend(
+                players
+                    .into_iter()
+                    .filter_map(|id| world.agent(id).map(AgentRef::to_agent))
+                    .filter(near)
+                    .map(|player| (player, goal)),
+            );
         }
         let Some((kicker, goal)) = kickers.get((world.draw(0) * kickers.len() as f32) as usize) else {
             return Ok(None);
@@ -90,12 +97,12 @@ impl Soccer {
         let to_goal = (DVec2::new(*goal, ball.position.y.clamp(-room, room)) - ball.position).normalize_or_zero();
         let direction = if away.dot(to_goal) > 0.0 { away + to_goal } else { away };
         let Some(direction) = direction.as_vec2().try_normalize() else { return Ok(None) };
-        // what it has kicked already leaves it
+        // a kicked ball that already leaves the player is not kicked again
         let leaves = ball.velocity.dot(direction) > 0.5 * self.kick;
         Ok((!leaves).then(|| (direction * self.kick).extend(0.0)))
     }
 
-    /// The velocity of a ball that would be beyond a line after the next step, but not in a goal.
+    /// Returns the velocity of the ball, reflected if the next step would take it beyond a line outside a goal.
     fn bounced(&self, ball: &Agent, seconds: f64) -> Vec2 {
         let next = ball.position + ball.velocity.as_dvec2() * seconds;
         let room = self.field - f64::from(ball.radius);
@@ -113,8 +120,9 @@ impl Soccer {
     }
 }
 
-/// A player: goes for the ball while that is near its home, the place where it was at first. From behind it kicks it
-/// towards the other goal; from before it, it goes round to behind. Else it goes home.
+/// A player. It goes for the ball while the ball is near its home, the place where the player was at first. From behind
+/// the ball, it kicks the ball towards the other goal. From before the ball, it goes around to behind it. Else it goes
+/// home.
 #[derive(Clone, Copy, Debug)]
 struct Player {
     ball: Target,
@@ -124,24 +132,24 @@ struct Player {
     half: f32,
 }
 
-/// How near its home the ball must be, metres.
+/// How near a player's home the ball must be, metres.
 const NEAR_HOME: f32 = 12.0;
-/// How far behind the ball, and beside it, a player goes that is before it, metres.
+/// How far behind and beside the ball a player goes if it is before the ball, metres.
 const BEHIND: Vec2 = Vec2::new(2.0, 1.0);
 
 /// Makes a player for a scene with a ball.
-pub fn player(cast: &Cast<'_>) -> Result<Branch, Error> {
+pub fn player(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     let half = Soccer::default().field.x as f32;
     Ok(Player { ball: cast.agent("ball", 0)?, middle: cast.place(0.0, 0.0), half }.into())
 }
 
 impl Behaviour for Player {
-    /// Whether it knows its home, and where that is.
+    /// Whether the home is known, and its position.
     fn memory(&self) -> usize {
         3
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [known, x, y] = memory else { return None };
         if *known == 0.0 {
             (*known, *x, *y) = (1.0, view.position().x, view.position().y);
@@ -151,17 +159,17 @@ impl Behaviour for Player {
         if ball.position.distance(home) > NEAR_HOME {
             return Arrive { slowing_distance: 3.0, ..Arrive::from(Target::Point(home)) }.steer(view, &mut [], why);
         }
-        // its own side is where its home is
+        // a player's own side is the side of its home
         let own = (home.x - self.middle.x).signum();
         let goal = self.middle - Vec3::X * (own * self.half);
         let aside = view.position().y - ball.position.y;
         let aim = if (view.position().x - ball.position.x) * own > 0.0 {
-            // a kick goes from the middle of its body to that of the ball
+            // a kick goes from the middle of the player to the middle of the ball
             ball.position + (ball.position - goal).normalize_or_zero() * ball.radius
         } else {
             ball.position + Vec3::new(own * BEHIND.x, BEHIND.y.copysign(aside), 0.0)
         };
-        why.note(|| Reason::Aim(aim));
+        why.note(|| SteeringReason::Aim(aim));
         view.go(view.to(aim))
     }
 }

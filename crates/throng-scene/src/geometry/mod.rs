@@ -1,4 +1,4 @@
-//! The little geometry that checking and filling a scene needs. World coordinates, f64.
+//! Geometry that checks and fills a scene. World coordinates, f64.
 
 mod polygon;
 mod solid;

@@ -1,12 +1,12 @@
-//! Polygons: lists of corners, the first not repeated.
+//! Polygons: lists of corners; the first corner is not repeated.
 
 use crate::scene::{Point, Rectangle, Region};
 use glam::DVec2;
 
-/// How many corners stand for a disc.
+/// The number of corners of a polygon that stands for a disc.
 const DISC_CORNERS: usize = 32;
 
-/// The corners as vectors; a repeated first corner is dropped.
+/// Returns the corners as vectors. A repeated first corner is dropped.
 pub(crate) fn points(corners: &[Point]) -> Vec<DVec2> {
     let mut out: Vec<DVec2> = corners.iter().map(|p| DVec2::from_array(*p)).collect();
     if out.len() > 1 && out.first() == out.last() {
@@ -15,7 +15,7 @@ pub(crate) fn points(corners: &[Point]) -> Vec<DVec2> {
     out
 }
 
-/// The corners of a rectangle, counter-clockwise.
+/// Returns the corners of a rectangle, counter-clockwise.
 pub(crate) fn rectangle(rectangle: &Rectangle) -> Vec<DVec2> {
     let (sin, cos) = libm::sincos(rectangle.rotation.to_radians());
     let (sin, cos) = if rectangle.rotation == 0.0 { (0.0, 1.0) } else { (sin, cos) };
@@ -24,7 +24,7 @@ pub(crate) fn rectangle(rectangle: &Rectangle) -> Vec<DVec2> {
     [(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| center + DVec2::new(cos * x - sin * y, sin * x + cos * y)).into()
 }
 
-/// The corners of a region.
+/// Returns the corners of a region.
 pub(crate) fn outline_of_region(region: &Region) -> Vec<DVec2> {
     match region {
         Region::Rectangle(r) => rectangle(r),
@@ -39,7 +39,7 @@ pub(crate) fn outline_of_region(region: &Region) -> Vec<DVec2> {
     }
 }
 
-/// The least and the greatest coordinates, if there is a point.
+/// Returns the least and the greatest coordinates, if there is a point.
 pub(crate) fn bounds(points: impl IntoIterator<Item = DVec2>) -> Option<[DVec2; 2]> {
     points.into_iter().fold(None, |box_, p| match box_ {
         None => Some([p, p]),
@@ -47,13 +47,13 @@ pub(crate) fn bounds(points: impl IntoIterator<Item = DVec2>) -> Option<[DVec2; 
     })
 }
 
-/// The area, positive when the corners go counter-clockwise.
+/// Returns the area, positive if the corners go counter-clockwise.
 pub(crate) fn signed_area(corners: &[DVec2]) -> f64 {
     let Some(&first) = corners.first() else { return 0.0 };
     edges(corners).map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f64>() * 0.5
 }
 
-/// Whether a point is inside (even-odd).
+/// Whether a point is inside (even-odd rule).
 pub(crate) fn contains(corners: &[DVec2], p: DVec2) -> bool {
     edges(corners).filter(|(a, b)| crosses_ray(*a, *b, p)).count() % 2 == 1
 }
@@ -66,12 +66,12 @@ pub(super) fn crosses_ray(a: DVec2, b: DVec2, p: DVec2) -> bool {
     }
 }
 
-/// The edges of a closed polygon.
+/// Returns the edges of a closed polygon.
 pub(crate) fn edges(corners: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
     corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| (*a, *b))
 }
 
-/// The distance from a point to a segment.
+/// Returns the distance from a point to a segment.
 pub(crate) fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let along = b - a;
     let length = along.length_squared();
@@ -79,9 +79,10 @@ pub(crate) fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(a + t * along)
 }
 
-/// Where two edges of a polygon cross, with their positions, if any do. Edges that only touch do not cross.
+/// Returns where two edges of a polygon cross, and the indices of the edges, if any do. Edges that only touch do not
+/// cross.
 ///
-/// Sweeps over x: quadratic only where many edges share an x range.
+/// Sweeps over x: quadratic only if many edges share an x range.
 pub(crate) fn crossing(corners: &[DVec2]) -> Option<(DVec2, usize, usize)> {
     let edges: Vec<_> = edges(corners).collect();
     let mut order: Vec<usize> = (0..edges.len()).collect();
@@ -106,13 +107,13 @@ fn properly_cross(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Option<DVec2> {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let (c_side, d_side) = (side(a, b, c), side(a, b, d));
     let (a_side, b_side) = (side(c, d, a), side(c, d, b));
-    // Rounding must not make a crossing of a touching: within a billionth of the lengths is touching.
+    // Edges within a billionth of the lengths touch: rounding must not make that a crossing.
     let eps = 1e-9 * (b - a).length() * (d - c).length();
     let apart = |x: f64, y: f64| (x > eps && y < -eps) || (x < -eps && y > eps);
     (apart(c_side, d_side) && apart(a_side, b_side)).then(|| c + (d - c) * (c_side / (c_side - d_side)))
 }
 
-/// A convex polygon with each edge moved outwards by `by`; of other polygons the grown bounding box.
+/// Returns a convex polygon with each edge moved outwards by `by`; for other polygons, the grown bounding box.
 pub(crate) fn grown(corners: &[DVec2], by: f64) -> Vec<DVec2> {
     let n = corners.len();
     let sign = signed_area(corners).signum();

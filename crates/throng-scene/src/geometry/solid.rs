@@ -1,44 +1,44 @@
-//! What is solid in a scene: the edge of the walkable ground, obstacles, walls. Asks: is there room here?
+//! The solid parts of a scene: the edge of the walkable ground, obstacles, walls. Tests whether a body has room.
 
 use super::polygon::{crosses_ray, distance_to_segment, edges};
 use glam::DVec2;
 use std::collections::HashMap;
 
-/// What a body touches.
+/// What a body touches or overlaps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Touch {
     /// Its centre is off the walkable ground.
     OffGround,
     /// Its centre is inside this obstacle.
     Inside(usize),
-    /// It reaches over the edge of the walkable ground, whose distance from its centre is this.
+    /// It reaches over the edge of the walkable ground, at this distance from its centre.
     Edge(f64),
-    /// It reaches into this obstacle, whose distance from its centre is this.
+    /// It reaches into this obstacle, at this distance from its centre.
     Obstacle(usize, f64),
 }
 
-/// Everything solid, in a form that answers fast.
+/// The solid parts of a scene, indexed for fast tests.
 #[derive(Debug, Default)]
 pub(crate) struct Solid {
-    areas: Vec<Area>,
+    areas: Vec<SolidArea>,
     obstacles: Vec<Outline>,
     circles: Vec<(usize, DVec2, f64)>,
     /// Every edge: its ends, and the obstacle it belongs to (`None`: ground).
     segments: Vec<(DVec2, DVec2, Option<usize>)>,
     cells: HashMap<(i64, i64), Vec<u32>>,
     cell: f64,
-    /// The greatest radius that `touch` can ask about at once.
+    /// The greatest radius that `touch` accepts.
     reach: f64,
 }
 
-/// Ground: inside its boundary and in none of its holes, which may overlap.
+/// An area of ground: inside its boundary and outside its holes, which may overlap.
 #[derive(Debug)]
-struct Area {
+struct SolidArea {
     outer: Outline,
     holes: Vec<Outline>,
 }
 
-impl Area {
+impl SolidArea {
     fn contains(&self, p: DVec2) -> bool {
         self.outer.contains(p) && !self.holes.iter().any(|hole| hole.contains(p))
     }
@@ -51,7 +51,7 @@ struct Outline {
     edges: Vec<(DVec2, DVec2)>,
     low: DVec2,
     high: DVec2,
-    /// Edges by strips of y, for polygons with many.
+    /// Edges by strips of y, for polygons with many edges.
     strips: Vec<Vec<u32>>,
 }
 
@@ -90,7 +90,8 @@ impl Outline {
 }
 
 impl Solid {
-    /// From areas (outer boundary first, then holes) and obstacles. `reach` is the greatest body radius.
+    /// Makes the index from areas (outer boundary first, then holes) and obstacles. `reach` is the greatest body
+    /// radius.
     pub fn new(areas: &[throng::Walkable], obstacles: &[throng::Obstacle], reach: f64) -> Self {
         let mut solid = Self { reach, ..Self::default() };
         for (i, area) in areas.iter().enumerate() {
@@ -98,7 +99,7 @@ impl Solid {
                 solid.segments.extend(edges(ring).map(|(a, b)| (a, b, None)));
             }
             let holes = area.holes.iter().map(|hole| Outline::new(i, hole)).collect();
-            solid.areas.push(Area { outer: Outline::new(i, &area.outer), holes });
+            solid.areas.push(SolidArea { outer: Outline::new(i, &area.outer), holes });
         }
         for (i, obstacle) in obstacles.iter().enumerate() {
             match obstacle {
@@ -116,7 +117,7 @@ impl Solid {
         solid
     }
 
-    /// Sorts the edges into square cells, each into every cell within reach of its bounding box pieces.
+    /// Puts the edges into square cells: each piece of an edge into every cell within reach of its bounding box.
     fn index(&mut self) {
         let total: f64 = self.segments.iter().map(|(a, b, _)| a.distance(*b)).sum();
         let mean = if self.segments.is_empty() { 1.0 } else { total / self.segments.len() as f64 };
@@ -144,7 +145,7 @@ impl Solid {
         ((p.x / self.cell).floor() as i64, (p.y / self.cell).floor() as i64)
     }
 
-    /// What a body with this centre and radius touches first, if anything. Limit: radius <= reach.
+    /// Returns the first thing that a body with this centre and radius touches, if any. Limit: radius <= reach.
     pub fn touch(&self, p: DVec2, radius: f64) -> Option<Touch> {
         if !self.areas.is_empty() && !self.on_ground(p) {
             return Some(Touch::OffGround);
@@ -183,7 +184,8 @@ impl Solid {
         self.areas.iter().any(|area| area.contains(p))
     }
 
-    /// Whether the nearest point of an edge of the ground lies in the middle of another area: not a wall then.
+    /// Whether the nearest point of an edge of the ground lies inside the ground, where another area covers it: that
+    /// edge is no wall there.
     fn inner_edge(&self, p: DVec2, a: DVec2, b: DVec2) -> bool {
         if self.areas.len() < 2 {
             return false;
@@ -191,7 +193,7 @@ impl Solid {
         let along = b - a;
         let t = ((p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let at = a + t * along;
-        // A step to either side of the edge must both be ground.
+        // The points on both sides of the edge must be ground.
         let side = along.normalize_or_zero().perp() * 1e-6 * (1.0 + at.abs().max_element());
         self.on_ground(at + side) && self.on_ground(at - side)
     }

@@ -1,20 +1,20 @@
-//! Who stands where: finds two bodies that are too near each other.
+//! Finds bodies that are too near each other.
 
 use glam::DVec3;
 use std::collections::HashMap;
 
 /// Centre, radius, number.
-type Body = (DVec3, f64, u32);
+type PlacedDisc = (DVec3, f64, u32);
 
-/// Bodies in square cells of the plan.
+/// Bodies in square cells of the horizontal plane.
 #[derive(Debug)]
 pub(crate) struct Spacing {
     cell: f64,
-    cells: HashMap<(i64, i64), Vec<Body>>,
+    cells: HashMap<(i64, i64), Vec<PlacedDisc>>,
 }
 
 impl Spacing {
-    /// For bodies whose radii and gaps add up to at most `reach` for a pair.
+    /// Makes an empty index for bodies; the radii and the gap of each pair add up to at most `reach`.
     pub fn new(reach: f64) -> Self {
         Self { cell: reach.max(1e-6), cells: HashMap::new() }
     }
@@ -23,12 +23,12 @@ impl Spacing {
         ((p.x / self.cell).floor() as i64, (p.y / self.cell).floor() as i64)
     }
 
-    /// The body nearer than `gap` (between bodies), if any: its number and the distance between the centres.
+    /// Returns a body nearer than `gap` (between surfaces), if any: its number and the distance between the centres.
     pub fn too_near(&self, p: DVec3, radius: f64, gap: f64) -> Option<(u32, f64)> {
         let (x, y) = self.cell_of(p);
         (x - 1..=x + 1).flat_map(|x| (y - 1..=y + 1).map(move |y| (x, y))).find_map(|cell| {
             self.cells.get(&cell)?.iter().find_map(|(q, r, number)| {
-                // A billionth less than touching is touching.
+                // Bodies within a billionth of contact touch: rounding must not make that an overlap.
                 let least = (radius + r) * (1.0 - 1e-9) + gap;
                 (p.distance_squared(*q) < least * least).then(|| (*number, p.distance(*q)))
             })

@@ -1,4 +1,4 @@
-//! Floor plans and other programs' scenarios, as plain scenes; meshes, as surfaces.
+//! Importers: floor plans and other programs' scenarios become scenes, meshes become surfaces.
 
 mod exits;
 pub mod jupedsim;
@@ -20,7 +20,7 @@ use exits::roomy;
 #[cfg(any(feature = "menge", feature = "svg"))]
 use xml::no_xml;
 
-/// A scene made from something else, and what of it a scene cannot say.
+/// An imported scene, and what of the source a scene cannot represent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Imported {
     /// The scene.
@@ -29,7 +29,7 @@ pub struct Imported {
     pub notes: Vec<String>,
 }
 
-/// As much of what a file says as a message shows.
+/// Returns the start of a text from a file, for messages.
 fn short(said: &str) -> String {
     said.chars().take(30).collect()
 }

@@ -1,19 +1,19 @@
-//! What of a file was left out or changed.
+//! Notes about parts of a file that were left out or changed.
 
-/// Notes, each about a part of what was read or about the whole.
+/// Notes, each about parts of a file or about the whole file.
 #[derive(Debug, Default)]
 pub(crate) struct Notes(Vec<(Vec<String>, String)>);
 
-/// More parts than this with the same note are counted, not named.
+/// The maximum number of parts that a note names. Further parts with the same note are counted.
 const NAMED: usize = 3;
 
 impl Notes {
-    /// A note about the whole, a sentence.
+    /// Adds a note about the whole file, a sentence.
     pub(crate) fn whole(&mut self, text: impl Into<String>) {
         self.0.push((vec![], text.into()));
     }
 
-    /// A note about a part. The text goes for several parts as well as for one.
+    /// Adds a note about a part. The text must suit several parts as well as one.
     pub(crate) fn about(&mut self, id: &str, text: impl Into<String>) {
         let text = text.into();
         let same = self.0.iter_mut().find(|(ids, known)| !ids.is_empty() && *known == text);
@@ -24,7 +24,7 @@ impl Notes {
         }
     }
 
-    /// The notes, a line each.
+    /// Returns the notes, one a line.
     pub(crate) fn lines(self) -> Vec<String> {
         let line = |(ids, text): (Vec<String>, String)| match ids.as_slice() {
             [] => text,

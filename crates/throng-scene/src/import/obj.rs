@@ -1,5 +1,5 @@
-//! Triangle meshes in Wavefront OBJ, as surfaces that steering asks. Own reader: of the format's many statements a
-//! surface needs two, `v` and `f`, and the readers there are do not tell which number of which line is wrong.
+//! Triangle meshes in Wavefront OBJ, as surfaces for steering. Has its own reader: of the format's many statements a
+//! surface needs two, `v` and `f`, and existing readers do not report the wrong number with its line.
 
 use crate::error::{Error, Kind};
 use earcut::Earcut;
@@ -7,13 +7,13 @@ use glam::Vec3;
 use std::path::Path;
 use throng::space::surface::Mesh;
 
-/// Which axis of a file points up. Here it is z; most programs write OBJ with y up.
+/// The axis of a file that points up. In scenes it is z; most programs write OBJ with y up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Up {
-    /// x to the right, y up, z to the viewer: turned so that y becomes z.
+pub enum ObjUp {
+    /// x to the right, y up, z to the viewer: rotated so that y becomes z.
     #[default]
     Y,
-    /// As it is.
+    /// z up: not rotated.
     Z,
 }
 
@@ -22,15 +22,15 @@ pub enum Up {
 pub struct Triangles {
     /// Points, metres.
     pub points: Vec<Vec3>,
-    /// Indices of corners among the points.
+    /// Indices of the triangles' corners in `points`.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The surface in an OBJ file, in metres.
+/// Reads the surface in an OBJ file, in metres.
 ///
 /// # Errors
-/// The file cannot be read; those of [`triangles`]; and no triangle has three different corners.
-pub fn load(path: impl AsRef<Path>, up: Up) -> Result<Mesh, Error> {
+/// The file cannot be read, no triangle has three different corners, or an error of [`triangles`].
+pub fn load(path: impl AsRef<Path>, up: ObjUp) -> Result<Mesh, Error> {
     let path = path.as_ref();
     let text = crate::file::read_text(path)?;
     let Triangles { points, triangles } =
@@ -39,29 +39,29 @@ pub fn load(path: impl AsRef<Path>, up: Up) -> Result<Mesh, Error> {
         .map_err(|error| Error::new(Kind::Geometry, error.to_string()).file(path.display().to_string()))
 }
 
-/// The triangles of an OBJ text. Faces with more corners are cut into triangles; everything but points and faces
-/// is left out.
+/// Reads the triangles of an OBJ text. Faces with more corners are cut into triangles. Statements other than points and
+/// faces are ignored.
 ///
 /// ```
-/// use throng_scene::import::obj::{Up, triangles};
+/// use throng_scene::import::obj::{ObjUp, triangles};
 ///
-/// let roof = triangles("v 0 1 0\nv 4 1 0\nv 4 2 -3\nv 0 2 -3\nf 1 2 3 4\n", Up::Y)?;
+/// let roof = triangles("v 0 1 0\nv 4 1 0\nv 4 2 -3\nv 0 2 -3\nf 1 2 3 4\n", ObjUp::Y)?;
 /// assert_eq!(roof.triangles, [[0, 1, 2], [0, 2, 3]]);
 /// assert_eq!(roof.points[2].to_array(), [4.0, 3.0, 2.0]);
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 ///
 /// # Errors
-/// With line and column: a coordinate that is no finite number, a face with fewer than three corners, or one that names
-/// a point that is not there; and a text without faces.
-pub fn triangles(text: &str, up: Up) -> Result<Triangles, Error> {
+/// A coordinate is not a finite number, a face has fewer than three corners or refers to a point that does not exist,
+/// or the text has no faces. The error has line and column.
+pub fn triangles(text: &str, up: ObjUp) -> Result<Triangles, Error> {
     let reader = Reader { text };
     let mut out = Triangles::default();
     for (_, words) in reader.statements("v") {
         let [x, y, z] = reader.point(&words)?;
         out.points.push(match up {
-            Up::Y => Vec3::new(x, -z, y),
-            Up::Z => Vec3::new(x, y, z),
+            ObjUp::Y => Vec3::new(x, -z, y),
+            ObjUp::Z => Vec3::new(x, y, z),
         });
     }
     for (before, words) in reader.statements("f") {
@@ -83,13 +83,13 @@ pub fn triangles(text: &str, up: Up) -> Result<Triangles, Error> {
     Ok(out)
 }
 
-/// The text, to find words in it again.
+/// The text, in which errors locate words.
 struct Reader<'t> {
     text: &'t str,
 }
 
 impl<'t> Reader<'t> {
-    /// The words of the lines that start with one, and how many points are defined before each.
+    /// Returns the words of the lines that start with `name`, and the number of points defined before each line.
     fn statements(&self, name: &'static str) -> impl Iterator<Item = (usize, Vec<&'t str>)> + use<'t> {
         let lines = self.text.lines().map(|line| line.split('#').next().unwrap_or_default());
         let mut points = 0;
@@ -101,7 +101,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// The coordinates of a point.
+    /// Returns the coordinates of a point.
     fn point(&self, words: &[&'t str]) -> Result<[f32; 3], Error> {
         if words.len() < 4 {
             let message = format!("this point has {} coordinates, but needs 3", words.len() - 1);
@@ -117,8 +117,8 @@ impl<'t> Reader<'t> {
         Ok(point)
     }
 
-    /// The index of the point that a corner of a face names: from 1, or back from the last one before it; what follows
-    /// a slash is for texture and light.
+    /// Returns the index of the point that a corner of a face refers to: counted from 1, or back from the last point
+    /// before it. Numbers after a slash are for texture and light.
     fn corner(&self, word: &'t str, before: usize, points: usize) -> Result<u32, Error> {
         let number = word.split('/').next().unwrap_or_default();
         let index: i64 = number.parse().map_err(|_| {
@@ -139,7 +139,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The triangles of a polygon that is not convex, flattened along its mean normal, the same way round.
+/// Returns the triangles of a polygon that is not convex, flattened along its mean normal, with the same orientation.
 fn ears(points: &[Vec3]) -> Vec<[usize; 3]> {
     let normal = normal(points).normalize_or(Vec3::Z);
     let x = normal.any_orthonormal_vector();
@@ -152,18 +152,18 @@ fn ears(points: &[Vec3]) -> Vec<[usize; 3]> {
     ends.chunks_exact(3).map(|ends| turned([ends[0], ends[1], ends[2]])).collect()
 }
 
-/// The sum of the normals of a fan of triangles.
+/// Returns the sum of the normals of a fan of triangles.
 fn normal(points: &[Vec3]) -> Vec3 {
     (2..points.len()).map(|k| (points[k - 1] - points[0]).cross(points[k] - points[0])).sum()
 }
 
-/// Whether a polygon in space bends one way only, as seen along its mean normal.
+/// Whether a polygon in space is convex, as seen along its mean normal.
 fn is_convex(points: &[Vec3]) -> bool {
     let n = points.len();
     let normal = normal(points);
     (0..n).all(|i| {
         let (a, b, c) = (points[i], points[(i + 1) % n], points[(i + 2) % n]);
-        // straight corners are rounded either way
+        // rounding may turn straight corners either way
         (b - a).cross(c - b).dot(normal) >= -1e-4 * normal.length_squared()
     })
 }

@@ -1,4 +1,4 @@
-//! Anything that can be a scene.
+//! Opens anything that can be a scene.
 
 use super::{Imported, jupedsim, plan};
 use crate::error::{Error, Kind};
@@ -6,13 +6,13 @@ use crate::gallery;
 use crate::scene::Scene;
 use std::path::Path;
 
-/// Opens whatever a user may call a scene, by what it is called and what it is: a scene file (`.toml`), the name of a gallery scene, a
-/// JuPedSim scenario (a folder with `config.json`, a `.zip` of one, or a single `.json`), a project of Menge's (its `.xml` files, or
-/// their folder), or a floor plan that names its exits (see [`plan`]).
+/// Opens a scene, by its name and content: a scene file (`.toml`), the name of a gallery scene, a JuPedSim scenario (a
+/// folder with `config.json`, a `.zip` of one, or a single `.json`), a Menge project (its `.xml` files, or their
+/// folder), or a floor plan with exits (see [`plan`]).
 ///
 /// # Errors
-/// Those of [`Scene::load`], [`jupedsim::load`], [`menge::load`](super::menge::load) and [`plan::load`]; and a hint for what is not a
-/// scene by itself.
+/// Those of [`Scene::load`], [`jupedsim::load`], [`menge::load`](super::menge::load) and [`plan::load`]; or the file is
+/// not a scene by itself. The error has a hint.
 pub fn open(scene: impl AsRef<Path>) -> Result<Imported, Error> {
     let path = scene.as_ref();
     let plain = |scene: Scene| Imported { scene, notes: vec![] };
@@ -30,7 +30,7 @@ pub fn open(scene: impl AsRef<Path>) -> Result<Imported, Error> {
     let shown = path.display();
     match extension.as_str() {
         "toml" => Scene::load(path).map(plain),
-        _ if plan::is_plan(path) => plan::load(path, &plan::Ask::default()),
+        _ if plan::is_plan(path) => plan::load(path, &plan::PlanOptions::default()),
         "zip" | "json" => jupedsim::load(path),
         #[cfg(feature = "menge")]
         "xml" => super::menge::load(path),

@@ -4,24 +4,25 @@ use crate::error::{Error, Kind};
 use crate::scene::Point;
 use glam::Vec2;
 
-/// Velocities at the corners of square cells, row by row from the lower left one on, towards +x, then +y.
+/// Velocities at the corners of square cells, row by row from the lower left corner, towards +x, then +y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vectors {
     /// The lower left corner, metres.
     pub low: Point,
     /// The width of cells, metres.
     pub cell: f64,
-    /// Corners in a row.
+    /// The number of corners in a row.
     pub columns: usize,
-    /// Metres a second.
+    /// The velocities, m/s.
     pub velocities: Vec<Vec2>,
 }
 
-/// Reads a vector field of Menge's: the numbers of rows and columns, the width of cells, the lower left corner of the first, then
-/// the velocities of cells, row by row from below. Menge has them in the middles of cells, and those of the rim reach on to it.
+/// Reads a vector field of Menge: the numbers of rows and columns, the width of cells, the lower left corner of the
+/// first cell, then the velocities of cells, row by row from the bottom. In Menge, velocities apply at the centres of
+/// cells; those at the edge extend to the edge.
 ///
 /// # Errors
-/// It is no such file, with the number that is wrong.
+/// The text is not such a file. The error names the wrong number.
 pub fn menge(text: &str) -> Result<Vectors, Error> {
     let wrong = |what: String| {
         let hint = "a vector field of Menge's has: rows, columns, width of cells, x and y of the corner, then two numbers a cell";
@@ -59,11 +60,11 @@ pub fn menge(text: &str) -> Result<Vectors, Error> {
     Ok(Vectors { low: low.map(|x| x - 0.5 * cell), cell, columns: columns + 2, velocities })
 }
 
-/// Reads a table with the columns x, y, vx and vy, in any order, one line a place. The places are all corners of a grid with
-/// square cells, in any order.
+/// Reads a table with the columns x, y, vx and vy, in any order, one place a line. The places are all corners of a grid
+/// with square cells, in any order.
 ///
 /// # Errors
-/// With the line: it is no such table, or its places are no grid.
+/// The text is not such a table, or its places are not a grid. The error has the line.
 pub fn csv(text: &str) -> Result<Vectors, Error> {
     let hint = "a table has a first line `x,y,vx,vy`, then a place and a velocity a line";
     let wrong = |line: u64, what: String| {
@@ -94,7 +95,7 @@ pub fn csv(text: &str) -> Result<Vectors, Error> {
     grid(rows).map_err(|(line, what)| Error { kind: Kind::Geometry, ..wrong(line, what) })
 }
 
-/// Puts places into the order of a grid; else the line that is wrong, and what it is.
+/// Sorts places into the order of a grid. If they are not a grid, returns the wrong line and the error.
 fn grid(mut rows: Vec<([f64; 4], u64)>) -> Result<Vectors, (u64, String)> {
     rows.sort_by(|(a, _), (b, _)| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
     let Some((first, last)) = rows.first().zip(rows.last()) else { return Err((0, "it has no places".into())) };
@@ -107,7 +108,7 @@ fn grid(mut rows: Vec<([f64; 4], u64)>) -> Result<Vectors, (u64, String)> {
     let cell = (rows[columns - 1].0[0] - first.0[0]) / (columns - 1) as f64;
     let tall = (last.0[1] - first.0[1]) / (count - 1) as f64;
     if (cell - tall).abs() > 1e-3 * cell {
-        return Err((first.1, format!("its cells are {cell} m wide and {tall} m high: they are no squares")));
+        return Err((first.1, format!("its cells are {cell} m wide and {tall} m high: they are not square")));
     }
     for (at, (row, line)) in rows.iter().enumerate() {
         let place = [first.0[0] + (at % columns) as f64 * cell, first.0[1] + (at / columns) as f64 * cell];

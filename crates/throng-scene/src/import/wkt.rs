@@ -6,15 +6,15 @@ use std::str::FromStr;
 use wkt::Wkt;
 use wkt::types::Polygon;
 
-/// Collections may be nested this deep.
+/// Maximum nesting depth of collections.
 const DEEPEST: usize = 64;
 
 const HINT: &str = "a floor plan is WKT text such as POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))";
 
-/// A WKT text of any kind, nested no more than 64 deep.
+/// Parses a WKT text of any kind, nested no more than 64 deep.
 ///
 /// # Errors
-/// It is not WKT, or nested deeper.
+/// The text is not WKT, or is nested deeper.
 pub fn parse(text: &str) -> Result<Wkt<f64>, Error> {
     let wrong = |what: String| Error::new(Kind::Syntax, what).hint(HINT);
     let mut depth = 0usize;
@@ -31,11 +31,11 @@ pub fn parse(text: &str) -> Result<Wkt<f64>, Error> {
     Wkt::from_str(text.trim()).map_err(|error| wrong(format!("this is not WKT: {error}")))
 }
 
-/// All polygons of a WKT text: POLYGON, MULTIPOLYGON, and GEOMETRYCOLLECTIONs of them, nested or not. Points and
+/// Reads all polygons of a WKT text: POLYGON, MULTIPOLYGON, and GEOMETRYCOLLECTIONs of them, nested or not. Points and
 /// lines are left out.
 ///
 /// # Errors
-/// It is not WKT, has no polygons, or a coordinate is not finite.
+/// The text is not WKT, has no polygons, or a coordinate is not finite.
 pub fn areas(text: &str) -> Result<Vec<Area>, Error> {
     let parsed = parse(text)?;
     let mut out = vec![];
@@ -65,7 +65,7 @@ fn area(polygon: &Polygon<f64>) -> Option<Area> {
         if ring.len() > 1 && ring.first() == ring.last() {
             ring.pop();
         }
-        // Neighbouring corners at one place add nothing.
+        // drop repeated corners
         ring.dedup();
         ring
     };

@@ -1,13 +1,13 @@
-//! What is drawn beside agents of what they have in mind.
+//! Annotations: what is drawn beside agents about their state and decisions.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What is drawn beside agents. In files `true`, `false`, or a list of kinds.
+/// The annotations of agents. In files `true`, `false`, or a list of kinds.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected true, false, or a list of kinds such as [\"velocity\", \"targets\"]")]
 pub enum Annotate {
-    /// Everything, or nothing.
+    /// All annotations, or none.
     All(bool),
     /// These kinds.
     Kinds(Vec<Annotation>),
@@ -25,28 +25,28 @@ impl Annotate {
     }
 }
 
-/// One of the things that can be drawn beside agents.
+/// A kind of annotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Annotation {
-    /// How far they look, and whom they see.
+    /// The reach of the neighbour search, and the neighbours found.
     Neighbourhoods,
-    /// Where they have been for the last ten seconds.
+    /// The positions of the last ten seconds.
     Trails,
-    /// The paths they follow.
+    /// The paths that agents follow.
     Paths,
-    /// What they feel their way along.
+    /// The whiskers of agents.
     Feelers,
-    /// Where they expect others, or themselves, to be.
+    /// The predicted positions of other agents or of the agent itself.
     Predictions,
-    /// Where they aim at.
+    /// The points at which agents aim.
     Targets,
-    /// Who will come too near, and where the two will be then.
+    /// The agents that will come too near, and the positions of both agents at that time.
     Threats,
-    /// The velocity they would like.
+    /// The preferred velocity.
     Preferred,
-    /// The velocity they have.
+    /// The velocity.
     Velocity,
-    /// The force they steer by.
+    /// The steering force.
     Force,
 }

@@ -1,4 +1,4 @@
-//! Rings of ground, and laps round them.
+//! Rings of ground, and laps of them.
 
 use super::Point;
 use schemars::JsonSchema;

@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 pub enum Avoid {
     /// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011).
     Orca(Orca),
-    /// Optimal reciprocal collision avoidance in space, for those who fly.
+    /// Optimal reciprocal collision avoidance in space, for agents that fly.
     #[serde(rename = "orca_3d")]
     Orca3d(Orca3d),
-    /// Acceleration-velocity obstacles (van den Berg, Snape, Guy, Manocha, 2011): ORCA for bodies that come to a new
+    /// Acceleration-velocity obstacles (van den Berg, Snape, Guy, Manocha, 2011): ORCA for bodies that reach a new
     /// velocity with a delay.
     Avo(Avo),
     /// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011).
@@ -22,9 +22,9 @@ pub enum Avoid {
     Clearpath(Clearpath),
     /// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).
     Rvo(Rvo),
-    /// Reciprocal velocity obstacles as in two students' lab reports, faults included: to compare with.
+    /// Reciprocal velocity obstacles as in two students' lab reports, with their faults, for comparison.
     RvoLab(RvoLab),
-    /// Velocity obstacles (Fiorini, Shiller, 1998): everybody takes all of the avoiding, and oscillates.
+    /// Velocity obstacles (Fiorini, Shiller, 1998): every agent takes all of the avoidance, and oscillates.
     Vo(Vo),
     /// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim.
     CollisionFreeSpeed(CollisionFreeSpeed),
@@ -38,8 +38,8 @@ pub enum Avoid {
     /// The power law of human interaction with an implicit step (Karamouzas, Skinner, Guy, 2014; Karamouzas, Sohre,
     /// Narain, Guy, 2017): accelerations by the time to a collision.
     PowerLaw(PowerLaw),
-    /// No avoidance: only the guard keeps people apart.
-    None(Unavoiding),
+    /// No avoidance: only the guard keeps agents apart.
+    None(NoAvoidance),
 }
 
 impl Default for Avoid {
@@ -48,7 +48,7 @@ impl Default for Avoid {
     }
 }
 
-/// Parameters of models, each with its default; whom an agent sees is a part of all of them.
+/// Defines the parameters of models, each with its default. All models have the two parameters of the neighbour search.
 macro_rules! parameters {
     ($($(#[$meta:meta])* $name:ident $(sees $distance:literal)? { $($(#[$about:meta])* $key:ident: $type:ty = $default:expr,)* })*) => { $(
         $(#[$meta])*
@@ -56,9 +56,9 @@ macro_rules! parameters {
         #[serde(deny_unknown_fields, default)]
         pub struct $name {
             $($(#[$about])* pub $key: $type,)*
-            /// How many of the nearest others are taken into account. Limit: 1 to 1000.
+            /// The maximum number of neighbours taken into account, the nearest first. Limit: 1 to 1000.
             pub neighbours: u32,
-            /// How far an agent looks for others, metres between centres. Limit: > 0.
+            /// Reach of the neighbour search, metres between centres. Limit: > 0.
             pub neighbour_distance: f64,
         }
 
@@ -77,10 +77,10 @@ parameters! {
         time_horizon: f64 = 1.0,
         /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
         time_horizon_obstacles: f64 = 0.7,
-        /// How much cheaper it is to turn than to change speed: above 1 agents rather turn, below 1 they rather brake.
+        /// Cost of a change of speed relative to a turn: above 1 agents prefer to turn, below 1 they prefer to brake.
         /// Limit: 0.1 to 10.
         turning_bias: f64 = 1.0,
-        /// The velocity that half-planes are built from.
+        /// The velocity from which half-planes are built.
         built_from: BuiltFrom = BuiltFrom::Current,
     }
     /// Parameters of optimal reciprocal collision avoidance in space.
@@ -89,8 +89,8 @@ parameters! {
         time_horizon: f64 = 2.0,
         /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
         time_horizon_obstacles: f64 = 0.7,
-        /// How much taller than they are bodies are taken to be: above 1 they rather avoid sideways than up and down.
-        /// Limit: 1 to 10.
+        /// Factor by which bodies are taken to be taller than they are: above 1 agents prefer to avoid sideways. Limit:
+        /// 1 to 10.
         vertical_scale: f64 = 1.0,
     }
     /// Parameters of acceleration-velocity obstacles.
@@ -99,7 +99,7 @@ parameters! {
         time_horizon: f64 = 2.0,
         /// Seconds ahead for which a velocity must be safe from obstacles. Limit: > 0.
         time_horizon_obstacles: f64 = 0.7,
-        /// Seconds in which a body makes up all but a third of the way to its new velocity. Limit: > 0, at most 10.
+        /// Seconds in which a body completes all but a third of a change of velocity. Limit: > 0, at most 10.
         delay: f64 = 0.25,
     }
     /// Parameters of hybrid reciprocal velocity obstacles.
@@ -118,31 +118,31 @@ parameters! {
     Rvo {
         /// Weight of the time to a collision against the distance from the preferred velocity, metres. Limit: > 0.
         weight: f64 = 1.0,
-        /// The part of the avoiding that is done where both have the same right of way (the paper's alpha). Limit: 0.1
-        /// to 1.
+        /// The part of the avoidance that an agent does if both agents have the same right of way (the paper's alpha).
+        /// Limit: 0.1 to 1.
         responsibility: f64 = 0.5,
-        /// Seconds ahead beyond which collisions with other agents count for nothing. Limit: > 0.
+        /// Seconds ahead beyond which collisions with other agents do not count. Limit: > 0.
         time_horizon: f64 = 5.0,
-        /// The same for obstacles. Limit: > 0.
+        /// Seconds ahead beyond which collisions with obstacles do not count. Limit: > 0.
         time_horizon_obstacles: f64 = 0.7,
-        /// Obstacles count only where braking would not do, as in the authors' library; `time_horizon_obstacles` has no
-        /// meaning then.
+        /// Obstacles count only if braking does not suffice, as in the authors' library; `time_horizon_obstacles` has
+        /// no effect then.
         braking: bool = false,
-        /// Only velocities that can be reached within a step are tried, as in the paper.
+        /// Only velocities that can be reached within a step are candidates, as in the paper.
         kinodynamic: bool = false,
-        /// How many velocities are drawn by chance in every step, as in the authors' library (250). 0: they are searched
-        /// for by a pattern that is refined. Limit: at most 100,000.
+        /// Number of random candidate velocities in each step, as in the authors' library (250). 0: a pattern that is
+        /// refined replaces them. Limit: at most 100,000.
         candidates: u32 = 0,
     }
-    /// Parameters of the labs' algorithm: it has none but whom an agent sees.
+    /// Parameters of the labs' algorithm: only those of the neighbour search.
     RvoLab {}
-    /// Parameters of the power law. Its neighbours have to be seen as far as both walk within the time horizon.
+    /// Parameters of the power law. The neighbour search must reach as far as two agents walk within the time horizon.
     PowerLaw sees 10.0 {
         /// Strength of the interaction, m^2 (the paper's k over the mass). Limit: >= 0.
         strength: f64 = 1.5,
         /// Seconds beyond which collisions are screened off (the paper's tau0). Limit: > 0.
         time_horizon: f64 = 3.0,
-        /// Seconds to come to the preferred velocity (the paper's xi). Limit: > 0.
+        /// Seconds to reach the preferred velocity (the paper's xi). Limit: > 0.
         relaxation_time: f64 = 0.54,
         /// The part of the radii within which a collision counts as grazing (epsilon). Limit: 0.01 to 0.9.
         grazing: f64 = 0.2,
@@ -151,11 +151,11 @@ parameters! {
     }
     /// Parameters of the social force model of 2009. Distances are between centres.
     Moussaid2009 {
-        /// Seconds to come to the preferred velocity (the paper's tau). Limit: > 0.
+        /// Seconds to reach the preferred velocity (the paper's tau). Limit: > 0.
         relaxation_time: f64 = 0.54,
         /// Greatest acceleration by one neighbour, m/s^2 (A). Limit: >= 0.
         strength: f64 = 4.5,
-        /// Range of an interaction whose direction has length 1, metres. Limit: > 0.
+        /// Range of an interaction with a direction of length 1, metres. Limit: > 0.
         gamma: f64 = 0.35,
         /// Weight of the relative velocity against the direction to the neighbour, s/m. Limit: >= 0.
         lambda: f64 = 2.0,
@@ -167,18 +167,18 @@ parameters! {
         side_preference: f64 = 0.005,
         /// Acceleration at the surface of an obstacle, m/s^2 (a). Limit: >= 0.
         strength_obstacles: f64 = 3.0,
-        /// Range of that, metres (b). Limit: > 0.
+        /// Range of that acceleration, metres (b). Limit: > 0.
         range_obstacles: f64 = 0.1,
     }
     /// Parameters of the social force model of 1995. Distances are between centres.
     SocialForce {
-        /// Seconds to come to the preferred velocity (the paper's tau). Limit: > 0.
+        /// Seconds to reach the preferred velocity (the paper's tau). Limit: > 0.
         relaxation_time: f64 = 0.5,
         /// Strength of the potential of a neighbour, m^2/s^2 (V0). Limit: >= 0.
         strength: f64 = 2.1,
         /// Range of that potential, metres (sigma). Limit: > 0.
         range: f64 = 0.3,
-        /// How far ahead a neighbour needs room for its way, seconds (Delta t). Limit: >= 0.
+        /// How far ahead a neighbour needs room for its step, seconds (Delta t). Limit: >= 0.
         anticipation_time: f64 = 2.0,
         /// Strength of the potential of an obstacle, m^2/s^2 (U0). Limit: >= 0.
         strength_obstacles: f64 = 10.0,
@@ -186,7 +186,7 @@ parameters! {
         range_obstacles: f64 = 0.2,
         /// Angle of view, degrees (2 phi). Limit: 0 to 360.
         view_angle: f64 = 200.0,
-        /// Weight of neighbours out of the angle of view (c). Limit: 0 to 1.
+        /// Weight of neighbours outside the angle of view (c). Limit: 0 to 1.
         out_of_view: f64 = 0.5,
     }
     /// Parameters of the anticipation velocity model.
@@ -195,11 +195,11 @@ parameters! {
         time_gap: f64 = 1.06,
         /// How far ahead positions are predicted, seconds. Limit: >= 0.
         anticipation_time: f64 = 1.0,
-        /// Seconds in which the direction makes up all but 1/e of a change. Limit: > 0.
+        /// Seconds in which the direction completes all but 1/e of a change. Limit: > 0.
         reaction_time: f64 = 0.3,
-        /// How much a neighbour at contact turns the direction, the preferred direction being 1. Limit: >= 0.
+        /// Influence of a neighbour at contact on the direction, relative to the preferred direction. Limit: >= 0.
         strength: f64 = 8.0,
-        /// Metres of predicted gap in which that falls to 1/e. Limit: > 0.
+        /// Metres of predicted gap over which that influence falls to 1/e. Limit: > 0.
         range: f64 = 0.1,
         /// Gap to an obstacle, metres, within which an agent does not walk towards it. Limit: >= 0.
         wall_buffer: f64 = 0.1,
@@ -210,13 +210,13 @@ parameters! {
     CollisionFreeSpeed {
         /// Seconds that an agent stays behind the neighbour ahead (T). Limit: > 0.
         time_gap: f64 = 1.0,
-        /// How much a neighbour at contact turns the direction, the preferred direction being 1. Limit: >= 0.
+        /// Influence of a neighbour at contact on the direction, relative to the preferred direction. Limit: >= 0.
         strength: f64 = 8.0,
-        /// Metres of gap in which that falls to 1/e. Limit: > 0.
+        /// Metres of gap over which that influence falls to 1/e. Limit: > 0.
         range: f64 = 0.1,
-        /// As `strength`, of obstacles. Limit: >= 0.
+        /// As `strength`, for obstacles. Limit: >= 0.
         strength_obstacles: f64 = 5.0,
-        /// As `range`, of obstacles. Limit: > 0.
+        /// As `range`, for obstacles. Limit: > 0.
         range_obstacles: f64 = 0.02,
     }
     /// Parameters of velocity obstacles.
@@ -228,37 +228,39 @@ parameters! {
     }
 }
 
-/// The velocity that ORCA's half-planes are built from.
+/// The velocity from which ORCA's half-planes are built.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BuiltFrom {
-    /// The present one.
+    /// The present velocity.
     #[default]
     Current,
-    /// The preferred one: better where there is room, too much where there is none.
+    /// The preferred velocity: better where there is room, too strict where there is none.
     Preferred,
-    /// None: dense crowds stand.
+    /// Zero: dense crowds stop.
     Zero,
 }
 
-/// Parameters of no avoidance: whom an agent sees.
+/// Parameters of agents without avoidance: those of the neighbour search.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Unavoiding {
-    /// How many of the nearest others are taken into account, 1 to 1000; or `"all"` within the distance: for flocks.
+pub struct NoAvoidance {
+    /// The maximum number of neighbours taken into account, the nearest first, 1 to 1000; or `"all"` within the
+    /// distance, for flocks.
     pub neighbours: Neighbours,
-    /// How far an agent looks for others, metres between centres. Limit: > 0.
+    /// Reach of the neighbour search, metres between centres. Limit: > 0.
     pub neighbour_distance: f64,
 }
 
-impl Default for Unavoiding {
+impl Default for NoAvoidance {
     fn default() -> Self {
         Self { neighbours: Neighbours::Nearest(10), neighbour_distance: 5.0 }
     }
 }
 
 impl Avoid {
-    /// Which of the others are taken into account, and how far an agent looks for them.
+    /// Returns the number of neighbours that an agent takes into account, and the reach of its neighbour search,
+    /// metres.
     pub fn sight(&self) -> (Neighbours, f64) {
         let (nearest, distance) = match self {
             Self::None(model) => return (model.neighbours, model.neighbour_distance),

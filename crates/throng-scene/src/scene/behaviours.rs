@@ -1,6 +1,6 @@
 //! Behaviours that a program adds to those of scene files.
 
-use super::Cast;
+use super::SceneNames;
 use crate::caught::{caught, named};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
@@ -11,26 +11,26 @@ use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
 use throng::steer::swarm::Swarm;
-use throng::steer::{Behaviour, Branch, Flocking, View, Why};
+use throng::steer::{Behaviour, BoxedBehaviour, Flocking, SteeringInput, TraceRecorder};
 use toml::Table;
 
-/// Behaviours by name, for `steer.custom = "name"`: how a scene uses a behaviour that a program brings along.
-/// [`Plugins`](crate::Plugins) hands them to every scene of a program.
+/// Behaviours by name, for `steer.custom = "name"`: a scene uses the behaviours of a program by these names.
+/// [`Plugins`](crate::Plugins) gives them to every scene of a program.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, View, Why};
+/// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng::motion::Steering;
 /// use throng_scene::Scene;
 ///
-/// /// Goes up, but not above a height.
+/// /// Rises to a height.
 /// #[derive(Debug)]
 /// struct Climb {
 ///     height: f32,
 /// }
 ///
 /// impl Behaviour for Climb {
-///     fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+///     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
 ///         (view.position().z < self.height).then(|| view.reach(Vec3::Z * view.vehicle.max_speed))
 ///     }
 /// }
@@ -39,54 +39,54 @@ use toml::Table;
 ///     [[group]]
 ///     place.point = [5, 0]
 ///     vehicle = { kind = "level", max_speed = 2.0 }
-///     steer.priority = [{ custom = "climb" }, { wander = {} }]
+///     steer.priority = [{ custom = "vertical_velocity" }, { wander = {} }]
 /// "#
 /// .parse()?;
-/// scene.behaviours.add("climb", |_| Ok(Climb { height: 3.0 }.into()));
+/// scene.behaviours.add("vertical_velocity", |_| Ok(Climb { height: 3.0 }.into()));
 /// let (mut world, _) = scene.build()?;
 /// (0..100).for_each(|_| world.step());
-/// assert!(world.agents().altitude[0] > 2.9);
+/// assert!(world.relative_columns().altitude[0] > 2.9);
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone, Default)]
 pub struct Behaviours(BTreeMap<String, Maker>);
 
-/// How a behaviour is made, and what can be said of it.
+/// How a behaviour is made, and the schema of its parameters.
 #[derive(Clone)]
 struct Maker {
-    make: Make,
+    make: MakeBehaviour,
     /// The schema of its parameters, if it has any.
     schema: Option<fn(&mut SchemaGenerator) -> Schema>,
 }
 
-/// Makes a behaviour for a scene, with the parameters that are said.
-type Make = Arc<dyn Fn(&Table, &Cast<'_>) -> Result<Branch, Unmade> + Send + Sync>;
+/// Makes a behaviour for a scene, with the given parameters.
+type MakeBehaviour = Arc<dyn Fn(&Table, &SceneNames<'_>) -> Result<BoxedBehaviour, Unmade> + Send + Sync>;
 
 /// Why a behaviour was not made.
 pub(crate) enum Unmade {
-    /// What is said of its parameters does not fit them.
+    /// The given parameters do not fit the behaviour.
     Parameters(toml::de::Error),
-    /// What it says itself.
+    /// The behaviour refused the scene.
     Refused(Error),
-    /// It panicked: what it said.
+    /// The code panicked with this message.
     Panicked(String),
 }
 
 impl Behaviours {
-    /// Adds a behaviour, or takes the place of the one of this name. `make` is told who and what is in the
-    /// scene; what it misses there it says.
+    /// Adds a behaviour, or replaces the behaviour with the same name. `make` gets the names in the scene, and returns
+    /// an error for anything that it needs and the scene lacks.
     pub fn add(
         &mut self,
         name: impl Into<String>,
-        make: impl Fn(&Cast<'_>) -> Result<Branch, Error> + Send + Sync + 'static,
+        make: impl Fn(&SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
-        let make: Make = Arc::new(move |_, cast| make(cast).map_err(Unmade::Refused));
+        let make: MakeBehaviour = Arc::new(move |_, cast| make(cast).map_err(Unmade::Refused));
         self.0.insert(name.into(), Maker { make, schema: None });
     }
 
-    /// Adds a behaviour with parameters, as [`add`](Self::add) does: files say them by
-    /// `steer.custom.NAME = { .. }`, as `P` is read, and whoever asks for the [schema](crate::Plugins::schema) knows them: their
-    /// doc lines, units, limits (`#[schemars(range(min = 0, max = 1))]`, which files are held to) and defaults
+    /// Adds a behaviour with parameters, as [`add`](Self::add) does. Files set the parameters by
+    /// `steer.custom.NAME = { .. }`, which is deserialised as `P`. The [schema](crate::Plugins::schema) has their doc
+    /// lines, units, limits (`#[schemars(range(min = 0, max = 1))]`, which are enforced for files) and defaults
     /// (`#[serde(default)]`).
     ///
     /// ```
@@ -97,7 +97,7 @@ impl Behaviours {
     ///
     /// #[derive(Deserialize, JsonSchema)]
     /// struct Stroll {
-    ///     /// How far it strays. Limit: 0 to 1.
+    ///     /// Strength of the wandering. Limit: 0 to 1.
     ///     #[schemars(range(min = 0, max = 1))]
     ///     strength: f32,
     /// }
@@ -113,26 +113,26 @@ impl Behaviours {
     pub fn add_with<P: DeserializeOwned + JsonSchema>(
         &mut self,
         name: impl Into<String>,
-        make: impl Fn(P, &Cast<'_>) -> Result<Branch, Error> + Send + Sync + 'static,
+        make: impl Fn(P, &SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
-        let make: Make = Arc::new(move |said, cast| {
+        let make: MakeBehaviour = Arc::new(move |said, cast| {
             let parameters = P::deserialize(said.clone()).map_err(Unmade::Parameters)?;
             make(parameters, cast).map_err(Unmade::Refused)
         });
         self.0.insert(name.into(), Maker { make, schema: Some(|generator| generator.subschema_for::<P>()) });
     }
 
-    /// Adds those of others; they take the place of those of the same name.
+    /// Adds the behaviours of another set. They replace behaviours with the same names.
     pub fn extend(&mut self, others: Self) {
         self.0.extend(others.0);
     }
 
-    /// The names of all.
+    /// Returns the names of all behaviours.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
     }
 
-    /// The schema of the parameters of the behaviour of this name, by itself, if it has any.
+    /// Returns the schema of the parameters of a behaviour, without references, if it has parameters.
     pub(crate) fn schema(&self, name: &str) -> Option<Value> {
         let mut generator = SchemaGenerator::new(schemars::generate::SchemaSettings::default().with(|settings| {
             settings.inline_subschemas = true;
@@ -141,8 +141,13 @@ impl Behaviours {
         Some(schema(&mut generator).to_value())
     }
 
-    /// The behaviour of this name, made for a scene; a panic in it says whose it is.
-    pub(crate) fn make(&self, name: &str, said: &Table, cast: &Cast<'_>) -> Option<Result<Branch, Unmade>> {
+    /// Returns a behaviour by its name, made for a scene. A panic in it names the behaviour.
+    pub(crate) fn make(
+        &self,
+        name: &str,
+        said: &Table,
+        cast: &SceneNames<'_>,
+    ) -> Option<Result<BoxedBehaviour, Unmade>> {
         let maker = self.0.get(name)?;
         let made = caught(|| {
             let branch = (maker.make)(said, cast)?;
@@ -150,23 +155,23 @@ impl Behaviours {
             Ok(branch)
         });
         let made = made.unwrap_or_else(|says| Err(Unmade::Panicked(says)));
-        Some(made.map(|branch| Named { name: name.into(), branch }.into()))
+        Some(made.map(|branch| NamedBehaviour { name: name.into(), branch }.into()))
     }
 }
 
-/// A behaviour that a program brings along: panics in it say whose they are.
+/// A behaviour of a plug-in: panics in it name it.
 #[derive(Debug)]
-struct Named {
+struct NamedBehaviour {
     name: Arc<str>,
-    branch: Branch,
+    branch: BoxedBehaviour,
 }
 
-impl Behaviour for Named {
+impl Behaviour for NamedBehaviour {
     fn memory(&self) -> usize {
         self.branch.words()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         named("behaviour", &self.name, || self.branch.steer(view, memory, why))
     }
 
@@ -184,7 +189,7 @@ impl Behaviour for Named {
 }
 
 impl PartialEq for Behaviours {
-    /// Always: what a program brings along is not part of what the scene says.
+    /// Returns true: plug-ins are not part of a scene's content.
     fn eq(&self, _: &Self) -> bool {
         true
     }

@@ -1,4 +1,4 @@
-//! Bodies.
+//! Bodies of agents.
 
 use super::Number;
 use schemars::JsonSchema;
@@ -11,13 +11,13 @@ use serde::{Deserialize, Serialize};
 pub enum Body {
     /// A disc of this radius, metres. Limit: > 0, at most 1000.
     Radius(Number),
-    /// A capsule: half discs at both ends.
+    /// A capsule: a rectangle with a half disc at each end.
     Capsule(Sides),
     /// A rectangle with slightly rounded corners.
     Rectangle(Sides),
 }
 
-/// How long and how wide a body is.
+/// The length and width of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sides {

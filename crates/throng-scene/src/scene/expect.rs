@@ -1,4 +1,4 @@
-//! What a scene must show: every scene is also a test.
+//! The expectations of a scene: every scene is also a test.
 
 use super::Point;
 use super::ground::is_zero;
@@ -8,61 +8,63 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// What a scene must show. What is not said is not checked.
+/// The expectations of a scene. Only the given ones are checked.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Expect {
-    /// Who arrives (or leaves by an exit): `"all"`, a number of agents (`30`), or a share of all (`0.9`).
+    /// How many agents arrive (or leave by an exit): `"all"`, a number of agents (`30`), or a share of all (`0.9`).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arrived: Option<Arrived>,
-    /// By when, seconds. Without it, by the scene's end. Limit: > 0.
+    /// By when they arrive, seconds. Without it, by the scene's end. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<f64>,
-    /// The least distance between two centres at any time, over the sum of the radii: 1 is touching, below it they
-    /// overlap. Limit: >= 0.
+    /// The least distance between two centres at any time, over the sum of the radii: 1 is contact, less is overlap.
+    /// Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_separation: Option<f64>,
-    /// The least distance between a centre and a wall, or what is `solid` to its group, at any time, over the radius: 1 is
-    /// touching. Limit: >= 0.
+    /// The least distance between a centre and a wall, or an object that is `solid` to its group, at any time, over the
+    /// radius: 1 is contact. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_wall_separation: Option<f64>,
-    /// How much headings turn on the way, the mean over agents, degrees a second: at most this. Limit: > 0.
+    /// The mean change of heading over walking agents, degrees a second, is at most this. Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heading_change: Option<f64>,
-    /// The mean speed of those on their way, over the whole scene, is at least this, m/s. Limit: >= 0.
+    /// The mean speed of walking agents, over the whole scene, is at least this, m/s. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_speed: Option<f64>,
-    /// The mean speed of those who are there at the end is at most this, m/s: whether a crowd comes to rest. Limit: >= 0.
+    /// The mean speed of the agents at the end is at most this, m/s: whether a crowd comes to rest. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub final_speed: Option<f64>,
-    /// Agents that wait outside the area of their journey's end because no place in it is free, at the end: at most.
+    /// The number of agents at the end that wait outside the area of their last goal because no place in it is free, at
+    /// most.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub waiting_for_room: Option<u64>,
-    /// Agents that have not got on for 10 seconds, which no queue explains, at the end: at most.
+    /// The number of agents at the end that made no progress for 10 seconds and stand in no queue, at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blocked: Option<u64>,
-    /// Agents that have not got on for 10 seconds and walked all the while, at the end: at most.
+    /// The number of agents at the end that made no progress for 10 seconds although they walked, at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oscillating: Option<u64>,
-    /// Agents that are blocked, oscillate, or whose goal is out of reach, at the end: at most.
+    /// The number of agents at the end that are blocked, oscillate, or have an unreachable goal, at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stuck: Option<u64>,
-    /// Times an agent walked for 30 seconds without getting on: at most.
+    /// How often an agent walked for 30 seconds without progress, at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub without_progress_30s: Option<u64>,
-    /// How many cross a line.
+    /// Flows of agents across lines.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flow: Vec<FlowExpect>,
-    /// How far each of a group is from a place, or from others, metres.
+    /// Distances of the agents of groups from places or from other agents, metres.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub distance: Vec<DistanceExpect>,
-    /// How fast each of a group is, m/s.
+    /// Speeds of the agents of groups, m/s.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub speed: Vec<GroupExpect>,
-    /// How much groups go one way, or face it at rest: the length of the mean direction, 0 (any way) to 1 (all the same).
+    /// Alignment of groups: the length of the mean direction in which agents move, or face if they stand, 0 (all
+    /// different) to 1 (all the same).
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub order: Vec<GroupExpect>,
-    /// What the rules of the game count.
+    /// Figures of the game's rules.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub figure: Vec<FigureExpect>,
 }
@@ -73,7 +75,7 @@ impl Expect {
     }
 }
 
-/// How many cross a line, agents a second between the first and the last crossing, both directions together.
+/// The flow across a line, agents a second between the first and the last crossing, both directions together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FlowExpect {
@@ -81,62 +83,63 @@ pub struct FlowExpect {
     pub from: Point,
     /// The other end.
     pub to: Point,
-    /// At least this many a second. Limit: >= 0.
+    /// Least flow, agents a second. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// At most this many a second. Limit: >= 0.
+    /// Greatest flow, agents a second. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
 }
 
-/// How far each of a group is from a place, the nearest of a group, a surface or a path, metres from its centre.
+/// The distance of each agent of a group from a place, the nearest agent of a group, a surface or a path, metres from
+/// its centre.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DistanceExpect {
-    /// Name of the group. Without it, everybody.
+    /// Name of the group. Without it, all agents.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<String>,
-    /// From what.
+    /// From where it is measured.
     pub to: To,
-    /// At least so much. Limit: >= 0.
+    /// Lower bound. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// At most so much. Limit: >= 0.
+    /// Upper bound. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
-    /// When.
+    /// When the bounds hold.
     #[serde(default, skip_serializing_if = "When::is_end")]
     pub when: When,
-    /// From when on, seconds. Limit: >= 0.
+    /// Start of the check, seconds. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub after: f64,
 }
 
 impl DistanceExpect {
-    /// The same without what the distance is to.
+    /// Returns the bounds without the place.
     pub(crate) fn of_group(&self) -> GroupExpect {
         let Self { of, at_least, at_most, when, after, .. } = self.clone();
         GroupExpect { of, at_least, at_most, when, after }
     }
 }
 
-/// What every agent of a group shows.
+/// A quantity of every agent of a group.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GroupExpect {
-    /// Name of the group. Without it, everybody.
+    /// Name of the group. Without it, all agents.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<String>,
-    /// At least so much. Limit: >= 0.
+    /// Lower bound. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// At most so much. Limit: >= 0.
+    /// Upper bound. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
-    /// When.
+    /// When the bounds hold.
     #[serde(default, skip_serializing_if = "When::is_end")]
     pub when: When,
-    /// From when on, seconds. Limit: >= 0.
+    /// Start of the check, seconds. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub after: f64,
 }
@@ -145,34 +148,35 @@ pub struct GroupExpect {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FigureExpect {
-    /// Its name.
+    /// The name of the figure.
     pub of: String,
-    /// At least so much. Limit: finite.
+    /// Lower bound. Limit: finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// At most so much. Limit: finite.
+    /// Upper bound. Limit: finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
-    /// When.
+    /// When the bounds hold.
     #[serde(default, skip_serializing_if = "When::is_end")]
     pub when: When,
-    /// From when on, seconds. Limit: >= 0.
+    /// Start of the check, seconds. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub after: f64,
 }
 
-/// From what a distance is. In files `[x, y]`, `[x, y, z]`, or the name of a group, a mover, a surface or a path.
+/// From where a distance is measured. In files `[x, y]`, `[x, y, z]`, or the name of a group, a mover, a surface or a
+/// path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "this should be [x, y], [x, y, z] or the name of a group, a surface or a path")]
 pub enum To {
     /// From a place.
     Place(Position),
-    /// From the nearest of a group, other than itself; from a surface, on the side from which it is seen; or from the
-    /// spine of a path.
+    /// From the nearest other agent of a group; from a surface, on the side it is seen from; or from the spine of a
+    /// path.
     Named(String),
 }
 
-/// When something must be so.
+/// When the bounds must hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum When {
@@ -181,7 +185,7 @@ pub enum When {
     End,
     /// After every step.
     Always,
-    /// After one step at least; not all of a group after the same.
+    /// After at least one step, which may differ between the agents of a group.
     Ever,
 }
 
@@ -191,14 +195,14 @@ impl When {
     }
 }
 
-/// How many arrive. In files `"all"`, a whole number of agents, or a fraction from 0.0 to 1.0.
+/// How many agents arrive. In files `"all"`, a whole number of agents, or a fraction from 0.0 to 1.0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arrived {
-    /// Everybody.
+    /// All agents.
     All,
-    /// At least this many.
+    /// At least this number of agents.
     Number(u64),
-    /// At least this share of all. Limit: 0 to 1.
+    /// At least this share of all agents. Limit: 0 to 1.
     Fraction(f64),
 }
 
@@ -247,7 +251,7 @@ impl JsonSchema for Arrived {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "How many arrive: \"all\", a whole number of agents, or a fraction from 0.0 to 1.0.",
+            "description": "How many agents arrive: \"all\", a whole number of agents, or a fraction from 0.0 to 1.0.",
             "anyOf": [
                 { "const": "all" },
                 { "type": "integer", "minimum": 0 },

@@ -1,6 +1,6 @@
-//! Vector fields: velocities at every place, that lead crowds and that swarms follow.
+//! Vector fields: a velocity at every place, which guides crowds and swarms.
 
-use super::steer::{Position, What, parameters};
+use super::steer::{ObstacleNames, Position, parameters};
 use super::{Number, Point, PointGoal, Region};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Field {
-    /// The name that groups, behaviours and fields below it call it by.
+    /// The name by which groups, behaviours and later fields refer to it.
     pub name: String,
-    /// What it says.
+    /// The velocities of the field.
     pub flow: Flow,
 }
 
@@ -19,44 +19,44 @@ pub struct Field {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Flow {
-    /// The same everywhere, m/s.
+    /// The same velocity everywhere, m/s.
     Uniform(Position),
-    /// Round a place, everywhere at one speed.
+    /// Around a place, at the same speed everywhere.
     Whirl(Whirl),
     /// To a place, or away from it.
     Towards(Towards),
     /// A field of the scene, by its name.
     Named(String),
-    /// Velocities wanted at some places, and everywhere between them (Jin et al. 2008).
+    /// Velocities given at some places and interpolated between them (Jin et al. 2008).
     Sketch(Sketch),
-    /// As a sketch, in space.
+    /// A sketch in space.
     SketchInSpace(SketchInSpace),
-    /// What was painted with a brush.
+    /// A field painted with a brush.
     Paint(Paint),
-    /// What the pixels of a picture (PNG) say.
+    /// A field encoded in the pixels of a picture (PNG).
     Picture(Picture),
-    /// What a file says: a table (CSV), or a vector field of Menge's (text).
+    /// A field from a file: a table (CSV), or a vector field of Menge (text).
     Table(Table),
-    /// The way to a goal that costs the least time, from everywhere.
+    /// The direction of the cheapest path to a goal, from everywhere.
     ToGoal(ToGoal),
-    /// The way to a target through space, clear of what is solid: where a swarm goes (Wang et al. 2014).
+    /// The direction of a path to a target through space, clear of obstacles: guides a swarm (Wang et al. 2014).
     ThroughSpace(ThroughSpace),
-    /// Eddies by chance, without sources and sinks (Bridson et al. 2007).
+    /// Random eddies without sources and sinks (curl noise, Bridson et al. 2007).
     Noise(Noise),
     /// The sum of fields.
     Sum(Vec<FlowPart>),
-    /// The mean of fields, directions and speeds each on their own.
+    /// The weighted mean of fields; directions and speeds are averaged separately.
     Blend(Vec<FlowPart>),
-    /// Another field at some times.
+    /// Different fields at different times.
     Keyframes(Keyframes),
-    /// A field led round what is solid.
+    /// A field that is deflected around obstacles.
     AroundWalls(AroundWalls),
-    /// A field sampled on a grid: as fast as any, however dear it is.
+    /// A field sampled on a grid: fast to evaluate, however expensive the field is.
     Sampled(Sampled),
 }
 
 parameters! {
-    /// Round a place, everywhere at one speed.
+    /// Around a place, at the same speed everywhere.
     Whirl {
         /// Its middle.
         center: Position,
@@ -64,279 +64,283 @@ parameters! {
         speed: f64,
     }
 
-    /// To a place, everywhere at one speed.
+    /// To a place, at the same speed everywhere.
     Towards {
         /// The place.
         at: Position,
         /// The speed, m/s; negative: away from it.
         speed: f64,
-        /// Nearer than this, metres, it is slower, in proportion. Without it, 0.5. Limit: > 0.
+        /// Within this distance, metres, the speed falls in proportion to the distance. Without it, 0.5. Limit: > 0.
         slow: Option<f64>,
-        /// Beyond this distance it says nothing, metres. Without it, everywhere. Limit: > 0.
+        /// Beyond this distance the field is undefined, metres. Without it, it is defined everywhere. Limit: > 0.
         within: Option<f64>,
     }
 
-    /// A field through anchors: those given, those of strokes and of stamps, less those that were erased.
+    /// A field through anchors: the given anchors and those of strokes and stamps, without the erased ones.
     Sketch {
-        /// Velocities at places.
+        /// Velocities at given places.
         anchors: Option<Vec<Anchor>>,
-        /// Strokes: lines to go along.
+        /// Strokes: lines that the field follows.
         strokes: Option<Vec<Stroke>>,
         /// Stamps: whirls, sources, sinks and saddles.
         stamps: Option<Vec<Stamp>>,
-        /// Where anchors are taken out again.
+        /// Places from which anchors are removed.
         erase: Option<Vec<Eraser>>,
-        /// How the influence of an anchor falls off. Without it, as a thin plate bends.
+        /// The kernel: how the influence of an anchor falls off. Without it, `thin_plate`.
         kernel: Option<Kernel>,
-        /// 0: through the anchors; more: past them, more evenly. 1e-6 to 1e-2 smooths strokes drawn by hand. Without it, 0. Limit: >= 0.
+        /// 0: the field passes through the anchors; above 0 it passes near them and is smoother. 1e-6 to 1e-2 smooths
+        /// strokes drawn by hand. Without it, 0. Limit: >= 0.
         smoothing: Option<f64>,
-        /// Metres beyond the hull of the anchors at which 1/e of the field is left. Without it, 10. Limit: > 0.
+        /// Metres beyond the hull of the anchors over which the field falls to 1/e. Without it, 10. Limit: > 0.
         fade: Option<f64>,
-        /// It is nowhere faster, m/s. Without it, one and a half times the fastest anchor. Limit: > 0.
+        /// Greatest speed of the field, m/s. Without it, one and a half times that of the fastest anchor. Limit: > 0.
         max_speed: Option<f64>,
-        /// Width of the cells of the grid that it is sampled on, metres. Without it, 0.5, or more in wide scenes. Limit: > 0.
+        /// Width of the cells of the sampling grid, metres. Without it, 0.5, or more in wide scenes and with many
+        /// anchors. Limit: > 0.
         cell: Option<f64>,
     }
 
-    /// A velocity wanted at a place.
+    /// A velocity given at a place.
     Anchor {
-        /// Where.
+        /// The place.
         at: Point,
         /// The velocity, m/s.
         velocity: Point,
-        /// How many times as far it reaches along its velocity as across; only with a kernel that has a reach. Without it, 1.
+        /// Ratio of the reach along its velocity to the reach across it; only for a kernel with a reach. Without it, 1.
         /// Limit: 1 to 100.
         stretch: Option<f64>,
     }
 
-    /// A field through anchors in space, for those who fly.
+    /// A field through anchors in space, for agents that fly.
     SketchInSpace {
-        /// Velocities at places.
+        /// Velocities at given places.
         anchors: Vec<AnchorInSpace>,
-        /// As that of a sketch.
+        /// As for a sketch.
         kernel: Option<Kernel>,
-        /// As that of a sketch.
+        /// As for a sketch.
         smoothing: Option<f64>,
-        /// As that of a sketch, beyond the box that holds the anchors.
+        /// As for a sketch, beyond the box that holds the anchors.
         fade: Option<f64>,
-        /// As that of a sketch.
+        /// As for a sketch.
         max_speed: Option<f64>,
     }
 
-    /// A velocity wanted at a place in space.
+    /// A velocity given at a place in space.
     AnchorInSpace {
-        /// Where.
+        /// The place.
         at: Position,
         /// The velocity, m/s.
         velocity: Position,
     }
 
-    /// A line to go along.
+    /// A line that the field follows.
     Stroke {
-        /// Its points, at least two.
+        /// The points of the line, at least two.
         points: Vec<Point>,
-        /// How fast, m/s; negative: against it. Without it, 1.3.
+        /// Speed along the line, m/s; negative: against it. Without it, 1.3.
         speed: Option<f64>,
-        /// How far apart its anchors are, metres. Without it, 2. Limit: > 0.
+        /// Distance between its anchors, metres. Without it, 2. Limit: > 0.
         spacing: Option<f64>,
-        /// As that of an anchor.
+        /// As for an anchor.
         stretch: Option<f64>,
     }
 
-    /// Anchors on a circle and in its middle.
+    /// Anchors on a circle and in its centre.
     Stamp {
-        /// Its middle.
+        /// The centre.
         at: Point,
-        /// What the field does about it.
+        /// The pattern of the field around the centre.
         kind: StampKind,
-        /// Metres. Limit: > 0.
+        /// Radius of the circle, metres. Limit: > 0.
         radius: f64,
-        /// How fast the field is on the circle, m/s; negative: the other way. Without it, 1.3.
+        /// Speed of the field on the circle, m/s; negative: reversed. Without it, 1.3.
         speed: Option<f64>,
     }
 
-    /// A round place without anchors.
+    /// A disc without anchors.
     Eraser {
-        /// Its middle.
+        /// The centre.
         at: Point,
-        /// Metres. Limit: > 0.
+        /// Radius, metres. Limit: > 0.
         radius: f64,
     }
 
-    /// A kernel with a reach.
+    /// A kernel with a finite reach.
     Wendland {
-        /// Beyond this distance an anchor says nothing, metres. Limit: > 0.
+        /// Beyond this distance an anchor has no influence, metres. Limit: > 0.
         reach: f64,
     }
 
-    /// A bend and no reach.
+    /// The kernel of a thin plate, without a finite reach.
     ThinPlate {}
 
-    /// What was painted, stroke after stroke.
+    /// A painted field, stroke by stroke.
     Paint {
-        /// The lower left corner of what can be painted.
+        /// The lower left corner of the canvas.
         min: Point,
-        /// The upper right corner.
+        /// The upper right corner of the canvas.
         max: Point,
-        /// Width of its cells, metres. Without it, 0.5. Limit: > 0.
+        /// Width of the cells, metres. Without it, 0.5. Limit: > 0.
         cell: Option<f64>,
-        /// What was there before. Without it, nothing.
+        /// The field below the strokes. Without it, nothing.
         on: Option<Box<Flow>>,
-        /// The strokes.
+        /// The strokes, in order.
         strokes: Vec<BrushStroke>,
     }
 
     /// A stroke of the brush.
     BrushStroke {
-        /// The points of the line it goes along.
+        /// The points of the line that the brush follows.
         points: Vec<Point>,
-        /// The speed that it leaves, along the line, m/s; negative: against it. Without it, 1.3.
+        /// Speed that the stroke paints, along the line, m/s; negative: against it. Without it, 1.3.
         speed: Option<f64>,
-        /// How far the brush reaches, metres. Without it, 2. Limit: > 0.
+        /// Radius of the brush, metres. Without it, 2. Limit: > 0.
         radius: Option<f64>,
-        /// How much it covers of what was there. Without it, 1: all. Limit: 0 to 1.
+        /// How much of the field below is covered. Without it, 1: all. Limit: 0 to 1.
         strength: Option<f64>,
-        /// Part of the radius within which it is in full. Without it, 0.5. Limit: 0 to 1.
+        /// Part of the radius within which the brush has its full strength. Without it, 0.5. Limit: 0 to 1.
         hardness: Option<f64>,
-        /// It rubs out what is there.
+        /// Whether the stroke erases.
         erase: Option<bool>,
     }
 
-    /// What the pixels of a picture say.
+    /// A field encoded in the pixels of a picture.
     Picture {
-        /// The PNG; the name is relative to the scene file.
+        /// The PNG file; the name is relative to the scene file.
         file: String,
-        /// Where its lower left corner is.
+        /// Position of the lower left corner.
         min: Point,
-        /// Where its upper right corner is.
+        /// Position of the upper right corner.
         max: Point,
-        /// How a pixel says a velocity. Without it, as a flow map.
-        says: Option<Says>,
-        /// The greatest speed along x or y (flow map), or of all (direction), m/s. Without it, 1.3. Limit: > 0.
+        /// The encoding of velocities. Without it, `flow_map`.
+        encoding: Option<PixelEncoding>,
+        /// The greatest speed along x or y (`flow_map`), or the greatest speed (`direction`), m/s. Without it, 1.3.
+        /// Limit: > 0.
         speed: Option<f64>,
     }
 
-    /// What a table says.
+    /// A field from a table.
     Table {
-        /// A CSV with columns x, y, vx, vy, whose places are all corners of a grid with square cells; or, with another
-        /// extension, a vector field of Menge's. The name is relative to the scene file.
+        /// A CSV with columns x, y, vx, vy. Its places are all corners of a grid with square cells; or, with another
+        /// extension, a vector field of Menge. The name is relative to the scene file.
         file: String,
     }
 
-    /// The way to a goal.
+    /// The direction of the cheapest path to a goal.
     ToGoal {
-        /// Where to: the nearest of these.
+        /// The goals: the path leads to the nearest of them.
         to: Vec<Destination>,
-        /// How fast, m/s. Without it, 1.3. Limit: > 0.
+        /// Speed, m/s. Without it, 1.3. Limit: > 0.
         speed: Option<f64>,
-        /// Radius of the bodies, metres: nobody is led nearer to a wall. Without it, 0.25. Limit: >= 0.
+        /// Radius of the bodies, metres: the path keeps this distance from walls. Without it, 0.25. Limit: >= 0.
         radius: Option<f64>,
-        /// How dear it is to go close to walls, square metres: at a distance `d` a metre costs `clearance / (d - radius)^2` more. Without
-        /// it, 0.05. Limit: >= 0.
+        /// Cost of walking close to walls, square metres: at a distance `d` a metre costs `clearance / (d - radius)^2`
+        /// more. Without it, 0.05. Limit: >= 0.
         clearance: Option<f64>,
-        /// What a metre costs more, painted: 1 is twice as dear.
+        /// Additional cost of a metre, painted: 1 doubles the cost.
         cost: Option<Map>,
-        /// It leads round jams.
+        /// Costs of crowded ground: the path leads around jams.
         jams: Option<Jams>,
         /// Width of the cells, metres. Without it, 0.25, or more in wide scenes. Limit: > 0.
         cell: Option<f64>,
-        /// The lower left corner of the ground that ways are searched on. Without it, that of the scene.
+        /// The lower left corner of the ground that is searched. Without it, that of the scene.
         min: Option<Point>,
         /// The upper right corner. Without it, that of the scene.
         max: Option<Point>,
     }
 
-    /// How a way to a goal leads round jams.
+    /// How a path to a goal leads around jams.
     Jams {
-        /// The density at which ground costs twice as much, people a square metre. Without it, 1. Limit: > 0.
+        /// The density at which the cost of ground doubles, agents a square metre. Without it, 1. Limit: > 0.
         weary: Option<f64>,
-        /// Metres over which people are counted. Without it, 1.5. Limit: > 0.
+        /// Metres over which agents are counted. Without it, 1.5. Limit: > 0.
         radius: Option<f64>,
-        /// Seconds after which it looks again. Without it, 0.5. Limit: > 0.
+        /// Seconds between two measurements. Without it, 0.5. Limit: > 0.
         every: Option<f64>,
-        /// What part of what it saw last is what it sees now, the rest is from before. Without it, 0.5. Limit: > 0, at most 1.
+        /// Weight of the latest measurement in the running mean. Without it, 0.5. Limit: > 0, at most 1.
         part: Option<f64>,
     }
 
-    /// The way to a target through space.
+    /// The direction of a path to a target through space.
     ThroughSpace {
         /// The target.
         to: Position,
-        /// How near is there, metres. Without it, 0.1. Limit: >= 0.
+        /// Distance from the target that counts as arrival, metres. Without it, 0.1. Limit: >= 0.
         tolerance: Option<f64>,
-        /// How fast, m/s. Without it, 1. Limit: > 0.
+        /// Speed, m/s. Without it, 1. Limit: > 0.
         speed: Option<f64>,
-        /// Where the swarm comes from: then it follows one smooth way from there, and from elsewhere joins it.
+        /// Start of the swarm: then the field follows one smooth path from there, and leads onto it from elsewhere.
         from: Option<Position>,
-        /// How far from that way it leads along it, metres. Without it, 1. Limit: > 0.
+        /// Distance from that path within which the field leads along it, metres. Without it, 1. Limit: > 0.
         tube: Option<f64>,
-        /// How far that way keeps off what is solid where there is room, metres. Without it, 0.5. Limit: >= 0.
+        /// Distance of that path from obstacles where there is room, metres. Without it, 0.5. Limit: >= 0.
         distance: Option<f64>,
-        /// What is solid: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
-        walls: Option<What>,
+        /// The obstacles: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
+        walls: Option<ObstacleNames>,
         /// Radius of the bodies, metres. Without it, 0.05. Limit: >= 0.
         radius: Option<f64>,
-        /// As that of a way to a goal. Without it, 0.05. Limit: >= 0.
+        /// As for a path to a goal. Without it, 0.05. Limit: >= 0.
         clearance: Option<f64>,
-        /// Width of the cubes that the way is searched in, metres. Without it, 0.25. Limit: > 0.
+        /// Width of the cubes of the search grid, metres. Without it, 0.25. Limit: > 0.
         cell: Option<f64>,
-        /// The corner of the space with the least coordinates.
+        /// The corner of the searched space with the least coordinates.
         min: Position,
-        /// The corner with the greatest.
+        /// The corner of the searched space with the greatest coordinates.
         max: Position,
     }
 
-    /// Eddies by chance.
+    /// Random eddies.
     Noise {
-        /// How wide eddies are, metres. Limit: > 0.
+        /// Width of the eddies, metres. Limit: > 0.
         length: f64,
-        /// How long they live, seconds. Without it, for ever. Limit: > 0.
+        /// Lifetime of the eddies, seconds. Without it, for ever. Limit: > 0.
         period: Option<f64>,
-        /// The root of the mean square of the speed, m/s. Limit: >= 0.
+        /// Root mean square of the speed, m/s. Limit: >= 0.
         speed: f64,
-        /// Octaves, each half as wide. Without it, 1. Limit: 1 to 16.
+        /// Number of octaves, each half as wide as the one before. Without it, 1. Limit: 1 to 16.
         octaves: Option<u32>,
-        /// Where it flows. Without it, along the ground.
+        /// The potential of the noise. Without it, `plane`.
         potential: Option<Potential>,
-        /// Others with another seed. Without it, 0.
+        /// Seed: another seed gives other eddies. Without it, 0.
         seed: Option<u64>,
-        /// What it flows along: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
-        walls: Option<What>,
-        /// How far walls change it, metres. Without it, as wide as eddies are. Limit: > 0.
+        /// Surfaces that it flows along: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without
+        /// it, nothing.
+        walls: Option<ObstacleNames>,
+        /// Distance up to which walls change the flow, metres. Without it, the width of the eddies. Limit: > 0.
         width: Option<f64>,
     }
 
-    /// A field that is part of another.
+    /// A part of a sum or blend of fields.
     FlowPart {
         /// The field.
         of: Flow,
-        /// How much of it. Without it, 1. Limit: finite; in a blend >= 0.
+        /// Weight of the field. Without it, 1. Limit: finite; in a blend >= 0.
         weight: Option<f64>,
-        /// Where: the weight is multiplied by it. Without it, everywhere.
+        /// A map that multiplies the weight. Without it, the weight is the same everywhere.
         map: Option<Map>,
     }
 
-    /// Fields at some times, and the mean of the two before and after between them.
+    /// Fields at given times, interpolated between them.
     Keyframes {
-        /// The fields and when they are as they say.
+        /// The fields and their times.
         frames: Vec<Keyframe>,
-        /// Seconds after which all comes again. Without it, the last stays.
+        /// Seconds after which the sequence repeats. Without it, the last field stays.
         period: Option<f64>,
     }
 
     /// A field at a time.
     Keyframe {
-        /// Seconds.
+        /// The time, seconds.
         at: f64,
         /// The field.
         of: Flow,
     }
 
-    /// A field led round what is solid: near it, what leads into it is taken out.
+    /// A field that is deflected around obstacles: near them its component into them is removed.
     AroundWalls {
         /// The field.
         of: Box<Flow>,
-        /// From how far away on, metres. Without it, 1. Limit: > 0.
+        /// Distance from which on it is deflected, metres. Without it, 1. Limit: > 0.
         width: Option<f64>,
     }
 
@@ -352,7 +356,7 @@ parameters! {
         max: Option<Point>,
     }
 
-    /// A number at every place: painted, or the brightness of a picture. Beyond its rim 0.
+    /// A number at every place: painted, or the brightness of a picture. 0 outside its rectangle.
     Map {
         /// The lower left corner.
         min: Point,
@@ -360,56 +364,57 @@ parameters! {
         max: Point,
         /// A PNG: black is 0, white is 1. The name is relative to the scene file.
         file: Option<String>,
-        /// Width of the cells of what is painted, metres. Without it, 0.5. Limit: > 0.
+        /// Width of the cells of the painting, metres. Without it, 0.5. Limit: > 0.
         cell: Option<f64>,
-        /// What is painted, stroke after stroke.
+        /// The strokes, in order.
         strokes: Option<Vec<MapStroke>>,
     }
 
-    /// A stroke of a brush that leaves a number.
+    /// A stroke of a brush that paints a number.
     MapStroke {
-        /// The points of the line it goes along.
+        /// The points of the line that the brush follows.
         points: Vec<Point>,
-        /// The number that it leaves. Without it, 1.
+        /// The number that the stroke paints. Without it, 1.
         value: Option<f64>,
-        /// How far the brush reaches, metres. Without it, 2. Limit: > 0.
+        /// Radius of the brush, metres. Without it, 2. Limit: > 0.
         radius: Option<f64>,
-        /// How much it covers of what was there. Without it, 1: all. Limit: 0 to 1.
+        /// How much of the values below is covered. Without it, 1: all. Limit: 0 to 1.
         strength: Option<f64>,
-        /// Part of the radius within which it is in full. Without it, 0.5. Limit: 0 to 1.
+        /// Part of the radius within which the brush has its full strength. Without it, 0.5. Limit: 0 to 1.
         hardness: Option<f64>,
     }
 
-    /// How fields govern a group.
+    /// The fields that guide a group.
     Governed {
-        /// The field. Without it, only those that go with others.
+        /// The field. Without it, only the fields of `around`.
         of: Option<Flow>,
-        /// What part of where they go is the field's. Without it, 1: all of it. Limit: 0 to 1.
+        /// Weight of the field against the agents' own routes. Without it, 1: the field alone. Limit: 0 to 1.
         ratio: Option<Number>,
-        /// Where: the ratio is multiplied by it. Without it, everywhere.
+        /// A map that multiplies the ratio. Without it, the ratio is the same everywhere.
         map: Option<Map>,
-        /// Fields that go with others.
+        /// Interaction fields, which move with other agents.
         around: Option<Vec<Interaction>>,
     }
 
-    /// A field that goes with every agent of a group, and turns with it (Colas et al. 2022).
+    /// An interaction field: it moves and turns with every agent of a group (Colas et al. 2022).
     Interaction {
-        /// The group, or the mover.
+        /// The name of the group or mover that carries the field.
         source: String,
-        /// The velocity near it: metres from its centre, x ahead of it, y to its left.
+        /// The velocity near the agent that carries the field: metres from its centre, x ahead of it, y to its left.
         of: Flow,
-        /// Where to look near it, in the same way. Without it, wherever one goes.
+        /// The direction in which agents face, in the same coordinates. Without it, they face the direction in which
+        /// they move.
         looks: Option<Flow>,
-        /// How much it counts beside others and the field. Without it, 1. Limit: > 0.
+        /// Weight relative to other interaction fields and the field. Without it, 1. Limit: > 0.
         weight: Option<f64>,
-        /// Part of its own velocity that is added; 1 for those who come along. Without it, 0.
+        /// Part of the carrier's velocity that is added; 1 moves agents along with it. Without it, 0.
         carried: Option<f64>,
-        /// Beyond this distance it says nothing, metres. Without it, everywhere. Limit: > 0.
+        /// Beyond this distance it has no influence, metres. Without it, it has no limit. Limit: > 0.
         reach: Option<f64>,
     }
 }
 
-/// Where a way leads to.
+/// A goal of a path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Destination {
@@ -419,30 +424,30 @@ pub enum Destination {
     Area(Region),
 }
 
-/// What noise is the curl of.
+/// The potential of which the noise is the curl.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Potential {
-    /// Along the ground.
+    /// A flow along the ground.
     #[default]
     Plane,
-    /// In space.
+    /// A flow in space.
     Space,
-    /// In space, faster, and less even.
+    /// A flow in space that is faster and less uniform.
     Crossed,
 }
 
-/// What a stamp does about its middle.
+/// The pattern of the field around the centre of a stamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StampKind {
-    /// Round it, counter-clockwise.
+    /// Around the centre, counter-clockwise.
     Vortex,
-    /// Away from it.
+    /// Away from the centre.
     Source,
-    /// To it.
+    /// To the centre.
     Sink,
-    /// Away along x, to it along y.
+    /// Away from the centre along x, to it along y.
     Saddle,
 }
 
@@ -450,19 +455,19 @@ pub enum StampKind {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Kernel {
-    /// As a thin plate bends: smooth everywhere, never quite ending.
+    /// The kernel of a thin plate: smooth everywhere, with influence at any distance.
     ThinPlate(ThinPlate),
-    /// Wendland's, that ends: what is sketched here changes nothing there.
+    /// Wendland's kernel, with a finite reach: an anchor has no influence beyond it.
     Wendland(Wendland),
 }
 
-/// How a pixel says a velocity.
+/// The encoding of velocities in pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Says {
-    /// Red says how fast along x, green along y: half of the range is 0.
+pub enum PixelEncoding {
+    /// Red is the velocity along x, green along y: half of the range is 0.
     #[default]
     FlowMap,
-    /// The hue says the direction (red: +x, then counter-clockwise), saturation and brightness how fast.
+    /// The hue is the direction (red: +x, then counter-clockwise), saturation and brightness are the speed.
     Direction,
 }

@@ -1,85 +1,86 @@
 //! Where agents go.
 
 use super::ground::is_zero;
-use super::{Lap, Number, Point, Region, Spot};
+use super::{Lap, Number, Point, Region, SpacePoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Metres from a point goal that count as there, where a scene does not say.
+/// The default distance from a point goal that counts as arrival, metres.
 pub(crate) const TOLERANCE: f64 = 0.1;
 
 /// Where the agents of a group go.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Goal {
-    /// A point for all of them.
+    /// One point for all agents.
     Point(PointGoal),
-    /// A point in the air for all of them.
+    /// One point in the air for all agents.
     Air(AirGoal),
-    /// A point for each: agent number k goes to the k-th.
+    /// A point for each agent: agent number k goes to the k-th point.
     Points(PointsGoal),
-    /// For each the point opposite its own start.
+    /// For each agent, the point opposite its start.
     Opposite(Opposite),
-    /// For each its own start, shifted.
+    /// For each agent, its start shifted by a vector.
     Shift(Shift),
-    /// A region: whoever is inside has arrived.
+    /// A region: an agent inside it has arrived.
     Area(Region),
-    /// A region that removes whoever enters it.
+    /// A region that removes the agents that enter it.
     Exit(Region),
-    /// One goal after the other.
+    /// A sequence of goals.
     Journey(Vec<Stop>),
-    /// One goal after the other, for ever.
+    /// A sequence of goals, repeated for ever.
     Cycle(Vec<Stop>),
-    /// Round a ring, for ever.
+    /// Laps of a ring, for ever.
     Lap(Lap),
-    /// For each the goal that is nearest to its start, on foot; agents that look ahead change to another where fewer wait.
+    /// For each agent, the goal with the shortest path from its start; agents that look ahead change to another goal
+    /// with a shorter queue.
     Nearest(Vec<Goal>),
-    /// For each one of these, drawn by weight.
+    /// For each agent, one of these goals, drawn by weight.
     Choice(Vec<Weighted>),
 }
 
-/// A point for all. In files `[x, y]`, or `{ at = [x, y], tolerance = 0.1 }`.
+/// A point for all agents. In files `[x, y]`, or `{ at = [x, y], tolerance = 0.1 }`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PointGoal {
     /// The point.
     pub at: Point,
-    /// Metres that count as there. Limit: > 0.
+    /// Distance that counts as arrival, metres. Limit: > 0.
     pub tolerance: f64,
 }
 
-/// A point in the air for all.
+/// A point in the air for all agents.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AirGoal {
     /// The point. Limit of z: 0 to 20000.
-    pub at: Spot,
-    /// Metres that count as there. Limit: > 0.
+    pub at: SpacePoint,
+    /// Distance that counts as arrival, metres. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
 
-/// A point for each.
+/// A point for each agent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointsGoal {
     /// The points, as many as agents.
     pub at: Vec<Point>,
-    /// Metres that count as there. Limit: > 0.
+    /// Distance that counts as arrival, metres. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
 
-/// For each the point opposite its own start.
+/// For each agent, the point opposite its start.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Opposite {
-    /// The point in the middle between start and goal. Without it, the middle of the place.
+    /// The midpoint between start and goal. Without it, the centre of the place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center: Option<Point>,
-    /// Metres that count as there. Limit: > 0.
+    /// Distance that counts as arrival, metres. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
@@ -90,27 +91,27 @@ impl Default for Opposite {
     }
 }
 
-/// For each its own start, shifted.
+/// For each agent, its start shifted by a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Shift {
-    /// How far along x and y, metres.
+    /// Shift along x and y, metres.
     pub by: Point,
-    /// How far up, metres; negative for down.
+    /// Shift upwards, metres; negative: downwards.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rise: f64,
-    /// Metres that count as there. Limit: > 0.
+    /// Distance that counts as arrival, metres. Limit: > 0.
     #[serde(default = "tolerance")]
     pub tolerance: f64,
 }
 
-/// One stop of a journey.
+/// A stop of a journey.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stop {
-    /// Where; not a journey itself.
+    /// The goal; not a journey itself.
     pub goal: Goal,
-    /// Seconds to wait there before going on. Limit: >= 0.
+    /// Seconds to wait at the goal. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wait: Option<Number>,
 }
@@ -121,13 +122,13 @@ impl From<Goal> for Stop {
     }
 }
 
-/// One of the goals to choose from.
+/// A goal of a random choice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Weighted {
-    /// Where.
+    /// The goal.
     pub goal: Goal,
-    /// How often, against the sum of all weights. Limit: >= 0.
+    /// Weight: the probability is the weight over the sum of all weights. Limit: >= 0.
     #[serde(default = "one")]
     pub weight: f64,
 }
@@ -139,7 +140,7 @@ fn one() -> f64 {
     1.0
 }
 
-/// What `{ at = .., tolerance = .. }` says.
+/// The table `{ at = .., tolerance = .. }`.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct PointTable {

@@ -1,25 +1,25 @@
-//! Ground, and regions of it.
+//! Ground and regions of it.
 
 use super::{Annulus, Circle, Point};
 use crate::geometry::{points, signed_area};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Ground that can be walked on.
+/// The walkable ground.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Walkable {
     /// A rectangle.
     Rectangle(Rectangle),
-    /// Several rectangles: what lies in any of them.
+    /// The union of several rectangles.
     Rectangles(Vec<Rectangle>),
     /// A ring: a corridor without ends.
     Ring(Annulus),
     /// A polygon with holes.
     Polygon(Area),
-    /// Several polygons with holes: what lies in any of them.
+    /// The union of several polygons with holes.
     Polygons(Vec<Area>),
-    /// The ground of a floor plan, less what is solid in it.
+    /// The ground of a floor plan, without its solid parts.
     File(PlanFile),
 }
 
@@ -27,19 +27,20 @@ pub enum Walkable {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(from = "Said", into = "Said")]
 pub struct PlanFile {
-    /// The file. A relative name is looked for beside the scene file.
+    /// The file. A relative name refers to the scene file's folder.
     pub name: String,
-    /// The length of its unit, metres. Without it, what the file says, or a metre, in SVG a centimetre. Limit: > 0.
+    /// The length of its unit, metres. Without it, the unit that the file states, or a metre, in SVG a centimetre.
+    /// Limit: > 0.
     pub unit: Option<f64>,
-    /// Which level of a mesh, from 1 for the lowest. Without it, the largest.
+    /// The level of a mesh, from 1 for the lowest. Without it, the largest.
     pub level: Option<u64>,
 }
 
-/// What files say of a floor plan.
+/// A floor plan as scene files write it.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected the name of a floor plan, or { name = .., unit = .., level = .. }")]
 enum Said {
-    /// The file. A relative name is looked for beside the scene file.
+    /// The file. A relative name refers to the scene file's folder.
     Name(String),
     /// The file, and how it is read.
     Table(PlanTable),
@@ -49,12 +50,13 @@ enum Said {
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct PlanTable {
-    /// The file. A relative name is looked for beside the scene file.
+    /// The file. A relative name refers to the scene file's folder.
     name: String,
-    /// The length of its unit, metres. Without it, what the file says, or a metre, in SVG a centimetre. Limit: > 0.
+    /// The length of its unit, metres. Without it, the unit that the file states, or a metre, in SVG a centimetre.
+    /// Limit: > 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<f64>,
-    /// Which level of a mesh, from 1 for the lowest. Without it, the largest.
+    /// The level of a mesh, from 1 for the lowest. Without it, the largest.
     #[serde(skip_serializing_if = "Option::is_none")]
     level: Option<u64>,
 }
@@ -81,7 +83,7 @@ impl From<PlanFile> for Said {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Area {
-    /// Corners of the boundary, either way round, the first not repeated. Limit: at least 3.
+    /// Corners of the boundary, in either orientation, the first not repeated. Limit: at least 3.
     pub outer: Vec<Point>,
     /// Corners of each hole.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -89,13 +91,13 @@ pub struct Area {
 }
 
 impl Area {
-    /// How large it is, m².
+    /// Returns its area, m².
     pub(crate) fn size(&self) -> f64 {
         let size = |ring: &Vec<Point>| signed_area(&points(ring)).abs();
         size(&self.outer) - self.holes.iter().map(size).sum::<f64>()
     }
 
-    /// As the world takes it.
+    /// Returns the area in the form that the world takes.
     pub(crate) fn walkable(&self) -> throng::Walkable {
         throng::Walkable { outer: points(&self.outer), holes: self.holes.iter().map(|hole| points(hole)).collect() }
     }
@@ -105,17 +107,17 @@ impl Area {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
-    /// Its middle.
+    /// Its centre.
     pub center: Point,
     /// Its sides along x and y, before it is turned. Limit: > 0.
     pub size: Point,
-    /// Turned counter-clockwise about its middle, degrees.
+    /// Rotation about its centre, degrees counter-clockwise.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rotation: f64,
 }
 
 impl Rectangle {
-    /// With sides along the axes, from one corner to the opposite one.
+    /// Returns the rectangle with sides along the axes between two opposite corners.
     pub fn between(a: Point, b: Point) -> Self {
         Self {
             center: [(a[0] + b[0]) * 0.5, (a[1] + b[1]) * 0.5],
@@ -125,15 +127,15 @@ impl Rectangle {
     }
 }
 
-/// A region of the ground: what a goal covers.
+/// A region of the ground that a goal covers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Region {
-    /// A disc (a polygon of 32 corners on its circle stands for it).
+    /// A disc (represented by a polygon with 32 corners on its circle).
     Disc(Circle),
     /// A rectangle.
     Rectangle(Rectangle),
-    /// The corners of a simple polygon, either way round.
+    /// The corners of a simple polygon, in either orientation.
     Polygon(Vec<Point>),
 }
 

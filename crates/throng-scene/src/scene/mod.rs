@@ -1,11 +1,10 @@
-//! What a scene can say: plain data, one idea a file.
+//! The contents of a scene, as plain data: one concept a file.
 
 mod annotate;
 mod annulus;
 mod avoid;
 mod behaviours;
 mod body;
-mod cast;
 mod expect;
 pub mod flow;
 mod goal;
@@ -13,6 +12,7 @@ mod ground;
 mod group;
 mod model;
 mod mover;
+mod names;
 mod neighbours;
 mod number;
 mod obstacle;
@@ -29,13 +29,12 @@ mod view;
 pub use annotate::{Annotate, Annotation};
 pub use annulus::{Annulus, Lap};
 pub use avoid::{
-    AnticipationVelocity, Avo, Avoid, BuiltFrom, Clearpath, CollisionFreeSpeed, Hrvo, Moussaid2009, Orca, Orca3d,
-    PowerLaw, Rvo, RvoLab, SocialForce, Unavoiding, Vo,
+    AnticipationVelocity, Avo, Avoid, BuiltFrom, Clearpath, CollisionFreeSpeed, Hrvo, Moussaid2009, NoAvoidance, Orca,
+    Orca3d, PowerLaw, Rvo, RvoLab, SocialForce, Vo,
 };
 pub use behaviours::Behaviours;
 pub(crate) use behaviours::Unmade;
 pub use body::{Body, Sides};
-pub use cast::Cast;
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
 pub use flow::{Field, Flow};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
@@ -43,6 +42,7 @@ pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Preset, Speed};
 pub use model::Model;
 pub use mover::{Keyframe, Mover};
+pub use names::SceneNames;
 pub use neighbours::Neighbours;
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
@@ -56,7 +56,7 @@ pub use surface::{
 };
 pub use time::{SubSteps, Time, Until};
 pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind, WrapAround};
-pub use view::{Camera, Colour, Mark, Projection, View};
+pub use view::{AgentShape, Camera, Colour, Projection, View};
 
 pub use crate::file::Origin;
 use schemars::JsonSchema;
@@ -66,28 +66,28 @@ use serde::{Deserialize, Serialize};
 pub type Point = [f64; 2];
 
 /// A point in space, `[x, y, z]` in metres, z up from the ground.
-pub type Spot = [f64; 3];
+pub type SpacePoint = [f64; 3];
 
-/// Everything a scene file says.
+/// A scene: the contents of a scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// One line for people.
+    /// A title of one line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub title: String,
-    /// More, for people.
+    /// A longer description.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub description: String,
-    /// Seed of everything random. Limit: 0 to 9223372036854775807, the largest whole number of a TOML file.
+    /// Seed of all random numbers. Limit: 0 to 9223372036854775807, the largest whole number of a TOML file.
     #[serde(default = "default_seed")]
     pub seed: u64,
-    /// Step, and when the scene ends.
+    /// The step, and the end of the scene.
     #[serde(default)]
     pub time: Time,
-    /// Ground that can be walked on; without it, everywhere.
+    /// The walkable ground. Without it, all ground is walkable.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub walkable: Option<Walkable>,
-    /// What is solid.
+    /// The obstacles.
     #[serde(default, rename = "obstacle", skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
     /// Surfaces that behaviours steer by.
@@ -96,34 +96,35 @@ pub struct Scene {
     /// Paths that behaviours steer by.
     #[serde(default, rename = "path", skip_serializing_if = "Vec::is_empty")]
     pub paths: Vec<Pathway>,
-    /// Fields that lead groups.
+    /// Fields that guide groups.
     #[serde(default, rename = "field", skip_serializing_if = "Vec::is_empty")]
     pub fields: Vec<Field>,
-    /// Who is there.
+    /// The groups of agents.
     #[serde(default, rename = "group", skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<Group>,
-    /// What moves by itself.
+    /// Obstacles that move by a script.
     #[serde(default, rename = "mover", skip_serializing_if = "Vec::is_empty")]
     pub movers: Vec<Mover>,
-    /// The name of the rules of its game. Without it, agents do what they do by themselves.
+    /// The name of the rules of a game. Without it, the scene has no rules.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rules: Option<String>,
-    /// How pictures of it look.
+    /// The look of its pictures.
     #[serde(default, skip_serializing_if = "View::is_default")]
     pub view: View,
-    /// What it must show.
+    /// What a run must show.
     #[serde(default, skip_serializing_if = "Expect::is_default")]
     pub expect: Expect,
-    /// Behaviours that a program brings along, for `steer.custom`. Not part of what the scene says either.
+    /// Behaviours of plug-ins, for `steer.custom`. They are not part of the scene's content.
     #[serde(skip)]
     #[schemars(skip)]
     pub behaviours: Behaviours,
-    /// The rules that it can name: the gallery's, and what a program brings along. Not part of what the scene says either.
+    /// The rules that the scene can name: those of the gallery and of plug-ins. They are not part of the scene's
+    /// content.
     #[serde(skip)]
     #[schemars(skip)]
     pub rulebook: Rulebook,
-    /// Where it was read from: what relative file names and the places of errors refer to. Not part of what the
-    /// scene says: scenes that differ only in this are equal.
+    /// The source of the scene: relative file names and the positions of errors refer to it. It is not part of the
+    /// scene's content: scenes that differ only in it are equal.
     #[serde(skip)]
     #[schemars(skip)]
     pub origin: Origin,
@@ -133,11 +134,11 @@ fn default_seed() -> u64 {
     1
 }
 
-/// Of a run that nobody chose a moment of, this much is over when one looks.
+/// The part of a run that has passed at its typical moment, if the scene does not name one.
 const TELLING: f64 = 1.0 / 3.0;
 
 impl Scene {
-    /// The moment that tells what it is about, seconds: what `view.moment` says, or a third of the run.
+    /// Returns the most typical moment of the scene, seconds: `view.moment`, or a third of the run.
     pub fn moment(&self) -> f64 {
         self.view.moment.unwrap_or_else(|| TELLING * self.expect.within.unwrap_or(self.time.limit))
     }

@@ -1,4 +1,4 @@
-//! A local model by its name, to try a scene with: `rvo`, `orca:time_horizon=4`.
+//! Local models by name, to run a scene with another model: `rvo`, `orca:time_horizon=4`.
 
 use super::{Avoid, Group, Neighbours, Scene};
 use crate::error::{Error, Kind};
@@ -7,10 +7,11 @@ use std::fmt;
 use std::str::FromStr;
 use toml::{Table, Value};
 
-/// What a model keeps of the one it takes the place of, where it has these keys: whom an agent sees.
+/// The keys that a model keeps from the model it replaces, if it has them: those of the neighbour search.
 const KEPT: [&str; 2] = ["neighbours", "neighbour_distance"];
 
-/// A local model for all of a scene: a name as in `avoid.NAME` (`-` is `_`), and values of its keys after colons.
+/// A local model for all groups of a scene: a name as in `avoid.NAME` (`-` stands for `_`), and values of its keys
+/// after colons.
 ///
 /// ```
 /// use throng_scene::{Avoid, Model, gallery};
@@ -29,17 +30,18 @@ pub struct Model {
 }
 
 impl Model {
-    /// The names of all models, as scene files write them.
+    /// Returns the names of all models, as scene files write them.
     pub fn names() -> Vec<String> {
         keys_of::<Avoid>()
     }
 
-    /// What was written.
+    /// Returns the text that was parsed.
     pub fn label(&self) -> &str {
         &self.label
     }
 
-    /// This model in the place of another: where that is the same one, its values stay but for those written here.
+    /// Returns this model with the kept values of the model it replaces. If both are the same model, all values that
+    /// are not written here are kept.
     fn instead_of(&self, other: &Avoid) -> Result<Avoid, Error> {
         let read = |values: Table| {
             let table = Table::from_iter([(self.name.clone(), Value::Table(values))]);
@@ -52,7 +54,7 @@ impl Model {
                 let mut values = values_of(&read(Table::new())?);
                 let neighbours = match neighbours {
                     Neighbours::Nearest(count) => Value::Integer(count.into()),
-                    // models look at the nearest
+                    // other models take only the nearest neighbours
                     Neighbours::All => values.get(KEPT[0]).cloned().unwrap_or(Value::Integer(10)),
                 };
                 let kept = [neighbours, Value::Float(distance)];
@@ -69,12 +71,12 @@ impl Model {
     }
 }
 
-/// A model as the table of a scene file.
+/// Returns a model as the table of a scene file.
 fn table_of(avoid: &Avoid) -> Table {
     Table::try_from(avoid).unwrap_or_default()
 }
 
-/// The keys of a model, and its values.
+/// Returns the keys of a model and their values.
 fn values_of(avoid: &Avoid) -> Table {
     match table_of(avoid).into_iter().next() {
         Some((_, Value::Table(values))) => values,
@@ -83,7 +85,7 @@ fn values_of(avoid: &Avoid) -> Table {
 }
 
 impl Avoid {
-    /// What scene files call it.
+    /// Returns the name of the model in scene files.
     ///
     /// ```
     /// assert_eq!(throng_scene::Group::default().local_model().name(), "orca");
@@ -94,7 +96,7 @@ impl Avoid {
 }
 
 impl Group {
-    /// What it says, as the table of a scene file, with its model even where it does not say that.
+    /// Returns the group as the table of a scene file, with its local model even if that is the default.
     ///
     /// ```
     /// let table = throng_scene::Group::default().table();
@@ -108,11 +110,11 @@ impl Group {
 }
 
 impl Scene {
-    /// The scene with this model in every group. Of the groups' own models, `neighbours` and `neighbour_distance` are
-    /// kept where the new one has those keys; a group that has this model already keeps all its values.
+    /// Returns the scene with this model in every group. The new model keeps `neighbours` and `neighbour_distance` of a
+    /// group's own model if it has these keys. A group that has this model already keeps all its values.
     ///
     /// # Errors
-    /// The model has no such key, or a value is not of its type. Limits are checked when the scene is built.
+    /// The model has no such key, or a value has the wrong type. Building the scene checks the limits.
     pub fn with_model(&self, model: &Model) -> Result<Self, Error> {
         let mut scene = self.clone();
         for group in &mut scene.groups {
@@ -193,13 +195,17 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told_with_their_mend() {
-        let told = |text: &str| text.parse::<Model>().unwrap_err().to_string();
-        assert!(told("orcs").contains("there is no model `orcs`"), "{}", told("orcs"));
-        assert!(told("orcs").contains("did you mean `orca`?") && told("orcs").contains("hrvo, "), "{}", told("orcs"));
-        assert!(told("orca:horizon=2").contains("did you mean `time_horizon`?"), "{}", told("orca:horizon=2"));
-        assert!(told("orca:time_horizon").contains("after colons"));
-        assert!(told("orca:time_horizon=long").contains("the text \"long\""), "{}", told("orca:time_horizon=long"));
-        assert!(told("orca:time_horizon=true").contains("a number"), "{}", told("orca:time_horizon=true"));
+    fn mistakes_are_reported_with_a_fix() {
+        let error = |text: &str| text.parse::<Model>().unwrap_err().to_string();
+        assert!(error("orcs").contains("there is no model `orcs`"), "{}", error("orcs"));
+        assert!(
+            error("orcs").contains("did you mean `orca`?") && error("orcs").contains("hrvo, "),
+            "{}",
+            error("orcs")
+        );
+        assert!(error("orca:horizon=2").contains("did you mean `time_horizon`?"), "{}", error("orca:horizon=2"));
+        assert!(error("orca:time_horizon").contains("after colons"));
+        assert!(error("orca:time_horizon=long").contains("the text \"long\""), "{}", error("orca:time_horizon=long"));
+        assert!(error("orca:time_horizon=true").contains("a number"), "{}", error("orca:time_horizon=true"));
     }
 }

@@ -1,16 +1,17 @@
-//! How many others an agent takes into account.
+//! The number of neighbours that an agent takes into account.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// How many others an agent takes into account, of those as near as it looks. In files a whole number, or `"all"`.
+/// The number of neighbours that an agent takes into account, of those within the reach of its neighbour search. In
+/// files a whole number, or `"all"`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Neighbours {
-    /// So many of the nearest. Limit: 1 to 1000.
+    /// This number of the nearest neighbours. Limit: 1 to 1000.
     Nearest(u32),
-    /// Everybody.
+    /// All neighbours.
     All,
 }
 
@@ -58,7 +59,7 @@ impl JsonSchema for Neighbours {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "How many others an agent takes into account: a number of the nearest, or \"all\".",
+            "description": "How many neighbours an agent takes into account: a number of the nearest, or \"all\".",
             "anyOf": [{ "const": "all" }, { "type": "integer", "minimum": 1, "maximum": 1000 }]
         })
     }

@@ -1,4 +1,4 @@
-//! Numbers that may differ from agent to agent.
+//! Numbers that may differ between agents.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::ser::SerializeMap;
@@ -6,43 +6,43 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// A number, the same for every agent of a group or drawn for each. In files `1.3`,
-/// `{ uniform = [1.0, 1.5] }` or `{ normal = { mean = 1.3, deviation = 0.2 } }`.
+/// A number, the same for every agent of a group or drawn for each agent. In files `1.3`, `{ uniform = [1.0, 1.5] }` or
+/// `{ normal = { mean = 1.3, deviation = 0.2 } }`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Number {
-    /// The same for everybody.
+    /// The same for every agent.
     Constant(f64),
-    /// Evenly between two bounds, the lower first.
+    /// Uniformly distributed between two bounds, the lower first.
     Uniform([f64; 2]),
-    /// A normal distribution, cut off.
+    /// A truncated normal distribution.
     Normal(Normal),
 }
 
-/// A normal distribution, cut off: a draw outside the bounds is drawn again.
+/// A truncated normal distribution: a draw outside the bounds is drawn again.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Normal {
-    /// Its mean, before it is cut off.
+    /// Its mean, before truncation.
     pub mean: f64,
-    /// Its standard deviation, before it is cut off. Limit: >= 0.
+    /// Its standard deviation, before truncation. Limit: >= 0.
     pub deviation: f64,
-    /// The least; without it, three deviations below the mean.
+    /// The least value; without it, three deviations below the mean.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub min: Option<f64>,
-    /// The most; without it, three deviations above the mean.
+    /// The greatest value; without it, three deviations above the mean.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
 }
 
 impl Normal {
-    /// The least and the most it gives.
+    /// Returns the least and the greatest value.
     pub fn bounds(&self) -> [f64; 2] {
         [self.min.unwrap_or(self.mean - 3.0 * self.deviation), self.max.unwrap_or(self.mean + 3.0 * self.deviation)]
     }
 }
 
 impl Number {
-    /// The least and the most it gives.
+    /// Returns the least and the greatest value.
     pub fn bounds(&self) -> [f64; 2] {
         match self {
             Self::Constant(x) => [*x, *x],
@@ -51,7 +51,7 @@ impl Number {
         }
     }
 
-    /// Whether every agent has the same.
+    /// Whether every agent has the same value.
     pub fn is_constant(&self) -> bool {
         matches!(self, Self::Constant(_))
     }
@@ -128,13 +128,13 @@ impl JsonSchema for Number {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let normal = generator.subschema_for::<Normal>();
         json_schema!({
-            "description": "A number, the same for every agent of a group or drawn for each.",
+            "description": "A number, the same for every agent of a group or drawn for each agent.",
             "anyOf": [
                 { "type": "number" },
                 {
                     "type": "object",
                     "properties": { "uniform": {
-                        "description": "Evenly between two bounds, the lower first.",
+                        "description": "Uniformly distributed between two bounds, the lower first.",
                         "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2
                     } },
                     "required": ["uniform"], "additionalProperties": false

@@ -1,19 +1,19 @@
-//! What is solid.
+//! Obstacles.
 
 use super::{Point, Rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Something solid.
+/// An obstacle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Obstacle {
-    /// A name for people and for `--set`.
+    /// The name, for people and for `--set`.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// Its outline.
     pub shape: Shape,
-    /// What of it is solid: its shape, or the circle round it.
+    /// What is solid: the shape, or the circle around it.
     #[serde(default, rename = "as", skip_serializing_if = "As::is_shape")]
     pub solid_as: As,
 }
@@ -32,7 +32,7 @@ pub enum Shape {
     Circle(Circle),
     /// A rectangle.
     Rectangle(Rectangle),
-    /// The corners of a simple polygon, either way round, the first not repeated. Limit: at least 3.
+    /// The corners of a simple polygon, in either orientation, the first not repeated. Limit: at least 3.
     Polygon(Vec<Point>),
     /// Thin walls from point to point, not closed. Limit: at least 2.
     Wall(Vec<Point>),
@@ -42,7 +42,7 @@ pub enum Shape {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
-    /// Its middle.
+    /// Its centre.
     pub center: Point,
     /// Its radius. Limit: > 0.
     pub radius: f64,
@@ -55,9 +55,8 @@ pub enum As {
     /// Its shape.
     #[default]
     Shape,
-    /// The circle round its bounding box, the seed labs' way (MODELS 1.8): good for pillars and trees, bad for
-    /// walls. The box of a rectangle turns with it, that of a polygon or wall lies along the axes. A circle stays
-    /// as it is.
+    /// The circle around its bounding box, as in the seed labs: good for pillars and trees, bad for walls. The box of a
+    /// rectangle turns with it, the box of a polygon or wall is axis-aligned. A circle stays as it is.
     Circle,
 }
 

@@ -1,20 +1,20 @@
 //! Where agents start.
 
 use super::ground::is_zero;
-use super::{Point, Spot};
+use super::{Point, SpacePoint};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where the agents of a group start.
 ///
-/// Points, line, ring, sphere and grid put agent number k at the k-th spot. Disc, rectangle, polygon and walkable draw a
-/// spot for each, clear of walls, of obstacles and of everybody else.
+/// Points, line, ring, sphere and grid put agent number k at the k-th position. Disc, rectangle, polygon and walkable
+/// draw a position for each agent, clear of walls, obstacles and all other agents.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {
-    /// One spot: for a single agent, or for a source.
+    /// One position: for a single agent, or for a source.
     Point(Point),
-    /// A spot for each.
+    /// A position for each agent.
     Points(Vec<Point>),
     /// Evenly along a line, both ends included.
     Line(Line),
@@ -44,9 +44,9 @@ impl Default for Place {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
-    /// Where the first stands.
+    /// Position of the first agent.
     pub from: Point,
-    /// Where the last stands.
+    /// Position of the last agent.
     pub to: Point,
 }
 
@@ -54,22 +54,22 @@ pub struct Line {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ring {
-    /// Its middle.
+    /// Its centre.
     #[serde(default)]
     pub center: Point,
     /// Its radius. Limit: > 0.
     pub radius: f64,
-    /// Where the first stands, degrees counter-clockwise from +x.
+    /// Direction from the centre to the first agent, degrees counter-clockwise from +x.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub start: f64,
 }
 
-/// Evenly on a sphere, from its top down in a spiral (a Fibonacci lattice).
+/// Evenly on a sphere, in a spiral from the top down (a Fibonacci lattice).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
-    /// Its middle. Limit of z: at least `radius`, so that all of it is above the ground.
-    pub center: Spot,
+    /// Its centre. Limit of z: at least `radius`, so that all of it is above the ground.
+    pub center: SpacePoint,
     /// Its radius. Limit: > 0.
     pub radius: f64,
 }
@@ -78,16 +78,16 @@ pub struct Sphere {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Grid {
-    /// Its middle.
+    /// Its centre.
     #[serde(default)]
     pub center: Point,
-    /// How many side by side along x. Limit: at least 1.
+    /// The number of agents side by side along x. Limit: at least 1.
     pub columns: u64,
-    /// How many rows along y. Limit: at least 1.
+    /// The number of rows along y. Limit: at least 1.
     pub rows: u64,
-    /// Metres between neighbours' centres. Limit: > 0.
+    /// Distance between neighbouring centres, metres. Limit: > 0.
     pub spacing: f64,
-    /// Turned counter-clockwise about its middle, degrees.
+    /// Rotation about its centre, degrees counter-clockwise.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rotation: f64,
 }
@@ -96,7 +96,7 @@ pub struct Grid {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DiscPlace {
-    /// Its middle.
+    /// Its centre.
     #[serde(default)]
     pub center: Point,
     /// Its radius; bodies may reach over its edge. Limit: > 0.
@@ -110,11 +110,11 @@ pub struct DiscPlace {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RectanglePlace {
-    /// Its middle.
+    /// Its centre.
     pub center: Point,
     /// Its sides; bodies may reach over its edges. Limit: > 0.
     pub size: Point,
-    /// Turned counter-clockwise about its middle, degrees.
+    /// Rotation about its centre, degrees counter-clockwise.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rotation: f64,
     /// The least distance between bodies, metres. Limit: >= 0.
@@ -126,7 +126,7 @@ pub struct RectanglePlace {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PolygonPlace {
-    /// Its corners, either way round; bodies may reach over its edges. Limit: at least 3.
+    /// Its corners, in either orientation; bodies may reach over its edges. Limit: at least 3.
     pub corners: Vec<Point>,
     /// The least distance between bodies, metres. Limit: >= 0.
     #[serde(default, skip_serializing_if = "is_zero")]

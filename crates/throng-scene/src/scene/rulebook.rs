@@ -1,13 +1,13 @@
-//! Rules that scene files name.
+//! Rules that scene files refer to by name.
 
-use super::Cast;
+use super::SceneNames;
 use crate::caught::{caught, named};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use throng::{Error, Rules, World};
 
-/// Rules by name, for `rules = "name"`: those of the gallery's games, and what a program adds.
+/// Rules by name, for `rules = "name"`: those of the gallery's games, and those that a program adds.
 ///
 /// ```
 /// use throng::{Error, Rules, World};
@@ -43,15 +43,15 @@ use throng::{Error, Rules, World};
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Rulebook(BTreeMap<String, Make>);
+pub struct Rulebook(BTreeMap<String, MakeRules>);
 
-/// Rules that were made for a scene, or what they miss there.
-type Made = Result<Arc<dyn Rules>, Error>;
+/// Rules that were made for a scene, or the error if the scene lacks what they need.
+type MadeRules = Result<Arc<dyn Rules>, Error>;
 /// Makes rules for a scene.
-type Make = Arc<dyn Fn(&Cast<'_>) -> Made + Send + Sync>;
+type MakeRules = Arc<dyn Fn(&SceneNames<'_>) -> MadeRules + Send + Sync>;
 
 impl Default for Rulebook {
-    /// The rules of the gallery's games.
+    /// Returns the rules of the gallery's games.
     fn default() -> Self {
         let mut book = Self(BTreeMap::new());
         crate::games::rules(&mut book);
@@ -60,50 +60,50 @@ impl Default for Rulebook {
 }
 
 impl Rulebook {
-    /// Adds rules, or takes the place of those of this name. `make` is told who and what is in the scene; what it misses
-    /// there it says.
+    /// Adds rules, or replaces the rules with the same name. `make` gets the names in the scene, and returns an error
+    /// for anything that it needs and the scene lacks.
     pub fn add<R: Rules + 'static>(
         &mut self,
         name: impl Into<String>,
-        make: impl Fn(&Cast<'_>) -> Result<R, Error> + Send + Sync + 'static,
+        make: impl Fn(&SceneNames<'_>) -> Result<R, Error> + Send + Sync + 'static,
     ) {
         let name = name.into();
         let of: Arc<str> = name.as_str().into();
-        let make: Make = Arc::new(move |cast| {
+        let make: MakeRules = Arc::new(move |cast| {
             named("rules", &of, || {
                 let rules = make(cast)?;
-                let named: Arc<dyn Rules> = Arc::new(Named { name: of.clone(), figures: rules.figures(), rules });
+                let named: Arc<dyn Rules> = Arc::new(NamedRules { name: of.clone(), figures: rules.figures(), rules });
                 Ok(named)
             })
         });
         self.0.insert(name, make);
     }
 
-    /// Adds those of another; they take the place of those of the same name.
+    /// Adds the rules of another rulebook. They replace rules with the same names.
     pub fn extend(&mut self, others: Self) {
         self.0.extend(others.0);
     }
 
-    /// The names of all.
+    /// Returns the names of all rules.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
     }
 
-    /// The rules of this name, made for a scene; or what a panic of theirs says.
-    pub(crate) fn make(&self, name: &str, cast: &Cast<'_>) -> Option<Result<Made, String>> {
+    /// Returns the rules with this name, made for a scene; or the message of a panic in them.
+    pub(crate) fn make(&self, name: &str, cast: &SceneNames<'_>) -> Option<Result<MadeRules, String>> {
         self.0.get(name).map(|make| caught(|| make(cast)))
     }
 }
 
-/// Rules that a program brings along: panics in them say whose they are.
+/// Rules of a plug-in: panics in them name them.
 #[derive(Debug)]
-struct Named<R> {
+struct NamedRules<R> {
     name: Arc<str>,
     figures: Vec<String>,
     rules: R,
 }
 
-impl<R: Rules> Rules for Named<R> {
+impl<R: Rules> Rules for NamedRules<R> {
     fn figures(&self) -> Vec<String> {
         self.figures.clone()
     }
@@ -122,7 +122,7 @@ impl<R: Rules> Rules for Named<R> {
 }
 
 impl PartialEq for Rulebook {
-    /// Always: what a program brings along is not part of what the scene says.
+    /// Returns true: plug-ins are not part of a scene's content.
     fn eq(&self, _: &Self) -> bool {
         true
     }

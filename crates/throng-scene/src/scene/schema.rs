@@ -1,14 +1,14 @@
-//! The JSON schema of scene files, for editors and for what shows sliders.
+//! The JSON schema of scene files, for editors and for programs that show sliders.
 
 /// The file `scene.schema.json`, packed.
 const PACKED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/schema.deflate"));
 
-/// The JSON schema (draft 2020-12) of scene files. Editors that know it complete and check keys while one types.
+/// Returns the JSON schema (draft 2020-12) of scene files. Editors use it to complete and check keys.
 ///
-/// It is kept as a file, `scene.schema.json` beside this crate's sources, which a test compares with what the types say: a
-/// program that asks for it brings along 26 kilobytes, and no generator.
+/// The schema is a file, `scene.schema.json` in this crate's folder, and a test compares it with the types. A program
+/// that uses it carries 26 kilobytes and no generator.
 pub fn schema() -> serde_json::Value {
     let text = miniz_oxide::inflate::decompress_to_vec(PACKED).unwrap_or_default();
-    // what the build has packed is what comes out
+    // the build script packed this text: unpacking cannot fail
     serde_json::from_slice(&text).unwrap_or_default()
 }

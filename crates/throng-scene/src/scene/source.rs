@@ -3,17 +3,17 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Agents enter one at a time, each at the group's place as soon as its spot is free.
+/// Agents enter one at a time, each at the group's place as soon as its position is free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// When the first enters, seconds. Limit: >= 0.
+    /// When the first agent enters, seconds. Limit: >= 0.
     #[serde(default)]
     pub start: f64,
-    /// Nobody enters from this time on, seconds. Without it, `count` ends the source. Limit: > start.
+    /// No agent enters from this time on, seconds. Without it, `count` ends the source. Limit: > start.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end: Option<f64>,
-    /// How many enter. Without it, as many as do until `end`.
+    /// The number of agents that enter. Without it, as many as enter until `end`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub count: Option<u64>,
     /// Agents a second. One of `rate`, `interval`, or `end` together with `count` (evenly). Limit: > 0.
@@ -24,7 +24,7 @@ pub struct Source {
     pub interval: Option<f64>,
 }
 
-/// `source = { .. }`, or several: `[[group.source]]`.
+/// Reads `source = { .. }`, or several sources: `[[group.source]]`.
 pub(super) mod one_or_many {
     use super::Source;
     use schemars::{Schema, SchemaGenerator, json_schema};

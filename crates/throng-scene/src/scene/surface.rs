@@ -6,28 +6,28 @@ use super::steer::Position;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A surface that behaviours refer to by its name: something to avoid, to follow, to stay in, to hide behind. It is
-/// solid to those groups only that say so.
+/// A surface that behaviours refer to by its name, to avoid it, follow it, stay in it or hide behind it. It is solid
+/// only to groups that name it as `solid`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Surface {
-    /// The name that behaviours call it by.
+    /// The name by which behaviours refer to it.
     pub name: String,
     /// Its shape, about its own origin.
     pub shape: Form,
-    /// Where its own origin is. Without it, at `[0, 0]`.
+    /// Position of its own origin. Without it, at `[0, 0]`.
     #[serde(default, skip_serializing_if = "is_default")]
     pub at: Position,
-    /// Where its own x axis points, degrees counter-clockwise from +x.
+    /// Direction of its own x axis, degrees counter-clockwise from +x.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub heading: f64,
-    /// How far its own x axis is raised, degrees.
+    /// Elevation of its own x axis, degrees.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pitch: f64,
-    /// How far it is turned about its own x axis, first of all, degrees: its y axis goes up.
+    /// Rotation about its own x axis, applied first, degrees: its y axis turns upwards.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub roll: f64,
-    /// From where it is seen.
+    /// The side from which it is seen.
     #[serde(default, skip_serializing_if = "is_default")]
     pub seen_from: SeenFrom,
 }
@@ -40,19 +40,19 @@ pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Form {
-    /// A ball about the origin.
+    /// A sphere about the origin.
     Sphere(Ball),
     /// A box about the origin.
     Box(Block),
     /// Everything on one side of a plane through the origin.
     Plane(HalfSpace),
-    /// A rectangle without thickness about the origin, in the plane of the own x and y axes: two sides, no inside.
+    /// A rectangle without thickness about the origin, in the plane of its own x and y axes: two sides, no inside.
     Rectangle(Sheet),
     /// A cylinder with flat ends.
     Cylinder(Rod),
     /// A cylinder with round ends.
     Capsule(Rod),
-    /// What stands on a polygon.
+    /// A prism over a polygon.
     Prism(Column),
     /// Heights of the ground on a grid.
     HeightField(HeightField),
@@ -60,7 +60,7 @@ pub enum Form {
     Mesh(MeshFile),
 }
 
-/// A ball.
+/// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ball {
@@ -80,7 +80,7 @@ pub struct Block {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HalfSpace {
-    /// Where the outside is, a vector of any length but 0.
+    /// The normal that points outside, a vector of any length but 0.
     pub normal: [f64; 3],
 }
 
@@ -92,28 +92,28 @@ pub struct Sheet {
     pub size: Point,
 }
 
-/// Round about a line.
+/// A cylinder or capsule about a line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rod {
-    /// Where the line starts.
+    /// Start of the line.
     pub from: [f64; 3],
-    /// Where it ends.
+    /// End of the line.
     pub to: [f64; 3],
     /// The radius. Limit: > 0.
     pub radius: f64,
 }
 
-/// What stands on a polygon.
+/// A prism over a polygon.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Column {
-    /// Corners of the polygon, either way round. Limit: at least 3.
+    /// Corners of the polygon, in either orientation. Limit: at least 3.
     pub corners: Vec<Point>,
-    /// The height of its lower end. Without it, it has none.
+    /// The height of its lower end. Without it, it is unbounded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bottom: Option<f64>,
-    /// The height of its upper end. Without it, it has none. Limit: above `bottom`.
+    /// The height of its upper end. Without it, it is unbounded. Limit: above `bottom`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub top: Option<f64>,
 }
@@ -124,7 +124,7 @@ pub struct Column {
 pub struct HeightField {
     /// Width of the square cells. Limit: > 0.
     pub cell: f64,
-    /// How many heights are in a row along x. Limit: at least 2.
+    /// The number of heights in a row along x. Limit: at least 2.
     pub columns: u64,
     /// The heights, row by row. Limit: at least two full rows.
     pub heights: Vec<f64>,
@@ -134,25 +134,25 @@ pub struct HeightField {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshFile {
-    /// A Wavefront OBJ file, in metres; a relative name starts from the scene file's folder.
+    /// A Wavefront OBJ file, in metres; a relative name refers to the scene file's folder.
     pub file: String,
-    /// Which axis of the file points up.
+    /// The axis of the file that points up.
     #[serde(default, skip_serializing_if = "is_default")]
     pub up: Up,
 }
 
-/// Which axis of a file points up.
+/// The axis of a file that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Up {
     /// y, as most programs write OBJ.
     #[default]
     Y,
-    /// z, as here.
+    /// z, as in scenes.
     Z,
 }
 
-/// From where a surface is seen.
+/// The side from which a surface is seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SeenFrom {
@@ -161,7 +161,7 @@ pub enum SeenFrom {
     Outside,
     /// From inside: a container.
     Inside,
-    /// Hollow: everybody stays on the side they are on.
+    /// From both sides: a hollow surface. Agents stay on the side they are on.
     Both,
 }
 
@@ -169,17 +169,17 @@ pub enum SeenFrom {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pathway {
-    /// The name that behaviours call it by.
+    /// The name by which behaviours refer to it.
     pub name: String,
     /// Its points in order. Limit: at least 2, at least 3 if it is cyclic.
     pub points: Vec<Position>,
-    /// How far it reaches to all sides, metres. Without it, `radii` say so. Limit: >= 0.
+    /// Radius of the tube around it, metres. Without it, `radii` defines it. Limit: >= 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub radius: Option<f64>,
-    /// The same for each of its segments.
+    /// The radius of each segment, metres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub radii: Option<Vec<f64>>,
-    /// Whether it goes on from the last point to the first.
+    /// Whether it continues from the last point to the first.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub cyclic: bool,
 }

@@ -1,11 +1,11 @@
-//! The step, and when a scene ends.
+//! The step, and the end of a scene.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Step, and when the scene ends. Seconds.
+/// The step, and the end of the scene. Seconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Time {
@@ -13,9 +13,9 @@ pub struct Time {
     pub step: f64,
     /// How a step is divided: `"auto"`, or a number of parts.
     pub sub_steps: SubSteps,
-    /// When the scene ends, if not at `limit`.
+    /// When the scene ends, if before `limit`.
     pub until: Until,
-    /// When it ends at the latest, seconds. Limit: > 0.
+    /// The latest end of the scene, seconds. Limit: > 0.
     pub limit: f64,
 }
 
@@ -26,8 +26,8 @@ impl Default for Time {
 }
 
 impl Time {
-    /// Whether the scene is over: at its limit, or when [`until`](Self::until) says. A scene that ends when nobody is
-    /// left also ends when all who are left have arrived or cannot: nothing would ever change.
+    /// Whether the scene is over: at its limit, or by [`until`](Self::until). A scene that ends when no agent is left
+    /// also ends when all remaining agents have arrived or cannot arrive: its state would not change any more.
     pub fn over(&self, world: &throng::World) -> bool {
         let done = match self.until {
             Until::Arrived | Until::Empty => world.finished(),
@@ -42,12 +42,12 @@ impl Time {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Until {
-    /// When everybody has arrived (or left) and nobody is still to enter.
+    /// When all agents have arrived (or left) and no agent has yet to enter.
     #[default]
     Arrived,
-    /// When nobody is left and nobody is still to enter: for scenes with exits.
+    /// When no agent is left and no agent has yet to enter: for scenes with exits.
     Empty,
-    /// At the limit, whatever happens.
+    /// At the limit.
     Limit,
 }
 
@@ -57,7 +57,7 @@ pub enum SubSteps {
     /// By a rule that depends only on the world's state.
     #[default]
     Auto,
-    /// Always into this many. Limit: 1 to 1000.
+    /// Always into this number of parts. Limit: 1 to 1000.
     Fixed(u32),
 }
 
@@ -114,7 +114,7 @@ impl JsonSchema for SubSteps {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "How a step is divided: \"auto\", or always into this many.",
+            "description": "How a step is divided: \"auto\", or a fixed number of parts.",
             "anyOf": [{ "const": "auto" }, { "type": "integer", "minimum": 1, "maximum": 1000 }]
         })
     }

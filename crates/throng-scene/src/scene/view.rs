@@ -1,41 +1,41 @@
-//! How pictures of a scene look.
+//! The look of a scene's pictures.
 
-use super::{Annotate, Point, Spot};
+use super::{Annotate, Point, SpacePoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 
-/// How pictures of a scene look. What is not said is the drawing program's choice.
+/// The look of a scene's pictures. The drawing program chooses what is not given.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct View {
-    /// Lower left corner of what the camera sees. Without it, everything is in view.
+    /// Lower left corner of the view. Without it, all of the scene is in view.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<Point>,
-    /// Upper right corner of what the camera sees.
+    /// Upper right corner of the view.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Point>,
-    /// Whether the scene is seen from straight above or in perspective. Without it, in perspective where somebody flies,
-    /// or where there is a `camera`.
+    /// The projection: from straight above or in perspective. Without it, in perspective if agents fly, or if there is
+    /// a `camera`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projection: Option<Projection>,
-    /// From where it is seen in perspective.
+    /// The camera of a view in perspective.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub camera: Option<Camera>,
-    /// What is drawn beside agents of what they have in mind.
+    /// What is drawn beside agents about their state and decisions.
     #[serde(skip_serializing_if = "Annotate::is_nothing")]
     pub annotate: Annotate,
     /// Width and height of the picture, pixels. Limit: 16 to 16384 each.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
-    /// The moment that tells what the scene is about, for contact sheets, seconds. Without it, a third of
-    /// `expect.within` or, without that, of `time.limit`. Limit: >= 0.
+    /// The most typical moment of the scene, for contact sheets, seconds. Without it, a third of `expect.within` or,
+    /// without that, of `time.limit`. Limit: >= 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
     /// Pictures a second of video. Limit: 0.001 to 1000.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fps: Option<f64>,
-    /// Colour of what cannot be walked on.
+    /// Colour outside the walkable ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub background: Option<Colour>,
     /// Colour of the walkable ground.
@@ -61,40 +61,40 @@ impl View {
     }
 }
 
-/// How a scene is seen.
+/// The projection of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
     /// From straight above, true to scale.
     Plan,
-    /// By an eye: what is far away is small and pale.
+    /// In perspective: distant things are small and pale.
     Perspective,
 }
 
-/// What an agent looks like.
+/// The symbol of an agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Mark {
-    /// As its body is: a disc or an oblong; in perspective, who flies as a vehicle is a dart.
+pub enum AgentShape {
+    /// The shape of its body: a disc or an oblong; in perspective, an agent that flies as a vehicle is a dart.
     Body,
     /// An insect: a thin body with two wings that beat, and a short streak behind it.
     Insect,
 }
 
-/// From where a scene is seen in perspective.
+/// The camera of a view in perspective.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {
-    /// Where the eye is. Without it, slightly above everybody, far enough away to see everything.
+    /// Position of the eye. Without it, slightly above all agents, far enough away to see all of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub eye: Option<Spot>,
-    /// What is in the middle of the picture. Without it, the middle of everything.
+    pub eye: Option<SpacePoint>,
+    /// The point in the middle of the picture. Without it, the middle of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub target: Option<Spot>,
+    pub target: Option<SpacePoint>,
     /// The angle between the top and the bottom of the picture, degrees. Limit: 1 to 170.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field_of_view: Option<f64>,
-    /// How fast the eye goes round its target, degrees a second, counter-clockwise from above.
+    /// Angular speed of the eye around its target, degrees a second, counter-clockwise from above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orbit: Option<f64>,
 }

@@ -1,4 +1,4 @@
-"""Draws what tests/drawings.rs reads, with ezdxf (https://ezdxf.mozman.at), and prints the areas, m²: python ezdxf.py > areas
+"""Draws what tests/all/drawings.rs reads, with ezdxf (https://ezdxf.mozman.at), and prints the areas, m²: python ezdxf.py > areas
 
 ezdxf.dxf, beside this file, is the header's unit and the entities of what is drawn.
 """

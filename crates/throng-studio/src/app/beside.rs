@@ -1,19 +1,19 @@
-//! The studio while two models are compared.
+//! Comparison of two models side by side.
 
 use super::App;
 use crate::direct::Tool;
 use crate::panels;
-use crate::play::{Command, Shown};
+use crate::play::{Command, RunMoment};
 use eframe::egui::{self, Ui};
 
 impl App {
-    /// Lets the scene be played with another model beside its own, or not.
+    /// Runs the scene with a second model beside its own, as the settings select.
     pub(super) fn put_beside(&mut self) {
         self.player.command(Command::Beside(self.settings.beside.parse().ok()));
     }
 
-    /// The view; or two of one scene with two models, seen through one eye.
-    pub(super) fn views(&mut self, ui: &mut Ui, shown: &Shown) {
+    /// Draws the main view, or two views of the scene with two models and one camera.
+    pub(super) fn views(&mut self, ui: &mut Ui, shown: &RunMoment) {
         self.views[0].lent = self.director.tool != Tool::Hand || self.meters.tool().is_some();
         let Some(beside) = shown.beside.as_deref() else {
             let response = self.views[0].ui(ui, shown, &self.settings);
@@ -44,18 +44,18 @@ impl App {
         });
     }
 
-    /// Says what colours and lines in a view say.
-    fn key(&self, ui: &Ui, rect: egui::Rect, shown: &Shown, at: usize) {
+    /// Draws the legend of colours and lines over a view.
+    fn key(&self, ui: &Ui, rect: egui::Rect, shown: &RunMoment, at: usize) {
         if self.settings.layers.key {
             panels::key(ui, rect, &self.views[at].key(shown, &self.settings), &shown.name);
         }
     }
 
-    /// Lets tools work in the view that `response` is of.
-    fn lend(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
+    /// Lets the tools work in the view of `response`.
+    fn lend(&mut self, ui: &Ui, response: &egui::Response, shown: &RunMoment) {
         self.place = response.rect;
         if ui.input(|input| input.multi_touch().is_some()) {
-            // what the first finger has begun is not what the two do
+            // the second finger starts a camera gesture, so drop what the first finger began
             self.director.cancel();
         } else if self.meters.tool().is_none() && shown.reel.is_none() {
             self.direct(ui, response, shown);

@@ -1,15 +1,15 @@
-//! The studio while it is directed.
+//! Editing the scene in the view.
 
 use super::{App, frame_of};
-use crate::direct::{Sight, Stage};
+use crate::direct::{DirectedWorld, Sight};
 use crate::keep::Leaving;
 use crate::panels;
-use crate::play::Shown;
+use crate::play::RunMoment;
 use eframe::egui::{self, Context, Ui};
 
 impl App {
-    /// After a gesture: what it made is played from its start, running or not as before.
-    fn directed(&mut self, edited: Result<bool, String>, shown: &Shown) {
+    /// Handles the result of a gesture. After an edit, the scene restarts, running or paused as before.
+    fn directed(&mut self, edited: Result<bool, String>, shown: &RunMoment) {
         match edited {
             Ok(true) => {
                 self.notice = None;
@@ -20,11 +20,11 @@ impl App {
         }
     }
 
-    /// Lets people direct in the view that `response` is of.
-    pub(super) fn direct(&mut self, ui: &Ui, response: &egui::Response, shown: &Shown) {
+    /// Lets the user edit the scene in the view of `response`.
+    pub(super) fn direct(&mut self, ui: &Ui, response: &egui::Response, shown: &RunMoment) {
         let size = glam::Vec2::new(response.rect.width(), response.rect.height());
         let (projector, theme) = (self.views[0].eye.projector(size), self.settings.theme());
-        let stage = Stage { first: &shown.first, bounds: shown.bounds, scale: 1.0 };
+        let stage = DirectedWorld { first: &shown.first, bounds: shown.bounds, scale: 1.0 };
         let sight = Sight { projector: &projector, theme: &theme };
         if self.views[0].lent {
             let area = egui::Area::new(egui::Id::unique("tool")).fixed_pos(response.rect.min + egui::vec2(12.0, 12.0));
@@ -35,16 +35,17 @@ impl App {
         self.directed(edited, shown);
     }
 
-    /// Takes out what is selected.
-    pub(super) fn remove(&mut self, shown: Option<&Shown>) {
+    /// Removes the selected item.
+    pub(super) fn remove(&mut self, shown: Option<&RunMoment>) {
         let edited = self.director.remove(&mut self.document);
         if let Some(shown) = shown {
             self.directed(edited, shown);
         }
     }
 
-    /// Adds somebody to the group of who is selected, or else to the one that is directed; or takes one out.
-    pub(super) fn more(&mut self, by: i64, shown: Option<&Shown>) {
+    /// Adds an agent to the group of the selected agent, or to the edited group if none is selected. Removes an agent
+    /// if `by` is negative.
+    pub(super) fn more(&mut self, by: i64, shown: Option<&RunMoment>) {
         let Some(shown) = shown else { return };
         let of = |number| shown.first.bodies.iter().find(|body| body.number == number);
         let selected = self.views[0].selected.and_then(of).map(|body| body.group as usize);
@@ -53,7 +54,7 @@ impl App {
         self.directed(edited, shown);
     }
 
-    /// Saves under another name, or opens a file, once it is said.
+    /// Shows the windows "Save as" and "Open" and handles their answers.
     pub(super) fn ask_name(&mut self, ctx: &Context) {
         if let Some(name) = self.open.ui(ctx) {
             let opened = self.files.open(&name, self.document.plugins()).map(|_| ());

@@ -1,4 +1,4 @@
-//! Nothing that people have written is lost: before it would be, they are asked.
+//! Protection of unsaved work: the user is asked before it would be lost.
 
 use super::App;
 use crate::document::Document;
@@ -11,11 +11,12 @@ use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::Plugins;
 
-/// How often what is not saved is remembered.
+/// The interval at which unsaved text is stored.
 pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
 
-/// The document to begin with, what people should know of it, and what is still to be asked: the unsaved text of the last time
-/// if there is one, else the scene that is `wanted`, which may be `named` by whoever started the studio.
+/// Returns the initial document, a message for the user, and the question to ask first. The document is the unsaved
+/// text of the previous session if there is one, else the scene `wanted`. `named` says whether the scene was given at
+/// the start.
 pub(super) fn begin(
     storage: Option<&dyn Storage>,
     (wanted, named): (&str, bool),
@@ -36,7 +37,7 @@ pub(super) fn begin(
 }
 
 impl App {
-    /// Leaves the text for something else, asking first where it has changes, or a recording is under way.
+    /// Leaves the text. Asks first if the text has unsaved changes or a recording is under way.
     pub(super) fn leave(&mut self, to: Leaving) {
         if self.document.changed() {
             self.leaving = Some((to, Unfinished::Text));
@@ -45,7 +46,7 @@ impl App {
         }
     }
 
-    /// The same once the text is taken care of. What somebody else wrote to the file is of no concern to a recording.
+    /// Continues once the unsaved text is handled. Reloading the file does not affect a recording.
     fn leave_recording(&mut self, to: Leaving) {
         if self.recording.is_some() && !matches!(to, Leaving::Reload(_)) {
             self.leaving = Some((to, Unfinished::Recording));
@@ -86,7 +87,7 @@ impl App {
         self.player.command(self.meters.clear());
     }
 
-    /// Shows the text and the gallery alone: what it says has ended the studio.
+    /// Shows only the text and the gallery. Used after the scene stopped the studio.
     pub(super) fn rest(&mut self) {
         (self.settings.panels.text, self.settings.panels.gallery) = (true, true);
         let name = &self.document.name;
@@ -95,7 +96,7 @@ impl App {
         ));
     }
 
-    /// Opens what is dropped, and what was picked.
+    /// Opens dropped and picked files.
     pub(super) fn receive(&mut self, ctx: &Context) {
         let dropped = ctx.input(|input| input.raw.dropped_files.clone());
         if !dropped.is_empty() {
@@ -108,7 +109,7 @@ impl App {
         }
     }
 
-    /// Looks whether the file or the window wants to leave the text, and asks what there is to ask.
+    /// Handles changes of the file and requests to close the window, and shows the question to the user.
     pub(super) fn keep(&mut self, ctx: &Context) {
         if let Some(text) = self.outside.changed(ctx) {
             if text == self.document.text() {
@@ -118,7 +119,7 @@ impl App {
             }
         }
         if self.document.changed() {
-            // so that the draft is kept when nobody touches the window
+            // stores the draft even without input events
             ctx.request_repaint_after(AUTOSAVE);
         }
         let unfinished = self.document.changed() || self.recording.is_some();
@@ -127,7 +128,7 @@ impl App {
             self.leave(Leaving::Close);
         }
         if self.recording.is_none() {
-            // what it is about may be done meanwhile
+            // the recording may be complete meanwhile
             if let Some((to, _)) = self.leaving.take_if(|(_, of)| *of == Unfinished::Recording) {
                 self.go(to);
             }
@@ -140,7 +141,7 @@ impl App {
         }
     }
 
-    /// What is asked: before leaving for what, about what, and what that is called.
+    /// Returns the open question: the action, what is unfinished, and its name.
     pub(super) fn asks(&self) -> Option<(&Leaving, Unfinished, String)> {
         let (to, of) = self.leaving.as_ref()?;
         let recorded = self.recording.as_ref().filter(|_| *of == Unfinished::Recording);
@@ -169,7 +170,7 @@ impl App {
             Answer::Save => {
                 self.finish_recording();
                 if to == Leaving::Close {
-                    // not before the file is complete
+                    // the studio closes when the file is complete
                     self.after_recording = Some(to);
                     return;
                 }

@@ -1,9 +1,9 @@
-//! The studio while it records.
+//! Recording from the studio.
 
 use super::App;
 use crate::outside;
 use crate::panels::{Beside, Recorded};
-use crate::play::Shown;
+use crate::play::RunMoment;
 use crate::record::{Format, Subject, Take};
 use eframe::egui::Context;
 use glam::Vec2;
@@ -12,8 +12,8 @@ use throng_draw::Style;
 use throng_record::Choice;
 
 impl App {
-    /// Lets the recording go on, and shows the window that asks for one.
-    pub(super) fn record(&mut self, ctx: &Context, shown: &Shown) {
+    /// Continues the recording and shows the recording window.
+    pub(super) fn record(&mut self, ctx: &Context, shown: &RunMoment) {
         self.go_on_recording(ctx);
         let (size, camera) = (self.size_of_view(ctx), self.camera());
         let share = self.recording.as_ref().map(|(recording, _)| recording.share());
@@ -42,7 +42,7 @@ impl App {
         };
         self.recording = None;
         match self.after_recording.take() {
-            // what went wrong is to be seen
+            // keeps an error visible
             Some(to) if said.is_ok() => self.go(to),
             _ => {}
         }
@@ -52,7 +52,7 @@ impl App {
         self.record.said = Some(said);
     }
 
-    /// Completes the recording with what there is of it.
+    /// Completes the recording with the frames that exist.
     pub(super) fn finish_recording(&mut self) {
         let Some((recording, _)) = &mut self.recording else { return };
         if let Err(says) = recording.finish() {
@@ -61,7 +61,7 @@ impl App {
         }
     }
 
-    fn begin_recording(&mut self, ctx: &Context, shown: &Shown, size: [u32; 2]) {
+    fn begin_recording(&mut self, ctx: &Context, shown: &RunMoment, size: [u32; 2]) {
         let wish = &self.record.wish;
         let path = PathBuf::from(wish.file.trim());
         let span = [wish.from, wish.to.unwrap_or(f64::INFINITY)];
@@ -84,7 +84,7 @@ impl App {
         }
     }
 
-    /// Width and height of the view, pixels: even, as video wants them.
+    /// Returns the width and height of the view in pixels. Both are even, which video encoders require.
     fn size_of_view(&self, ctx: &Context) -> [u32; 2] {
         [self.place.width(), self.place.height()].map(|side| {
             let pixels = (side * ctx.pixels_per_point()).clamp(16.0, 3840.0);
@@ -92,7 +92,7 @@ impl App {
         })
     }
 
-    /// What the camera does, in words.
+    /// Describes the camera in words.
     fn camera(&self) -> String {
         let (mode, selected) = (self.views[0].eye.mode(), self.views[0].selected);
         match selected.filter(|_| mode.follows()) {

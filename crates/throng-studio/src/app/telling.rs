@@ -1,12 +1,12 @@
-//! What is asked of the player, and what is told of it.
+//! Status messages, the requested trace, and the published state.
 
 use super::App;
-use crate::play::{Command, Shown, Trouble};
+use crate::play::{Command, RunMoment, Trouble};
 use crate::state::State;
 use eframe::egui::{Label, RichText, Sense, Ui};
 
 impl App {
-    /// Says what is wrong, or else what people should know; a click puts that away.
+    /// Shows the current error, or else the current message. A click dismisses the message.
     pub(super) fn said(&mut self, ui: &mut Ui, trouble: Option<&Trouble>) {
         let wrong = self.wrong(trouble);
         let color = if wrong.is_some() { ui.visuals().error_fg_color } else { ui.visuals().hyperlink_color };
@@ -18,7 +18,7 @@ impl App {
         }
     }
 
-    /// Asks the selected agent for what is to be seen of it.
+    /// Requests the decision trace of the selected agent if any layer or panel shows it.
     pub(super) fn explain(&mut self) {
         let wanted = self.views[0]
             .selected
@@ -29,12 +29,12 @@ impl App {
         }
     }
 
-    /// What is wrong with the text, or else with what it says.
+    /// Returns the error of the text, or else the error of the run.
     pub(super) fn wrong(&self, trouble: Option<&Trouble>) -> Option<String> {
         self.document.scene().err().map(ToString::to_string).or_else(|| trouble.map(ToString::to_string))
     }
 
-    pub(super) fn tell(&mut self, shown: &Shown, trouble: Option<&Trouble>) {
+    pub(super) fn tell(&mut self, shown: &RunMoment, trouble: Option<&Trouble>) {
         let state = State {
             selected: self.views[0].selected,
             trouble: self.wrong(trouble),

@@ -1,21 +1,21 @@
-//! Agents: who is there, and where they start.
+//! Editing of groups: which agents exist and where they start.
 
-use super::parts::{Change, Kind, Look, Parts, Removal, point};
+use super::parts::{Change, Look, OutlineKind, Parts, Removal, point};
 use super::shapes::{Owner, circle, corners, outline, rectangle, spot};
 use crate::document::Edit;
 use glam::DVec2;
 use throng_scene::{Body, Goal, Place, Rectangle, Scene};
 use toml_edit::Array;
 
-/// Metres between bodies that are added, and how much of that rounding may take.
+/// The gap between the bounding circles of added agents, and the part of it left for rounding, metres.
 const GAP: f64 = 0.1;
 const SLACK: f64 = 1e-6;
 
-/// The places of the groups.
+/// Adds the handles of the places of the groups.
 pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (g, group) in scene.groups.iter().enumerate() {
         let path = format!("group.{g}.place");
-        let owner = &Owner { kind: Kind::Place(g), removal: Some(Removal::Group(g)) };
+        let owner = &Owner { kind: OutlineKind::Place(g), removal: Some(Removal::Group(g)) };
         match &group.place {
             Place::Point(at) => spot(parts, &format!("{path}.point"), *at, owner),
             Place::Points(points) => {
@@ -57,11 +57,12 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
     }
 }
 
-/// Adds agents along a line, each clear of those before it and of `others`: to the list of places of a group, or, where its place is a
-/// rule, to a new group like it. The group that has them.
+/// Adds agents along a line. Each keeps the gap to the agents before it and to `others`. If the place of the group is a
+/// list of points, they are added to the list. Otherwise a new group with the same properties holds them. Returns the
+/// group that holds them.
 ///
 /// # Errors
-/// There is no room, or the text does not fit.
+/// There is no free space, or the text has no place for the change.
 pub fn add(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2], others: &[DVec2]) -> Result<usize, String> {
     let group = scene.groups.get(g).ok_or("there is no group to add to")?;
     let apart = 2.0 * bound(&group.body) + GAP - SLACK;
@@ -72,7 +73,7 @@ pub fn add(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2], others: &[D
         }
     }
     if new.is_empty() {
-        return Err("somebody stands there already".into());
+        return Err("another agent stands there already".into());
     }
     let mut g = g;
     match &group.place {
@@ -103,7 +104,7 @@ pub fn add(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2], others: &[D
     Ok(g)
 }
 
-/// Points along a line, at most so far apart.
+/// Returns points along a line, at most `step` apart.
 fn along(line: &[DVec2], step: f64) -> impl Iterator<Item = DVec2> {
     let between = line.windows(2).flat_map(move |pair| {
         let (from, to) = (pair[0], pair[1]);
@@ -113,27 +114,27 @@ fn along(line: &[DVec2], step: f64) -> impl Iterator<Item = DVec2> {
     line.first().copied().into_iter().chain(between)
 }
 
-/// Adds an agent to a group whose place is a rule, or takes the last one out of any group.
+/// Adds an agent to a group that has a rule as its place, or removes the last agent of any group.
 ///
 /// # Errors
-/// Nothing says how many there are, or it is the last of all.
+/// The group has no count, or its place does not allow the change, or it holds the last agent of the scene.
 pub fn more(edit: &mut Edit, scene: &Scene, g: usize, by: i64) -> Result<(), String> {
     let group = scene.groups.get(g).ok_or("there is no such group")?;
     match (&group.place, group.count) {
         (Place::Points(points), _) if by < 0 => remove(edit, g, points.len().saturating_sub(1)),
         (Place::Points(_) | Place::Point(_), _) => {
-            Err("it says where each of them is: add people with a click (P)".into())
+            Err("the group lists the position of each agent: add agents with a click (P)".into())
         }
         (_, Some(1)) if by < 0 => remove_group(edit, g),
         (_, Some(_)) => count(edit, g, by),
-        (_, None) => Err("the group does not say how many they are: set its `count` in the text".into()),
+        (_, None) => Err("the group has no `count`: set it in the text".into()),
     }
 }
 
-/// Takes an agent out of a group; with its last one the group goes.
+/// Removes an agent of a group. Removes the group with its last agent.
 ///
 /// # Errors
-/// It is the last of all.
+/// It is the last agent of the scene.
 pub fn remove(edit: &mut Edit, g: usize, k: usize) -> Result<(), String> {
     let list = format!("group.{g}.place.points");
     if edit.len(&list) < 2 {
@@ -144,25 +145,25 @@ pub fn remove(edit: &mut Edit, g: usize, k: usize) -> Result<(), String> {
     count(edit, g, -1)
 }
 
-/// Takes a group out.
+/// Removes a group.
 ///
 /// # Errors
-/// It is the last.
+/// It is the last group.
 pub fn remove_group(edit: &mut Edit, g: usize) -> Result<(), String> {
     if edit.len("group") < 2 {
-        return Err("a scene needs somebody: this is the last group".into());
+        return Err("a scene needs at least one group: this is the last one".into());
     }
     edit.remove(&format!("group.{g}")).map(drop)
 }
 
-/// A name that no group has yet.
+/// Returns a name that no group has.
 fn free_name(scene: &Scene, name: &str) -> String {
     let base = if name.is_empty() { "people" } else { name };
     let taken = |name: &String| scene.groups.iter().any(|group| group.name == *name);
     (2..).map(|k| format!("{base}-{k}")).find(|name| !taken(name)).unwrap_or_default()
 }
 
-/// Where a group says how many it has, it has `more`.
+/// Adds `more` to the count of a group, if it has a count.
 fn count(edit: &mut Edit, g: usize, more: i64) -> Result<(), String> {
     let path = format!("group.{g}.count");
     match edit.value(&path).and_then(toml_edit::Value::as_integer) {
@@ -171,7 +172,7 @@ fn count(edit: &mut Edit, g: usize, more: i64) -> Result<(), String> {
     }
 }
 
-/// How far a body reaches at most.
+/// Returns the largest bounding radius of a body, metres.
 fn bound(body: &Body) -> f64 {
     match body {
         Body::Radius(radius) => radius.bounds()[1],

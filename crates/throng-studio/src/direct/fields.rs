@@ -1,14 +1,14 @@
-//! Fields as they are sketched and painted: what of them can be taken.
+//! Handles of sketched and painted fields.
 
-use super::parts::{Change, Kind, Look, Parts, Removal};
+use super::parts::{Change, Look, OutlineKind, Parts, Removal};
 use super::shapes::{Owner, circle, corners};
 use glam::DVec2;
 use throng_scene::{Flow, Scene};
 
-/// Seconds that the arrow of a velocity is long.
+/// The time that the arrow of a velocity spans, seconds: its length is velocity times `AHEAD`.
 pub const AHEAD: f64 = 1.5;
 
-/// The anchors, strokes and stamps of the fields.
+/// Adds the handles of anchors, strokes and stamps.
 pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (k, field) in scene.fields.iter().enumerate() {
         flow_parts(parts, &format!("field.{k}.flow"), &field.flow);
@@ -21,7 +21,7 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
 }
 
 fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
-    let owner = |path: &str| Owner { kind: Kind::Field, removal: Some(Removal::Path(path.to_owned())) };
+    let owner = |path: &str| Owner { kind: OutlineKind::Field, removal: Some(Removal::Path(path.to_owned())) };
     match flow {
         Flow::Sketch(sketch) => {
             for (k, anchor) in sketch.anchors.iter().flatten().enumerate() {
@@ -67,7 +67,7 @@ fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
     }
 }
 
-/// A stamp: as a circle, but that its middle is `at`.
+/// Adds the handles of a stamp: a circle with the key `at` for its centre.
 fn stamp_parts(parts: &mut Parts, path: &str, at: DVec2, radius: f64, owner: &Owner) {
     let first = parts.handles.len();
     circle(parts, path, at.to_array(), radius, owner);

@@ -1,4 +1,4 @@
-//! Sketching, painting and rubbing out the field that leads a group.
+//! Sketching, painting and erasing the field of a group.
 
 use super::Brush;
 use super::fields::AHEAD;
@@ -9,12 +9,12 @@ use throng_draw::WorldBox;
 use throng_scene::{Flow, Scene};
 use toml_edit::InlineTable;
 
-/// How fast people go where nobody says more, m/s.
+/// The speed of a field without a given speed, m/s.
 const SPEED: f64 = 1.3;
-/// The radius of a stamp that is only clicked, metres.
+/// The radius of a stamp that is placed with a click, metres.
 const STAMP: f64 = 3.0;
 
-/// Adds a velocity at a place: dragged from there to where one would be a while later.
+/// Adds a velocity at a position. The velocity is the drag divided by `AHEAD`.
 ///
 /// # Errors
 /// The group follows a field that is no sketch.
@@ -26,17 +26,17 @@ pub fn anchor(edit: &mut Edit, scene: &Scene, g: usize, at: DVec2, tip: DVec2) -
     edit.push(&format!("{sketch}.anchors"), anchor).map(drop)
 }
 
-/// Adds a line to go along.
+/// Adds a stroke to follow.
 ///
 /// # Errors
-/// As [`anchor`]; or it is a point.
+/// As [`anchor`]. The line has a single point.
 pub fn stroke(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2]) -> Result<(), String> {
     let stroke = InlineTable::from_iter([("points", points(long(line)?))]);
     let sketch = sketch(edit, scene, g)?;
     edit.push(&format!("{sketch}.strokes"), stroke).map(drop)
 }
 
-/// Adds a stamp, from its middle to its rim.
+/// Adds a stamp, from its centre to its rim.
 ///
 /// # Errors
 /// As [`anchor`].
@@ -47,10 +47,10 @@ pub fn stamp(edit: &mut Edit, scene: &Scene, g: usize, kind: &str, [at, rim]: [D
     edit.push(&format!("{sketch}.stamps"), stamp).map(drop)
 }
 
-/// Paints along a line; over `bounds` where nothing is painted yet.
+/// Paints along a line. A new paint field covers `bounds`.
 ///
 /// # Errors
-/// The line is a point; or the group follows a field without a name.
+/// The line has a single point, or the group follows a field without a name.
 pub fn paint(
     edit: &mut Edit,
     scene: &Scene,
@@ -82,10 +82,11 @@ pub fn paint(
     edit.push(&format!("{paint}.strokes"), stroke).map(drop)
 }
 
-/// Rubs out along a line: paint where there is paint, and of a sketch the anchors and stamps there, and the parts of its strokes.
+/// Erases along a line. In a paint field it adds an erasing stroke. In a sketch it removes the anchors and stamps on
+/// the line and erases parts of the strokes.
 ///
 /// # Errors
-/// The group follows nothing that could be rubbed out.
+/// The group follows neither a sketch nor paint.
 pub fn erase(edit: &mut Edit, scene: &Scene, g: usize, radius: f64, line: &[DVec2]) -> Result<(), String> {
     if let Some(path) = found(scene, g, &|flow| matches!(flow, Flow::Paint(_))) {
         let line = [line, &line[..usize::from(line.len() == 1)]].concat();
@@ -128,7 +129,7 @@ fn from_segment(a: DVec2, b: DVec2, at: DVec2) -> f64 {
     (a + way * share).distance(at)
 }
 
-/// The sketch that a group follows, which is made where it follows nothing.
+/// Returns the path of the sketch that a group follows. Creates the sketch if the group follows no field.
 fn sketch(edit: &mut Edit, scene: &Scene, g: usize) -> Result<String, String> {
     let path = found(scene, g, &|flow| matches!(flow, Flow::Sketch(_)));
     let path = match (path, scene.groups.get(g).is_some_and(|group| group.field.is_some())) {
@@ -139,7 +140,7 @@ fn sketch(edit: &mut Edit, scene: &Scene, g: usize) -> Result<String, String> {
     Ok(format!("{path}.sketch"))
 }
 
-/// Makes a field that the group follows.
+/// Creates a field that the group follows, and returns its path.
 fn new_field(edit: &mut Edit, scene: &Scene, g: usize, kind: &str) -> Result<String, String> {
     let group = scene.groups.get(g).ok_or("there is no group to lead")?;
     let base = if group.name.is_empty() { format!("group-{}", g + 1) } else { group.name.clone() };
@@ -152,12 +153,12 @@ fn new_field(edit: &mut Edit, scene: &Scene, g: usize, kind: &str) -> Result<Str
     Ok(format!("field.{position}.flow"))
 }
 
-/// The name of the field that a group follows, if it follows one.
+/// Returns the name of the field that a group follows, or `None` if it follows none.
 fn named(scene: &Scene, g: usize) -> Result<Option<String>, String> {
     match scene.groups.get(g).and_then(|group| group.field.as_ref()).map(|field| field.of.as_ref()) {
         None => Ok(None),
         Some(Some(Flow::Named(name))) => Ok(Some(name.clone())),
-        Some(_) => Err("the field of the group has no name: nothing can be painted on it".into()),
+        Some(_) => Err("the field of the group has no name: it cannot be painted on".into()),
     }
 }
 
@@ -166,13 +167,13 @@ fn of_group(scene: &Scene, g: usize) -> Option<(String, &Flow)> {
     Some((format!("group.{g}.field.of"), flow))
 }
 
-/// Where the first field of a kind stands that a group follows: its own, or what that is made of.
+/// Returns the path of the first field of the wanted kind: the field of the group, or a field that it is composed of.
 fn found(scene: &Scene, g: usize, wanted: &dyn Fn(&Flow) -> bool) -> Option<String> {
     let (path, flow) = of_group(scene, g)?;
     Some(within(scene, path, flow, wanted)?.0)
 }
 
-/// The sketch that a group follows.
+/// Returns the sketch that a group follows.
 fn at_path(scene: &Scene, g: usize) -> Option<&Flow> {
     let (path, flow) = of_group(scene, g)?;
     Some(within(scene, path, flow, &|flow| matches!(flow, Flow::Sketch(_)))?.1)
@@ -189,7 +190,7 @@ fn within<'a>(
     }
     match flow {
         Flow::Named(name) => {
-            // a field can name only those above it: this ends
+            // a field refers only to fields above it, so the recursion ends
             let k = scene.fields.iter().position(|field| field.name == *name)?;
             within(scene, format!("field.{k}.flow"), &scene.fields[k].flow, wanted)
         }

@@ -1,21 +1,21 @@
-//! Goals and exits of groups.
+//! Editing of goals and exits.
 
 use super::obstacles::sides;
-use super::parts::{Kind, Parts, Removal, point};
+use super::parts::{OutlineKind, Parts, Removal, point};
 use super::shapes::{Owner, region, spot};
 use crate::document::Edit;
 use glam::DVec2;
 use throng_scene::{Goal, Scene};
 use toml_edit::{InlineTable, Value};
 
-/// The radius of an exit that is only clicked, metres.
+/// The radius of an exit that is placed with a click, metres.
 const EXIT: f64 = 1.0;
 
-/// The goals of the groups.
+/// Adds the handles of the goals of the groups.
 pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (g, group) in scene.groups.iter().enumerate() {
         let path = format!("group.{g}.goal");
-        let owner = Owner { kind: Kind::Goal, removal: Some(Removal::Path(path.clone())) };
+        let owner = Owner { kind: OutlineKind::Goal, removal: Some(Removal::Path(path.clone())) };
         if let Some(goal) = &group.goal {
             goal_parts(parts, &path, goal, &owner);
         }
@@ -63,10 +63,10 @@ fn goal_parts(parts: &mut Parts, path: &str, goal: &Goal, owner: &Owner) {
     }
 }
 
-/// Gives a group a goal: a point, or, dragged, the rectangle from corner to corner.
+/// Sets the goal of a group: a point, or, after a drag, the rectangle between the two corners.
 ///
 /// # Errors
-/// The text does not fit.
+/// The text has no place for the goal.
 pub fn goal(edit: &mut Edit, g: usize, corners: Option<(DVec2, DVec2)>, at: DVec2) -> Result<(), String> {
     match corners {
         Some((from, to)) => place(edit, g, "area.rectangle", sides(from, to)),
@@ -74,10 +74,10 @@ pub fn goal(edit: &mut Edit, g: usize, corners: Option<(DVec2, DVec2)>, at: DVec
     }
 }
 
-/// Gives a group an exit: a disc, or, dragged, the rectangle from corner to corner.
+/// Sets the exit of a group: a disc, or, after a drag, the rectangle between the two corners.
 ///
 /// # Errors
-/// The text does not fit.
+/// The text has no place for the exit.
 pub fn exit(edit: &mut Edit, g: usize, corners: Option<(DVec2, DVec2)>, at: DVec2) -> Result<(), String> {
     match corners {
         Some((from, to)) => place(edit, g, "exit.rectangle", sides(from, to)),
@@ -90,7 +90,7 @@ pub fn exit(edit: &mut Edit, g: usize, corners: Option<(DVec2, DVec2)>, at: DVec
 
 fn place(edit: &mut Edit, g: usize, kind: &str, value: Value) -> Result<(), String> {
     if !edit.has(&format!("group.{g}")) {
-        return Err("there is no group whose goal it could be".into());
+        return Err("there is no group for this goal".into());
     }
     edit.remove(&format!("group.{g}.goal"))?;
     edit.set(&format!("group.{g}.goal.{kind}"), value)

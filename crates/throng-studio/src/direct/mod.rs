@@ -1,5 +1,5 @@
-//! Directing: the scene is edited with the mouse in the view. A gesture, once it is finished, is one edit of the scene's text; until
-//! then what it would make is drawn, and nothing is built.
+//! Direct manipulation: the scene is edited with the mouse in the view. A finished gesture is one edit of the text.
+//! Before that, its result is drawn as a preview and no world is built.
 
 pub mod agents;
 pub mod fields;
@@ -22,19 +22,19 @@ use throng_draw::WorldBox;
 use throng_record::Frame;
 use throng_scene::Scene;
 
-/// How near one must point, points of the screen.
+/// The distance at which the pointer takes a handle, points of the screen.
 const REACH: f64 = 9.0;
-/// A drag that is shorter is a click, points of the screen.
+/// A shorter drag is a click, points of the screen.
 const CLICK: f64 = 5.0;
 
-/// How the brush paints.
+/// The settings of the brush.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Brush {
-    /// Metres.
+    /// Radius, metres.
     pub radius: f64,
-    /// The speed that it leaves, m/s.
+    /// Painted speed, m/s.
     pub speed: f64,
-    /// How much it covers of what was there, 0 to 1.
+    /// Weight over the existing field, 0 to 1.
     pub strength: f64,
 }
 
@@ -44,78 +44,78 @@ impl Default for Brush {
     }
 }
 
-/// What the pointer does.
+/// An event of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
     /// The button is pressed.
     Press,
     /// The pointer moves.
     Move,
-    /// The button is let go.
+    /// The button is released.
     Release,
-    /// What goes from click to click is done.
+    /// The outline drawn click by click is complete.
     Finish,
 }
 
-/// Where the world is while it is directed.
+/// The world that is edited.
 #[derive(Clone, Copy, Debug)]
-pub struct Stage<'a> {
-    /// Everybody at the start.
+pub struct DirectedWorld<'a> {
+    /// The agents at the start.
     pub first: &'a Frame,
-    /// The box that holds the place.
+    /// The bounding box of the scene.
     pub bounds: WorldBox,
-    /// Points of the screen that a metre takes.
+    /// The scale, points of the screen per metre.
     pub scale: f64,
 }
 
-/// What is being done with the mouse.
+/// A gesture of the mouse under way.
 #[derive(Clone, Debug, Default)]
 struct Gesture {
-    /// Where it has been, or, from click to click, the corners.
+    /// The path of the pointer, or the corners of an outline drawn click by click.
     points: Vec<DVec2>,
-    /// Where the pointer is.
+    /// The position of the pointer.
     at: DVec2,
-    /// What is dragged.
+    /// The dragged handle.
     held: Option<Handle>,
 }
 
-/// Turns what the pointer does into edits.
+/// Turns events of the pointer into edits of the text.
 #[derive(Clone, Debug, Default)]
 pub struct Director {
-    /// What the first button does.
+    /// The tool of the primary button.
     pub tool: Tool,
-    /// Whom goals, fields and new agents are for, by position.
+    /// The group that goals, fields and new agents belong to, by position.
     pub group: usize,
-    /// How the brush paints.
+    /// The settings of the brush.
     pub brush: Brush,
     gesture: Option<Gesture>,
-    /// Where what is selected is, and what is taken out with it.
+    /// The position of the selected item, and what is removed with it.
     selected: Option<(DVec2, Removal)>,
 }
 
 impl Director {
-    /// Takes another tool; what was begun with the one before is let go.
+    /// Selects a tool and cancels the gesture under way.
     pub fn take(&mut self, tool: Tool) {
         self.tool = tool;
         self.cancel();
     }
 
-    /// Lets go of what was begun and of what is selected; whether there was something.
+    /// Cancels the gesture and clears the selection. Returns whether there was either.
     pub fn cancel(&mut self) -> bool {
         let begun = self.gesture.take().is_some();
         self.selected.take().is_some() || begun
     }
 
-    /// Lets the pointer do something at a place of the ground; whether the document was edited.
+    /// Handles an event of the pointer at a position on the ground. Returns whether the document was edited.
     ///
     /// # Errors
-    /// What was done makes no sense there: in words; the document is as it was.
+    /// The gesture is invalid there. The message says why, and the document is unchanged.
     pub fn point(
         &mut self,
         document: &mut Document,
         at: DVec2,
         event: Event,
-        stage: Stage<'_>,
+        stage: DirectedWorld<'_>,
     ) -> Result<bool, String> {
         if let Some(gesture) = &mut self.gesture {
             gesture.at = at;
@@ -135,12 +135,12 @@ impl Director {
         }
     }
 
-    fn press(&mut self, document: &mut Document, at: DVec2, stage: Stage<'_>) -> Result<bool, String> {
+    fn press(&mut self, document: &mut Document, at: DVec2, stage: DirectedWorld<'_>) -> Result<bool, String> {
         let reach = REACH / stage.scale;
         if self.tool.clicks() {
             let gesture = self.gesture.get_or_insert_default();
             gesture.at = at;
-            // a click on the first corner closes a polygon, a second one on the last ends
+            // a click on the first corner closes a polygon, a second click on the last corner ends the outline
             let ends = [gesture.points.first().filter(|_| self.tool == Tool::Polygon), gesture.points.last()];
             if ends.into_iter().flatten().any(|end| end.distance(at) <= reach) {
                 return self.finish(document, stage);
@@ -160,7 +160,7 @@ impl Director {
         Ok(false)
     }
 
-    fn finish(&mut self, document: &mut Document, stage: Stage<'_>) -> Result<bool, String> {
+    fn finish(&mut self, document: &mut Document, stage: DirectedWorld<'_>) -> Result<bool, String> {
         let Some(gesture) = self.gesture.take() else { return Ok(false) };
         if self.tool == Tool::Select && !gesture.dragged(stage.scale) {
             return Ok(false);
@@ -179,19 +179,25 @@ impl Director {
         Ok(document.text() != before)
     }
 
-    /// The scene that the text says.
+    /// Returns the scene of the text.
     fn sound(&self, document: &Document) -> Result<Arc<Scene>, String> {
-        document.scene().cloned().map_err(|error| format!("mend the text first: {error}"))
+        document.scene().cloned().map_err(|error| format!("fix the text first: {error}"))
     }
 
-    /// Makes the edit that a gesture says; the group that is directed then.
-    fn apply(&self, edit: &mut Edit, scene: &Scene, gesture: &Gesture, stage: Stage<'_>) -> Result<usize, String> {
+    /// Applies the edit of a gesture. Returns the group that is edited next.
+    fn apply(
+        &self,
+        edit: &mut Edit,
+        scene: &Scene,
+        gesture: &Gesture,
+        stage: DirectedWorld<'_>,
+    ) -> Result<usize, String> {
         let (g, brush, line) = (self.group.min(scene.groups.len().saturating_sub(1)), self.brush, &gesture.points);
         let (from, to) = (line.first().copied().unwrap_or(gesture.at), gesture.at);
         let dragged = gesture.dragged(stage.scale);
         let corners = dragged.then_some((from, to));
         let smooth = || simplified(line, 2.0 / stage.scale);
-        let needs_drag = || if dragged { Ok(()) } else { Err("drag it as large as it is to be".to_owned()) };
+        let needs_drag = || if dragged { Ok(()) } else { Err("drag to set the size".to_owned()) };
         match self.tool {
             Tool::Hand => {}
             Tool::Select => {
@@ -222,17 +228,17 @@ impl Director {
         Ok(g)
     }
 
-    /// Adds an agent to a group, by position, or takes one out.
+    /// Adds an agent to a group, given by position, or removes one.
     ///
     /// # Errors
-    /// The text has no place for it, or the scene needs them.
+    /// The text has no place for it, or it is the last agent of the scene.
     pub fn more(&self, document: &mut Document, group: usize, by: i64) -> Result<bool, String> {
         let scene = self.sound(document)?;
         document.change(|edit| agents::more(edit, &scene, group, by))?;
         Ok(true)
     }
 
-    /// Takes what is selected out of the scene; whether something was.
+    /// Removes the selected item from the scene. Returns whether an item was selected.
     ///
     /// # Errors
     /// The scene needs it.
@@ -248,7 +254,7 @@ impl Director {
 }
 
 impl Gesture {
-    /// How far it has gone.
+    /// Returns the displacement of the pointer.
     fn by(&self) -> DVec2 {
         self.at - self.points.first().copied().unwrap_or(self.at)
     }
@@ -258,7 +264,7 @@ impl Gesture {
     }
 }
 
-/// A line without the points that lie within `tolerance` of what is left (Douglas and Peucker).
+/// Returns the line without the points that lie within `tolerance` of the simplified line (Douglas and Peucker).
 fn simplified(line: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let [first, .., last] = line else { return line.to_vec() };
     let way = (*last - *first).normalize_or_zero();

@@ -1,17 +1,17 @@
-//! Obstacles and walls.
+//! Editing of obstacles and walls.
 
-use super::parts::{Kind, Parts, Removal, length, point, points};
+use super::parts::{OutlineKind, Parts, Removal, length, point, points};
 use super::shapes::{Owner, circle, corners, rectangle};
 use crate::document::Edit;
 use glam::DVec2;
 use throng_scene::{Scene, Shape, Walkable};
 use toml_edit::{InlineTable, Value};
 
-/// The obstacles, and the rim of the ground.
+/// Adds the handles of obstacles and of holes in the walkable area.
 pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (k, obstacle) in scene.obstacles.iter().enumerate() {
         let path = format!("obstacle.{k}");
-        let owner = &Owner { kind: Kind::Obstacle, removal: Some(Removal::Path(path.clone())) };
+        let owner = &Owner { kind: OutlineKind::Obstacle, removal: Some(Removal::Path(path.clone())) };
         match &obstacle.shape {
             Shape::Circle(round) => circle(parts, &format!("{path}.shape.circle"), round.center, round.radius, owner),
             Shape::Rectangle(sides) => rectangle(parts, &format!("{path}.shape.rectangle"), sides, owner),
@@ -22,7 +22,7 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
     if let Some(Walkable::Polygon(area)) = &scene.walkable {
         for (k, hole) in area.holes.iter().enumerate() {
             let path = format!("walkable.polygon.holes.{k}");
-            let owner = Owner { kind: Kind::Obstacle, removal: Some(Removal::Path(path.clone())) };
+            let owner = Owner { kind: OutlineKind::Obstacle, removal: Some(Removal::Path(path.clone())) };
             corners(parts, &path, hole, true, &owner);
         }
     }
@@ -50,10 +50,10 @@ pub fn wall(edit: &mut Edit, corners: &[DVec2]) -> Result<(), String> {
     add(edit, "wall", points(corners))
 }
 
-/// Adds a disc, from its middle to its rim.
+/// Adds a disc, from its centre to its rim.
 ///
 /// # Errors
-/// The text does not fit.
+/// The text has no place for it.
 pub fn disc(edit: &mut Edit, middle: DVec2, rim: DVec2) -> Result<(), String> {
     let radius = length(middle.distance(rim).max(0.1));
     add(edit, "circle", InlineTable::from_iter([("center", point(middle)), ("radius", radius.into())]).into())
@@ -62,12 +62,12 @@ pub fn disc(edit: &mut Edit, middle: DVec2, rim: DVec2) -> Result<(), String> {
 /// Adds a rectangle, from corner to corner.
 ///
 /// # Errors
-/// The text does not fit.
+/// The text has no place for it.
 pub fn block(edit: &mut Edit, from: DVec2, to: DVec2) -> Result<(), String> {
     add(edit, "rectangle", sides(from, to))
 }
 
-/// A rectangle as scene files have it.
+/// Returns a rectangle as a TOML value.
 pub fn sides(from: DVec2, to: DVec2) -> Value {
     let size = (to - from).abs().max(DVec2::splat(0.1));
     InlineTable::from_iter([("center", point((from + to) * 0.5)), ("size", point(size))]).into()

@@ -1,8 +1,8 @@
-//! What is drawn over the view while it is directed: what can be taken, and what is being made.
+//! Drawing over the view while the scene is edited: handles, outlines and the gesture under way.
 
 use super::fields::AHEAD;
-use super::parts::{Handle, Kind, Look, Parts};
-use super::{Director, Event, Gesture, REACH, Stage, Tool};
+use super::parts::{Handle, Look, OutlineKind, Parts};
+use super::{DirectedWorld, Director, Event, Gesture, REACH, Tool};
 use crate::document::Document;
 use crate::style::color;
 use crate::view::ground;
@@ -12,20 +12,20 @@ use glam::{DVec2, Vec2};
 use throng_draw::{Color, PALETTE, Projector, Theme, palette};
 use throng_scene::Scene;
 
-/// More handles than these are not drawn: nobody could take one of them.
+/// The most handles drawn. More would be too dense to take with the pointer.
 const MANY: usize = 3000;
 
-/// How the world is seen.
+/// The projection and colours of the view.
 #[derive(Clone, Copy)]
 pub struct Sight<'a> {
-    /// From the world to the view.
+    /// The projection from the world to the view.
     pub projector: &'a Projector,
     /// The colours.
     pub theme: &'a Theme,
 }
 
 impl Director {
-    /// Lets people direct in the view that `response` is of, and draws over it; whether the document was edited.
+    /// Handles input in the view of `response` and draws over it. Returns whether the document was edited.
     ///
     /// # Errors
     /// As [`Director::point`].
@@ -34,7 +34,7 @@ impl Director {
         ui: &Ui,
         response: &Response,
         document: &mut Document,
-        mut stage: Stage<'_>,
+        mut stage: DirectedWorld<'_>,
         sight: Sight<'_>,
     ) -> Result<bool, String> {
         if self.tool == Tool::Hand {
@@ -77,7 +77,7 @@ impl Director {
         rect: Rect,
         document: &Document,
         at: Option<DVec2>,
-        stage: Stage<'_>,
+        stage: DirectedWorld<'_>,
         sight: Sight<'_>,
     ) {
         let Ok(scene) = document.scene() else { return };
@@ -90,7 +90,7 @@ impl Director {
             Some(Ok(scene)) => pen.parts(self, &scene, None),
             Some(Err((gesture, says))) => {
                 pen.parts(self, scene, None);
-                // what is not yet whole is not wrong
+                // an outline drawn click by click is no error before it is complete
                 if !self.tool.clicks() && gesture.dragged(stage.scale) {
                     pen.says(gesture.at, says.lines().next().unwrap_or_default());
                 }
@@ -109,7 +109,7 @@ struct Pen<'a> {
     painter: &'a Painter,
     rect: Rect,
     sight: Sight<'a>,
-    stage: Stage<'a>,
+    stage: DirectedWorld<'a>,
 }
 
 impl Pen<'_> {
@@ -150,14 +150,16 @@ impl Pen<'_> {
         let theme = self.sight.theme;
         for outline in &parts.outlines {
             let (tone, width) = match outline.kind {
-                Kind::Place(g) => (palette(g).alpha(if g == director.group { 0.9 } else { 0.5 }), 1.2),
-                Kind::Obstacle => (theme.text.alpha(0.7), 1.4),
-                Kind::Goal => (theme.goal, 1.4),
-                Kind::Field => (PALETTE[0].alpha(0.75), 1.6),
+                OutlineKind::Place(g) => (palette(g).alpha(if g == director.group { 0.9 } else { 0.5 }), 1.2),
+                OutlineKind::Obstacle => (theme.text.alpha(0.7), 1.4),
+                OutlineKind::Goal => (theme.goal, 1.4),
+                OutlineKind::Field => (PALETTE[0].alpha(0.75), 1.6),
             };
             let stroke = Stroke::new(width, color(tone));
             self.line(&outline.points, outline.closed, stroke);
-            if let (Kind::Field, false, [.., from, to]) = (outline.kind, outline.closed, outline.points.as_slice()) {
+            if let (OutlineKind::Field, false, [.., from, to]) =
+                (outline.kind, outline.closed, outline.points.as_slice())
+            {
                 self.arrow(*from, *to, stroke);
             }
         }
@@ -177,7 +179,7 @@ impl Pen<'_> {
         let (fill, edge) = (color(theme.ground), Stroke::new(1.5, color(theme.text.alpha(0.85))));
         let more = if hovered { 1.5 } else { 0.0 };
         match handle.look {
-            // who stands there is seen through it
+            // not filled, so that the agent below remains visible
             Look::Dot if hovered => _ = self.painter.circle(at, 6.0, color(PALETTE[0]), edge),
             Look::Dot => _ = self.painter.circle_stroke(at, 4.5, edge),
             Look::Corner => {
@@ -196,7 +198,7 @@ impl Pen<'_> {
         }
     }
 
-    /// What is being done: corners so far, the way of the brush, a velocity.
+    /// Draws the gesture under way: the corners so far, the path of the brush, or a velocity.
     fn gesture(&self, director: &Director, gesture: &Gesture) {
         let stroke = Stroke::new(1.6, color(PALETTE[0]));
         let start = gesture.points.first().copied().unwrap_or(gesture.at);

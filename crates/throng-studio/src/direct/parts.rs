@@ -1,4 +1,4 @@
-//! What of a scene can be taken with the mouse: handles, and the outlines that they belong to.
+//! The editable parts of a scene: handles, and the outlines that they belong to.
 
 use super::{agents, fields, goals, obstacles};
 use crate::document::Edit;
@@ -6,75 +6,75 @@ use glam::DVec2;
 use throng_scene::{Point, Scene};
 use toml_edit::{Array, Value};
 
-/// What a drag does to the text.
+/// The effect of a drag on the text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// A point is moved, `rate` times as far as the pointer.
+    /// Moves a point by `rate` times the displacement of the pointer.
     Point {
-        /// Where it stands in the text.
+        /// The path in the text.
         path: String,
-        /// What it was.
+        /// The original position.
         from: Point,
-        /// How far it goes with the pointer.
+        /// Displacement of the point per displacement of the pointer.
         rate: f64,
     },
-    /// A length becomes the distance from a middle.
+    /// Sets a length to the distance from a centre.
     Length {
-        /// Where it stands in the text.
+        /// The path in the text.
         path: String,
-        /// The middle.
+        /// The centre.
         center: DVec2,
     },
-    /// Two sides become such that a corner is at the pointer, round a middle.
+    /// Sets two side lengths such that a corner lies at the pointer.
     Size {
-        /// Where they stand in the text.
+        /// The path in the text.
         path: String,
-        /// The middle.
+        /// The centre.
         center: DVec2,
-        /// How far the rectangle is turned, degrees.
+        /// The rotation of the rectangle, degrees.
         rotation: f64,
     },
 }
 
-/// What is taken out of the text with a thing.
+/// What is removed from the text with an item.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Removal {
-    /// What is at a path.
+    /// The item at a path.
     Path(String),
-    /// A group; the last one stays.
+    /// A group. The last group cannot be removed.
     Group(usize),
     /// An agent of a group, by its position in the list of places.
     Agent(usize, usize),
 }
 
-/// What a handle looks like.
+/// The appearance of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Look {
     /// A dot.
     Dot,
-    /// A small square: a corner, or a rim.
+    /// A small square on a corner or a rim.
     Corner,
-    /// The tip of an arrow from here.
+    /// The tip of an arrow that starts here.
     Arrow(DVec2),
 }
 
-/// Something that can be taken with the mouse.
+/// A point that the mouse can drag.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handle {
-    /// Where it is.
+    /// The position.
     pub at: DVec2,
-    /// What it looks like.
+    /// The appearance.
     pub look: Look,
-    /// What dragging it does.
+    /// The effects of a drag.
     pub changes: Vec<Change>,
-    /// What is taken out with it.
+    /// What is removed with it.
     pub removal: Option<Removal>,
 }
 
-/// What an outline is of.
+/// What an outline belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A place of a group, by its position.
+pub enum OutlineKind {
+    /// The place of a group, by the position of the group.
     Place(usize),
     /// An obstacle.
     Obstacle,
@@ -84,20 +84,20 @@ pub enum Kind {
     Field,
 }
 
-/// The outline of something.
+/// An outline of an editable part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
-    /// What it is of.
-    pub kind: Kind,
-    /// Its corners.
+    /// What it belongs to.
+    pub kind: OutlineKind,
+    /// The corners.
     pub points: Vec<DVec2>,
-    /// Whether it goes round something.
+    /// Whether the outline is closed.
     pub closed: bool,
-    /// The handle that moves all of it.
+    /// The handle that moves the whole outline.
     pub whole: Option<usize>,
 }
 
-/// All that can be taken of a scene.
+/// All editable parts of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parts {
     /// The handles.
@@ -107,7 +107,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Of a scene.
+    /// Collects the parts of a scene.
     pub fn of(scene: &Scene) -> Self {
         let mut parts = Self::default();
         agents::parts(scene, &mut parts);
@@ -117,7 +117,7 @@ impl Parts {
         parts
     }
 
-    /// The handle at a place, or else that of the smallest thing round it.
+    /// Returns the nearest handle within `reach`, or else the handle of the smallest outline around the position.
     pub fn at(&self, at: DVec2, reach: f64) -> Option<&Handle> {
         let near = self.handles.iter().filter(|handle| handle.at.distance(at) <= reach);
         near.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at))).or_else(|| {
@@ -127,7 +127,7 @@ impl Parts {
         })
     }
 
-    /// Adds a handle; its position.
+    /// Adds a handle and returns its index.
     pub fn handle(&mut self, at: DVec2, look: Look, changes: Vec<Change>, removal: Option<Removal>) -> usize {
         self.handles.push(Handle { at, look, changes, removal });
         self.handles.len() - 1
@@ -135,19 +135,19 @@ impl Parts {
 }
 
 impl Change {
-    /// A point that goes with the pointer.
+    /// Returns the change of a point that moves with the pointer.
     pub fn point(path: impl Into<String>, from: Point) -> Self {
         Self::Point { path: path.into(), from, rate: 1.0 }
     }
 
-    /// Does it: the pointer has gone `by`, and is at `to`.
+    /// Applies the change. The pointer has moved by `by` and is at `to`.
     ///
     /// # Errors
     /// The path does not fit the text.
     pub fn apply(&self, edit: &mut Edit, by: DVec2, to: DVec2) -> Result<(), String> {
         match self {
             Self::Point { path, from, rate } => {
-                // a point may be written `[x, y]`, or as what a table says
+                // a point is written as `[x, y]` or as a table with the key `at`
                 let inner = format!("{path}.at");
                 let path = if edit.has(&inner) { &inner } else { path };
                 edit.set(path, point(DVec2::from(*from) + by * *rate))
@@ -161,17 +161,17 @@ impl Change {
     }
 }
 
-/// A length as people write it: to the millimetre.
+/// Rounds a length to millimetres.
 pub fn length(metres: f64) -> f64 {
     (metres * 1000.0).round() / 1000.0 + 0.0
 }
 
-/// A point as scene files have it.
+/// Returns a point as a TOML value.
 pub fn point(at: DVec2) -> Value {
     Array::from_iter([length(at.x), length(at.y)]).into()
 }
 
-/// Points as scene files have them.
+/// Returns points as a TOML value.
 pub fn points(points: &[DVec2]) -> Value {
     Array::from_iter(points.iter().copied().map(point)).into()
 }

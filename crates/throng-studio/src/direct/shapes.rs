@@ -1,20 +1,20 @@
-//! Shapes that places, obstacles and goals have in common, with their handles.
+//! Shapes that places, obstacles and goals share, with their handles.
 
-use super::parts::{Change, Kind, Look, Outline, Parts, Removal};
+use super::parts::{Change, Look, Outline, OutlineKind, Parts, Removal};
 use glam::DVec2;
 use throng_scene::{Point, Rectangle, Region};
 
 const ROUND: usize = 48;
 
-/// What a shape belongs to.
+/// The item that a shape belongs to.
 pub struct Owner {
-    /// What it is.
-    pub kind: Kind,
-    /// What is taken out with it.
+    /// The kind of the item.
+    pub kind: OutlineKind,
+    /// What is removed with the shape.
     pub removal: Option<Removal>,
 }
 
-/// A circle, with a handle in its middle and one on its rim.
+/// Adds a circle, with a handle at its centre and another on its rim.
 pub fn circle(parts: &mut Parts, path: &str, center: Point, radius: f64, owner: &Owner) {
     let middle = DVec2::from(center);
     let changes = vec![Change::point(format!("{path}.center"), center)];
@@ -25,7 +25,7 @@ pub fn circle(parts: &mut Parts, path: &str, center: Point, radius: f64, owner: 
     outline(parts, (0..ROUND).map(out).collect(), true, Some(whole), owner);
 }
 
-/// A rectangle, with a handle in its middle and one at each corner.
+/// Adds a rectangle, with a handle at its centre and one at each corner.
 pub fn rectangle(parts: &mut Parts, path: &str, rectangle: &Rectangle, owner: &Owner) {
     let (middle, half) = (DVec2::from(rectangle.center), DVec2::from(rectangle.size) * 0.5);
     let changes = vec![Change::point(format!("{path}.center"), rectangle.center)];
@@ -40,7 +40,8 @@ pub fn rectangle(parts: &mut Parts, path: &str, rectangle: &Rectangle, owner: &O
     outline(parts, corners.to_vec(), true, Some(whole), owner);
 }
 
-/// Corners, with a handle at each; and one in their middle for all of them. One that is not missed can be taken out by itself.
+/// Adds an outline with a handle at each corner. A closed outline has a handle at its centre that moves it. A corner
+/// can be removed alone while enough corners remain (3 of a closed outline, 2 of an open one).
 pub fn corners(parts: &mut Parts, path: &str, points: &[Point], closed: bool, owner: &Owner) {
     let corners: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();
     let all: Vec<Change> =
@@ -55,7 +56,7 @@ pub fn corners(parts: &mut Parts, path: &str, points: &[Point], closed: bool, ow
     outline(parts, corners, closed, whole, owner);
 }
 
-/// A region.
+/// Adds the outline of a region.
 pub fn region(parts: &mut Parts, path: &str, region: &Region, owner: &Owner) {
     match region {
         Region::Disc(disc) => circle(parts, &format!("{path}.disc"), disc.center, disc.radius, owner),
@@ -64,12 +65,12 @@ pub fn region(parts: &mut Parts, path: &str, region: &Region, owner: &Owner) {
     }
 }
 
-/// A point by itself.
+/// Adds a single point.
 pub fn spot(parts: &mut Parts, path: &str, at: Point, owner: &Owner) {
     parts.handle(at.into(), Look::Dot, vec![Change::point(path, at)], owner.removal.clone());
 }
 
-/// An outline of something.
+/// Adds an outline.
 pub fn outline(parts: &mut Parts, points: Vec<DVec2>, closed: bool, whole: Option<usize>, owner: &Owner) {
     parts.outlines.push(Outline { kind: owner.kind, points, closed, whole });
 }

@@ -1,6 +1,6 @@
-//! Editing the scene's text by what it says: values are changed where they stand, and comments and layout stay.
+//! Editing of the scene's TOML text by path. Values are replaced in place; comments and layout are preserved.
 //!
-//! A path names keys and positions in lists, parted by dots: `group.0.place.ring.radius`.
+//! A path consists of keys and list positions, separated by dots: `group.0.place.ring.radius`.
 
 use super::Document;
 use super::layout::{add_element, add_pair, drop_element, drop_pair, put, table_of, unplace};
@@ -9,10 +9,10 @@ use throng_scene::Scene;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 impl Document {
-    /// Changes what the text says, in one step that can be undone.
+    /// Changes the text in one step that can be undone.
     ///
     /// # Errors
-    /// The change does not fit the text, or what it makes is no scene: the text stays as it was.
+    /// The change does not fit the text, or the result is no valid scene. The text is unchanged.
     pub fn change(&mut self, change: impl FnOnce(&mut Edit) -> Result<(), String>) -> Result<(), String> {
         let (text, scene) = self.changed_by(change)?;
         if text != self.text {
@@ -22,7 +22,7 @@ impl Document {
         Ok(())
     }
 
-    /// The scene that a change would make.
+    /// Returns the scene that a change would produce.
     ///
     /// # Errors
     /// As [`Document::change`].
@@ -46,26 +46,26 @@ impl Document {
         self.change(|edit| edit.set(path, value))
     }
 
-    /// The value at a path: a number, a text, a list or an inline table.
+    /// Returns the value at a path: a number, a string, a list or an inline table.
     pub fn value(&self, path: &str) -> Option<Value> {
         Edit::new(&self.text).ok()?.value(path).cloned()
     }
 }
 
-/// A scene's text while it is changed.
+/// The text of a scene while it is edited.
 #[derive(Clone, Debug)]
 pub struct Edit(DocumentMut);
 
 impl Edit {
-    /// Of a text.
+    /// Parses a text.
     ///
     /// # Errors
-    /// It is no TOML.
+    /// The text is no valid TOML.
     pub fn new(text: &str) -> Result<Self, String> {
-        text.parse().map(Self).map_err(|error| format!("the text cannot be edited before it is mended: {error}"))
+        text.parse().map(Self).map_err(|error| format!("the text is not valid TOML, fix it first: {error}"))
     }
 
-    /// The text.
+    /// Returns the text.
     pub fn text(&self) -> String {
         self.0.to_string()
     }
@@ -77,17 +77,17 @@ impl Edit {
         })
     }
 
-    /// Whether there is something at a path.
+    /// Whether there is an item at a path.
     pub fn has(&self, path: &str) -> bool {
         self.item(path).is_some()
     }
 
-    /// The value at a path.
+    /// Returns the value at a path.
     pub fn value(&self, path: &str) -> Option<&Value> {
         self.item(path).and_then(Item::as_value)
     }
 
-    /// How many elements the list at a path has; 0 where there is none.
+    /// Returns the length of the list at a path, 0 if there is no list.
     pub fn len(&self, path: &str) -> usize {
         match self.item(path) {
             Some(Item::ArrayOfTables(tables)) => tables.len(),
@@ -96,27 +96,27 @@ impl Edit {
         }
     }
 
-    /// Sets the value at a path, and makes the tables on the way to it; one that is there keeps its comments, and where it says
-    /// the same already, its very letters.
+    /// Sets the value at a path and creates the tables on the path. An existing value keeps its comments. An existing
+    /// value that is equal keeps its exact spelling.
     ///
     /// # Errors
-    /// The path does not fit what is there.
+    /// The path does not fit the text.
     pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<(), String> {
         let (parent, key) = self.parent(path, true)?;
         let value = value.into();
         match (parent.child(key), key.parse::<usize>()) {
             (Some(Item::Value(old)), _) => put(old, value),
-            (Some(_), _) => return Err(format!("{path} is a table: it can be taken out, but not be a value")),
+            (Some(_), _) => return Err(format!("{path} is a table: it can be removed, but not replaced by a value")),
             (None, Ok(_)) => return Err(format!("there is nothing at {path}")),
             (None, Err(_)) => parent.insert(key, value)?,
         }
         Ok(())
     }
 
-    /// Takes out what is at a path; whether something was there. Tables that hold nothing any more go with it.
+    /// Removes the item at a path. Returns whether there was an item. Dotted tables that become empty are removed too.
     ///
     /// # Errors
-    /// The path does not fit what is there.
+    /// The path does not fit the text.
     pub fn remove(&mut self, path: &str) -> Result<bool, String> {
         if !self.has(path) {
             return Ok(false);
@@ -139,11 +139,11 @@ impl Edit {
         }
     }
 
-    /// Adds an element to the list at a path, which is made where there is none: a list of tables `[[..]]` on the top level, else
-    /// one in brackets. Where it stands then.
+    /// Appends an element to the list at a path and returns its position. A missing list is created: as `[[..]]` tables
+    /// at the top level, in brackets elsewhere.
     ///
     /// # Errors
-    /// The path does not fit what is there, or a list of tables is given something else.
+    /// The path does not fit the text, or the list holds tables and the value is none.
     pub fn push(&mut self, path: &str, value: impl Into<Value>) -> Result<usize, String> {
         let (value, position) = (value.into(), self.len(path));
         let no_list = || format!("{path} is no list");
@@ -166,7 +166,7 @@ impl Edit {
         Ok(position)
     }
 
-    /// Adds a copy of a table to its list, without the comments before it. Where it stands then.
+    /// Appends a copy of a table to its list, without the comments before it, and returns its position.
     ///
     /// # Errors
     /// There is no such table.
@@ -181,13 +181,13 @@ impl Edit {
         Ok(tables.len() - 1)
     }
 
-    /// Where the first of a list of tables stands: before the groups, if there are any.
+    /// Returns the position of a new list of tables: before the groups, if there are any.
     fn place_of(&self, path: &str) -> Option<isize> {
         let first = self.item("group.0").and_then(Item::as_table).and_then(Table::position);
         first.filter(|_| path != "group").map(|first| first - 1)
     }
 
-    /// What holds the last step of a path, and that step.
+    /// Returns the parent of the last step of a path, and that step.
     fn parent<'a>(&mut self, path: &'a str, make: bool) -> Result<(&mut Item, &'a str), String> {
         let (above, key) = path.rsplit_once('.').unwrap_or(("", path));
         let mut item = self.0.as_item_mut();
@@ -201,7 +201,7 @@ impl Edit {
     }
 }
 
-/// What of an item the steps of paths need.
+/// The operations on items that a path needs.
 trait Node {
     fn child(&mut self, step: &str) -> Option<&mut Item>;
     fn insert(&mut self, key: &str, value: Value) -> Result<(), String>;
@@ -212,7 +212,7 @@ impl Node for Item {
     fn child(&mut self, step: &str) -> Option<&mut Item> {
         match step.parse::<usize>() {
             Ok(position) => self.get_mut(position),
-            // asked for by its name an item makes what is not there
+            // indexing an item by name would create a missing key
             Err(_) => self.as_table_like_mut()?.get_mut(step),
         }
     }
@@ -238,7 +238,7 @@ impl Node for Item {
                 inner.set_dotted(true);
                 add_pair(table, key, inner.into());
             }
-            // a name stands for a table of that name with nothing in it
+            // a plain name is short for the table of that name without keys
             Self::Value(value) if value.as_str() == Some(key) => {
                 let mut table = Value::from(InlineTable::from_iter([(key, InlineTable::new())]));
                 *table.decor_mut() = value.decor().clone();

@@ -1,19 +1,19 @@
-//! Texts to go back to.
+//! The undo history of a text.
 
 use std::collections::VecDeque;
 
-/// So many edits can be undone.
+/// The most edits that can be undone.
 const MOST: usize = 200;
 
-/// What a text was before each edit, and after each that was undone: bounded, the oldest is forgotten first.
+/// The texts before each edit and after each undone edit. The oldest text is dropped beyond `MOST`.
 #[derive(Clone, Debug, Default)]
-pub struct History {
+pub struct EditHistory {
     before: VecDeque<String>,
     after: Vec<String>,
 }
 
-impl History {
-    /// An edit replaced this text.
+impl EditHistory {
+    /// Records the text that an edit replaced.
     pub fn push(&mut self, text: String) {
         self.after.clear();
         self.before.push_back(text);
@@ -22,14 +22,14 @@ impl History {
         }
     }
 
-    /// The text before the last edit, where the text is `now`.
+    /// Returns the text before the last edit. `now` is the current text.
     pub fn undo(&mut self, now: &str) -> Option<String> {
         let text = self.before.pop_back()?;
         self.after.push(now.to_owned());
         Some(text)
     }
 
-    /// The text that was undone last, where the text is `now`.
+    /// Returns the text that was undone last. `now` is the current text.
     pub fn redo(&mut self, now: &str) -> Option<String> {
         let text = self.after.pop()?;
         self.before.push_back(now.to_owned());
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn the_oldest_is_forgotten_and_an_edit_ends_redoing() {
-        let mut history = History::default();
+        let mut history = EditHistory::default();
         (0..MOST + 5).for_each(|k| history.push(k.to_string()));
         let mut now = "end".to_owned();
         let mut undone = 0;

@@ -1,11 +1,11 @@
-//! How values stand in the text: what changes keeps the layout and the comments of what was there.
+//! Layout of TOML values: changes preserve the layout and comments of the existing text.
 
 use toml_edit::{Array, Decor, InlineTable, Item, Table, Value};
 
-/// Lists that are new have their elements on lines of their own.
+/// The prefix of the elements of a new list: each starts on its own line.
 const LINE: &str = "\n    ";
 
-/// Makes a value another one: where it stands, with the comments it has; lists of the same length element by element.
+/// Replaces a value in place and keeps its comments. Lists of equal length are replaced element by element.
 pub(super) fn put(old: &mut Value, new: Value) {
     match new {
         Value::Array(new) if old.as_array().is_some_and(|old| old.len() == new.len()) => {
@@ -21,7 +21,7 @@ pub(super) fn put(old: &mut Value, new: Value) {
     }
 }
 
-/// Whether two simple values say the same, however they are written.
+/// Whether two simple values are equal, regardless of their spelling.
 fn same(a: &Value, b: &Value) -> bool {
     match (number(a), number(b)) {
         (Some(a), Some(b)) => a == b,
@@ -29,33 +29,33 @@ fn same(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// The number that a value is, whole or not.
+/// Returns the number of an integer or float value.
 pub fn number(value: &Value) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
-/// The table that an inline one is on the top level.
+/// Returns the top-level table of an inline table.
 pub(super) fn table_of(value: Value) -> Option<Table> {
     let Value::InlineTable(mut table) = value else { return None };
     tidy(&mut table);
     Some(table.into_table())
 }
 
-/// Gives a table and those in its dotted keys the usual layout.
+/// Gives a table and its dotted subtables the default layout.
 fn tidy(table: &mut InlineTable) {
     table.fmt();
     let inner = table.iter_mut().filter_map(|(_, value)| value.as_inline_table_mut());
     inner.filter(|inner| inner.is_dotted()).for_each(tidy);
 }
 
-/// The last value that is written in a table.
+/// Returns the value written last in a table.
 fn last(table: &mut InlineTable) -> Option<&mut Value> {
     let value = table.iter_mut().last()?.1;
     let dotted = value.as_inline_table().is_some_and(InlineTable::is_dotted);
     if dotted { value.as_inline_table_mut().and_then(last) } else { Some(value) }
 }
 
-/// The space and comments behind the last value stay behind the last value.
+/// Adds a pair. The space and comments after the last value stay after the last value.
 pub(super) fn add_pair(table: &mut InlineTable, key: &str, value: Value) {
     let behind = last(table).and_then(|last| {
         let behind = last.decor().suffix().cloned();
@@ -71,7 +71,7 @@ pub(super) fn add_pair(table: &mut InlineTable, key: &str, value: Value) {
     }
 }
 
-/// Takes out a pair; what is behind the last one stays behind the last.
+/// Removes a pair. The space and comments after the last value stay after the last value.
 pub(super) fn drop_pair(table: &mut InlineTable, key: &str) {
     let behind = last(table).and_then(|last| last.decor().suffix().cloned()).unwrap_or_default();
     table.remove(key);
@@ -80,12 +80,13 @@ pub(super) fn drop_pair(table: &mut InlineTable, key: &str) {
     }
 }
 
-/// Elements stand as the one before them does; those of a new list on lines of their own, unless they are numbers.
+/// Appends an element with the layout of the element before it. Elements of a new list start on their own lines, unless
+/// they are numbers.
 pub(super) fn add_element(array: &mut Array, mut value: Value) {
     let plain = number(&value).is_some();
     match array.iter_mut().last() {
         Some(last) => {
-            // a comment behind the last element stays where it is
+            // a comment after the last element stays there
             let prefix = last.decor().prefix().and_then(|prefix| prefix.as_str()).unwrap_or("");
             let space = if prefix.contains('\n') { LINE } else { " " };
             let behind = last.decor().suffix().cloned().filter(|_| !array.trailing_comma()).unwrap_or_default();
@@ -104,7 +105,7 @@ pub(super) fn add_element(array: &mut Array, mut value: Value) {
     array.push_formatted(value);
 }
 
-/// Takes out an element; the next one stands as it did.
+/// Removes an element. If it is the first, the next element gets its prefix.
 pub(super) fn drop_element(array: &mut Array, position: usize) {
     let taken = array.remove(position);
     if let (0, Some(first)) = (position, array.get_mut(0)) {
@@ -115,7 +116,7 @@ pub(super) fn drop_element(array: &mut Array, position: usize) {
     }
 }
 
-/// Makes a table forget where it stood.
+/// Clears the stored position of a table.
 pub(super) fn unplace(table: &mut Table) {
     table.set_position(None);
     for (_, item) in table.iter_mut() {

@@ -1,4 +1,5 @@
-//! The scene's text: the one document. Whatever edits a scene edits this text, so that nothing a person has written is lost.
+//! The text of the scene. It is the only editable representation: every edit of the scene changes this text, so
+//! comments and layout survive.
 
 mod edit;
 mod history;
@@ -7,7 +8,7 @@ mod layout;
 mod watched;
 
 pub use edit::Edit;
-pub use history::History;
+pub use history::EditHistory;
 pub use layout::number;
 #[cfg(not(target_arch = "wasm32"))]
 pub use watched::Watched;
@@ -16,24 +17,24 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use throng_scene::{Error, Plugins, Scene};
 
-/// A scene's text, where it is from, and what it says.
+/// The text of a scene, its origin, and the parsed scene.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// What it is called: a name of the gallery, or the stem of a file's name.
+    /// The name: a name of the gallery, or the stem of the file name.
     pub name: Arc<str>,
-    /// The file it is saved in, if it has one.
+    /// The file, if there is one.
     pub path: Option<PathBuf>,
-    /// What the scene can name.
+    /// The plug-ins that the scene can refer to.
     plugins: Arc<Plugins>,
     text: String,
-    /// The text as it was opened or saved.
+    /// The text as opened or last saved.
     saved: String,
-    history: History,
+    history: EditHistory,
     scene: Result<Arc<Scene>, Box<Error>>,
 }
 
 impl Document {
-    /// A text that is not in a file.
+    /// Creates a document without a file.
     pub fn new(name: &str, text: impl Into<String>) -> Self {
         let text = text.into();
         let mut document = Self {
@@ -42,29 +43,29 @@ impl Document {
             plugins: Arc::default(),
             saved: text.clone(),
             text,
-            history: History::default(),
+            history: EditHistory::default(),
             scene: Ok(Arc::default()),
         };
         document.parse();
         document
     }
 
-    /// A new scene: a square that can be walked on, and a group.
+    /// Creates a new scene: a walkable rectangle and one group.
     pub fn empty() -> Self {
         Self::new("new", include_str!("new.toml"))
     }
 
-    /// A scene of the gallery.
+    /// Opens a scene of the gallery.
     pub fn gallery(name: &str) -> Option<Self> {
         Self::named(name, &Arc::default())
     }
 
-    /// A scene of the plug-ins or of the gallery.
+    /// Opens a scene of the plug-ins or of the gallery.
     pub fn named(name: &str, plugins: &Arc<Plugins>) -> Option<Self> {
         Some(Self::new(name, plugins.text(name)?).with(plugins))
     }
 
-    /// The same text, which can name the behaviours and rules of these plug-ins.
+    /// Returns the document with these plug-ins. The scene can refer to their behaviours and rules.
     pub fn with(mut self, plugins: &Arc<Plugins>) -> Self {
         if !Arc::ptr_eq(&self.plugins, plugins) {
             self.plugins = plugins.clone();
@@ -73,12 +74,12 @@ impl Document {
         self
     }
 
-    /// What the scene can name.
+    /// Returns the plug-ins that the scene can refer to.
     pub fn plugins(&self) -> &Arc<Plugins> {
         &self.plugins
     }
 
-    /// The text of a scene file.
+    /// Creates the document of a scene file.
     pub fn of_file(path: &Path, text: impl Into<String>) -> Self {
         let name = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         let mut document = Self { path: Some(path.to_owned()), ..Self::new(&name, text) };
@@ -86,27 +87,27 @@ impl Document {
         document
     }
 
-    /// The text.
+    /// Returns the text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// What it says; or what is wrong with it, and where.
+    /// Returns the scene of the text, or the error and its position.
     pub fn scene(&self) -> Result<&Arc<Scene>, &Error> {
         self.scene.as_ref().map_err(Box::as_ref)
     }
 
-    /// What it said when it was opened or saved; `None` if that was no scene.
+    /// Returns the scene as opened or last saved, `None` if that text is invalid.
     pub fn saved_scene(&self) -> Option<Arc<Scene>> {
         self.read(&self.saved).ok()
     }
 
-    /// Whether there is something that is not saved.
+    /// Whether there are unsaved changes.
     pub fn changed(&self) -> bool {
         self.text != self.saved
     }
 
-    /// Makes it say something else, which can be undone.
+    /// Replaces the text, which can be undone.
     pub fn edit(&mut self, text: String) {
         if text != self.text {
             self.history.push(std::mem::replace(&mut self.text, text));
@@ -114,13 +115,13 @@ impl Document {
         }
     }
 
-    /// Takes back the last edit; whether there was one.
+    /// Undoes the last edit. Returns whether there was one.
     pub fn undo(&mut self) -> bool {
         let text = self.history.undo(&self.text);
         self.replaced(text)
     }
 
-    /// Takes back the last undo; whether there was one.
+    /// Redoes the last undone edit. Returns whether there was one.
     pub fn redo(&mut self) -> bool {
         let text = self.history.redo(&self.text);
         self.replaced(text)
@@ -135,7 +136,7 @@ impl Document {
         found
     }
 
-    /// It is in a file of this name from now on.
+    /// Sets the file of the document and marks the text as saved.
     pub fn saved_in(&mut self, path: &Path) {
         let named = Self::of_file(path, String::new());
         (self.name, self.path) = (named.name, named.path);
@@ -143,17 +144,17 @@ impl Document {
         self.parse();
     }
 
-    /// Takes back all that is not saved, which can be undone.
+    /// Discards the unsaved changes, which can be undone.
     pub fn revert(&mut self) {
         self.edit(self.saved.clone());
     }
 
-    /// What opens it again: its file, or its name.
+    /// Returns the file, or else the name: what opens the document again.
     pub fn origin(&self) -> String {
         self.path.as_ref().map_or_else(|| self.name.to_string(), |path| path.display().to_string())
     }
 
-    /// The text is now what its file holds.
+    /// Marks the text as saved.
     pub fn mark_saved(&mut self) {
         self.saved.clone_from(&self.text);
     }
@@ -162,7 +163,7 @@ impl Document {
         self.scene = self.read(&self.text);
     }
 
-    /// The scene that a text of this document says.
+    /// Parses a text as the scene of this document.
     fn read(&self, text: &str) -> Result<Arc<Scene>, Box<Error>> {
         let file = match &self.path {
             Some(path) => path.display().to_string(),

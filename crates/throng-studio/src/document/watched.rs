@@ -1,12 +1,12 @@
-//! A file that somebody else may write, an editor for one.
+//! Watching a file that another program may write, such as an editor.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
-/// How often it is looked at.
+/// The interval of the checks.
 const PERIOD: Duration = Duration::from_millis(300);
 
-/// Tells when a file has changed, by its time of modification.
+/// Reports changes of a file, by its modification time.
 #[derive(Clone, Debug)]
 pub struct Watched {
     path: PathBuf,
@@ -15,19 +15,19 @@ pub struct Watched {
 }
 
 impl Watched {
-    /// Watches a file from now on.
+    /// Starts to watch a file.
     pub fn new(path: &Path) -> Self {
         Self { path: path.to_owned(), seen: modified(path), looked: Instant::now() }
     }
 
-    /// The text it has now, if it has changed since it was last looked at.
+    /// Returns the text of the file if it has changed since the last check.
     pub fn changed(&mut self) -> Option<String> {
         if self.looked.elapsed() < PERIOD {
             return None;
         }
         self.looked = Instant::now();
         let modified = modified(&self.path);
-        // while an editor replaces the file there may be none
+        // while an editor replaces the file, it may be missing
         if modified.is_none() || modified == self.seen {
             return None;
         }
@@ -36,7 +36,7 @@ impl Watched {
         Some(text)
     }
 
-    /// What the file holds now is known.
+    /// Marks the current content as known.
     pub fn know(&mut self) {
         self.seen = modified(&self.path);
     }
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_somebody_else_writes_is_seen_once() {
+    fn a_change_by_another_program_is_seen_once() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("scene.toml");
         std::fs::write(&path, "one").unwrap();

@@ -1,10 +1,10 @@
-//! A text that is not saved, as it is remembered.
+//! Unsaved text in the storage of the studio.
 
 use crate::document::Document;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// An unsaved text, and where it is from: what is kept of a document while it has changes.
+/// An unsaved text and its origin, stored while a document has changes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Draft {
     name: String,
@@ -13,10 +13,10 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Where the draft is kept.
+    /// The storage key of the draft.
     pub const KEY: &str = "draft";
 
-    /// Of a document that has changes.
+    /// Returns the draft of a document that has changes.
     pub fn of(document: &Document) -> Option<Self> {
         document.changed().then(|| Self {
             name: document.name.to_string(),
@@ -25,7 +25,7 @@ impl Draft {
         })
     }
 
-    /// The document with its changes; `open` opens what it was made from, which may be gone.
+    /// Returns the document with its changes. `open` opens the original, which may no longer exist.
     pub fn restore(self, open: impl Fn(&str) -> Result<Document, String>) -> Document {
         let from = self.file.as_deref().unwrap_or(&self.name);
         let mut document = open(from).unwrap_or_else(|_| match &self.file {

@@ -1,47 +1,47 @@
-//! Leaving a text that is not saved, or a recording that is not done.
+//! Questions before unsaved text is left or an unfinished recording is dropped.
 
-/// What people want to leave for.
+/// The action that would leave the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Leaving {
     /// Opens another scene.
     Open(String),
-    /// Begins an empty scene.
+    /// Opens an empty scene.
     New,
-    /// Takes the text that somebody else wrote to the file.
+    /// Loads the text that another program wrote to the file.
     Reload(String),
     /// Closes the studio.
     Close,
 }
 
-/// What there is to decide about before.
+/// The unfinished work that the question is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfinished {
-    /// Changes of the text that are not saved.
+    /// Unsaved changes of the text.
     Text,
     /// A recording under way.
     Recording,
 }
 
-/// What people want to be done with it.
+/// The answer of the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// Writes the text to its file; completes the recording with what there is of it.
+    /// Writes the text to its file, or completes the recording with the frames that exist.
     Save,
-    /// Lets it go.
+    /// Discards the unfinished work.
     Discard,
-    /// Stays with it.
+    /// Stays with the unfinished work.
     Keep,
-    /// Leaves; the recording goes on beside.
+    /// Performs the action; the recording continues in the background.
     Beside,
 }
 
 impl Leaving {
-    /// What there is to decide.
+    /// Returns the question.
     pub fn says(&self, of: Unfinished, name: &str) -> String {
         match (of, self) {
             (Unfinished::Text, Self::Open(_) | Self::New) => format!("{name} has changes that are not saved."),
             (Unfinished::Text, Self::Reload(_)) => {
-                format!("The file of {name} was written by somebody else, and the text here has changes.")
+                format!("The file of {name} was changed by another program, and the text here has unsaved changes.")
             }
             (Unfinished::Text, Self::Close) => format!("{name} has changes that are not saved. Close the studio?"),
             (Unfinished::Recording, Self::Close) => {
@@ -51,7 +51,7 @@ impl Leaving {
         }
     }
 
-    /// The answers, and what they are called here.
+    /// Returns the answers and their labels.
     pub fn answers(&self, of: Unfinished) -> Vec<(Answer, &'static str)> {
         let (save, discard, keep) = match (of, self) {
             (Unfinished::Text, Self::Open(_) | Self::New | Self::Close) => ("Save", "Discard", "Keep editing"),

@@ -1,4 +1,4 @@
-//! What keeps unfinished work: a question before it would be lost, and a draft that outlives the studio.
+//! Protection of unsaved work: a question before it would be lost, and a draft that survives the studio.
 
 mod draft;
 mod leaving;

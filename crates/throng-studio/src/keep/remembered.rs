@@ -1,17 +1,17 @@
-//! What is remembered from one time to the next, as JSON in the storage of the window or the browser.
+//! Persistent values, stored as JSON in the storage of the window or the browser.
 
 use eframe::Storage;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// What was remembered under a key; `None` if there is nothing, or nothing of this kind.
+/// Returns the value stored under a key, `None` if it is missing or has another type.
 pub fn remembered<T: DeserializeOwned>(storage: &dyn Storage, key: &str) -> Option<T> {
     serde_json::from_str(&storage.get_string(key)?).ok()
 }
 
-/// Remembers something under a key.
+/// Stores a value under a key.
 pub fn remember<T: Serialize>(storage: &mut dyn Storage, key: &str, what: &T) {
-    // what cannot be said in JSON is not remembered: settings and drafts can
+    // settings and drafts always serialise; a value that does not is not stored
     if let Ok(said) = serde_json::to_string(what) {
         storage.set_string(key, said);
     }

@@ -1,26 +1,27 @@
-//! What can be opened by name: scenes, and films of trajectories.
+//! Opening by name: scenes and trajectory files.
 
 use super::Folder;
 use crate::document::Document;
 use crate::play::Film;
 use std::path::Path;
 use std::sync::Arc;
-use throng_record::Tracks;
+use throng_record::Trajectories;
 use throng_scene::{Plugins, gallery};
 
-/// The gallery, the plug-ins' scenes, and the files of a [`Folder`]: the system's, or those that were handed to a page.
+/// The gallery, the scenes of the plug-ins, and the files of a [`Folder`]: the file system, or the files given to a
+/// page.
 #[derive(Default)]
 pub struct Files {
-    /// Where files are.
+    /// The source of files.
     pub folder: Folder,
 }
 
 impl Files {
-    /// A name of the gallery or of the plug-ins, a link, or a file, as a document: that of a film is of the scene it has the place of,
-    /// as far as that is known.
+    /// Opens a name of the gallery or of the plug-ins, a link, or a file as a document. For a trajectory file, the
+    /// document is the scene of its surroundings if there is one.
     ///
     /// # Errors
-    /// It is none of them; what to do about it.
+    /// The name is none of them. The message says what to do.
     pub fn open(&self, scene: &str, plugins: &Arc<Plugins>) -> Result<Document, String> {
         if let Some(document) = crate::share::open(scene).or_else(|| Document::named(scene, plugins)) {
             return Ok(document);
@@ -37,18 +38,20 @@ impl Files {
         }
     }
 
-    /// Whether it is a file of trajectories, to be replayed.
+    /// Whether the name is a trajectory file to replay.
     pub fn is_film(&self, scene: &str) -> bool {
-        Tracks::are_in(scene) && self.folder.holds(Path::new(scene))
+        Trajectories::are_in(scene) && self.folder.holds(Path::new(scene))
     }
 
-    /// A file of trajectories, which may be of the place of this document; `None` if it is no such file.
+    /// Returns the trajectory file of this name with the surroundings of the document, or `None` if the name is no
+    /// trajectory file.
     pub fn film(&self, scene: &str, place: &Document) -> Option<Film> {
         let place = place.scene().ok().map(|scene| (place.name.clone(), scene.clone()));
         self.is_film(scene).then(|| Film { path: scene.into(), bytes: self.folder.bytes(scene), place })
     }
 
-    /// The scene file beside a film, or the scene of the gallery, that is called as the film is; films of the same scene are numbered.
+    /// Returns the scene file or the scene of the gallery that has the name of a trajectory file. A number at the end
+    /// of the name is ignored.
     fn place(&self, film: &Path, plugins: &Arc<Plugins>) -> Option<Document> {
         let beside = film.with_extension("toml");
         if let Some(Ok(text)) = self.folder.text(&beside) {
@@ -60,9 +63,9 @@ impl Files {
     }
 }
 
-/// Which of the files that came together is opened: the film, else the first.
+/// Returns the file to open among files that arrive together: the first trajectory file, else the first file.
 pub(super) fn chosen(names: &[String]) -> Option<String> {
-    names.iter().find(|name| Tracks::are_in(name)).or(names.first()).cloned()
+    names.iter().find(|name| Trajectories::are_in(name)).or(names.first()).cloned()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -1,4 +1,4 @@
-//! What is different in a window and in a web page: files, threads, and who is told what is shown.
+//! Platform-specific code of the window and of the web page: files, threads, and the published state.
 
 mod files;
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,9 +1,9 @@
-//! In a window.
+//! The platform of the window.
 
 use super::files::chosen;
 use crate::Options;
 use crate::document::{Document, Watched};
-use crate::play::{Player, Shown, Threaded};
+use crate::play::{Player, RunMoment, ThreadedEngine};
 use crate::record::{Recording, Subject, Take};
 use eframe::egui::{Context, DroppedFileHandle, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -14,33 +14,33 @@ use throng_draw::record::{Plan, Recorder};
 use throng_record::Output;
 use throng_scene::Imported;
 
-/// The files of the system.
+/// The file system.
 #[derive(Default)]
 pub struct Folder {
-    /// What was dropped on the window.
+    /// The file dropped on the window.
     dropped: Option<String>,
 }
 
 impl Folder {
-    /// Whether there is a file.
+    /// Whether the file exists.
     pub fn holds(&self, file: &Path) -> bool {
         file.is_file()
     }
 
-    /// The text of a file; `None` if there is none.
+    /// Returns the text of a file, `None` if the file does not exist.
     pub fn text(&self, file: &Path) -> Option<Result<String, String>> {
         let text =
             || std::fs::read_to_string(file).map_err(|error| format!("{} cannot be read: {error}", file.display()));
         file.exists().then(text)
     }
 
-    /// The document of a file's text.
+    /// Returns the document of a file with this text.
     pub fn document(&self, file: &str, text: String) -> Document {
         Document::of_file(Path::new(file), text)
     }
 
-    /// A file of another program's as a document that is not in a file yet, headed by what was left out; `None` if it is a scene file,
-    /// or there is none.
+    /// Imports a file of another program as a document without a file. Comments at the top list what was left out.
+    /// Returns `None` for a scene file or a missing file.
     pub fn import(&self, file: &Path) -> Option<Result<Document, String>> {
         if !file.exists() || file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             return None;
@@ -54,72 +54,72 @@ impl Folder {
         Some(document.map_err(|error| error.to_string()))
     }
 
-    /// Films are read by who plays them.
+    /// Returns `None`: the player reads trajectory files.
     pub fn bytes(&self, _: &str) -> Option<Arc<[u8]>> {
         None
     }
 
-    /// Takes what is dropped on the window.
+    /// Takes the files dropped on the window.
     pub fn take(&mut self, dropped: &[DroppedFileHandle], _: &Context) {
         let names: Vec<_> = dropped.iter().map(|file| file.path().display().to_string()).collect();
         self.dropped = chosen(&names);
     }
 
-    /// What has come and is to be opened.
+    /// Returns the file to open.
     pub fn came(&mut self) -> Option<Result<String, String>> {
         self.dropped.take().map(Ok)
     }
 
-    /// A window asks for a name instead.
+    /// Returns `false`: the studio asks for a name instead.
     pub fn pick(&self, _: &Context) -> bool {
         false
     }
 }
 
-/// Every picture of the gallery: the name of its scene, and its file.
+/// The thumbnails of the gallery: the name of the scene, and the PNG file.
 const THUMBNAILS: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/thumbnails.rs"));
 
-/// The file of the gallery's picture of a scene; nothing comes if there is none.
+/// Sends the thumbnail of a scene. Sends nothing if there is none.
 pub fn thumbnail(name: &str, _: &Context) -> Receiver<Vec<u8>> {
     let (sender, receiver) = channel();
     if let Ok(at) = THUMBNAILS.binary_search_by_key(&name, |(known, _)| known) {
-        // the other end is here
+        // the receiver exists in this function
         let _ = sender.send(THUMBNAILS[at].1.to_vec());
     }
     receiver
 }
 
-/// A player that wakes the window.
+/// Starts a player that wakes the window.
 ///
 /// # Errors
 /// The system starts no thread.
 pub fn player(ctx: &Context) -> Result<Player, String> {
     let ctx = ctx.clone();
-    Threaded::start(move || ctx.request_repaint())
+    ThreadedEngine::start(move || ctx.request_repaint())
         .map_err(|error| format!("the player's thread does not start: {error}"))
 }
 
-/// Threads work by themselves.
+/// Does nothing: the player has its own thread.
 pub fn work(_: &mut Player, _: &Context) {}
 
-/// Makes something in a thread of its own, and wakes the window when it is there.
+/// Computes a value in a new thread, and wakes the window when it is available.
 pub fn beside<T: Send + 'static>(ctx: &Context, make: impl FnOnce() -> T + Send + 'static) -> Receiver<T> {
     let (sender, receiver) = channel();
     let ctx = ctx.clone();
     let work = move || {
-        // whoever waits no longer does without
+        // sending fails only if the receiver was dropped
         let _ = sender.send(make());
         ctx.request_repaint();
     };
-    // where no thread starts nothing is made, and what there was stays
+    // if no thread starts, the previous value stays
     let _ = std::thread::Builder::new().name("throng-view".into()).spawn(work);
     receiver
 }
 
-/// The file of the document, watched.
+/// The watched file of the document.
 pub struct Outside {
     watched: Option<Watched>,
-    /// Whether a picture has been asked for.
+    /// Whether the screenshot has been requested.
     pictured: bool,
 }
 
@@ -129,18 +129,18 @@ impl Outside {
         Self { watched: document.path.as_deref().map(Watched::new), pictured: false }
     }
 
-    /// The text of the file, where somebody else has written it.
+    /// Returns the text of the file if another program has changed it.
     pub fn changed(&mut self, ctx: &Context) -> Option<String> {
         let watched = self.watched.as_mut()?;
-        // a window that nobody touches looks too
+        // checks the file even without input events
         ctx.request_repaint_after(Duration::from_millis(300));
         watched.changed()
     }
 
-    /// Writes a document to its file, or, where it has none, to a new one of its name in the current folder.
+    /// Writes a document to its file. A document without a file gets a new file of its name in the current folder.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The file cannot be written.
     pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
         let path = document.path.clone().unwrap_or_else(|| unused(&document.name, ".toml"));
         write(&path, document.text().as_bytes())?;
@@ -151,10 +151,10 @@ impl Outside {
         Ok(())
     }
 
-    /// Writes a document to another file, which becomes its own.
+    /// Writes a document to another file, which becomes its file.
     ///
     /// # Errors
-    /// There is such a file already, or it cannot be written.
+    /// The file exists already, or it cannot be written.
     pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
         let path = Path::new(name);
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension("toml") };
@@ -167,11 +167,11 @@ impl Outside {
         Ok(())
     }
 
-    /// Takes the picture that the options ask for when its step is there, and closes the studio.
-    pub fn screenshot(&mut self, ctx: &Context, options: &Options, shown: &Shown) {
+    /// Takes the screenshot of the options when its step is reached, and closes the studio.
+    pub fn screenshot(&mut self, ctx: &Context, options: &Options, shown: &RunMoment) {
         let Some(path) = options.screenshot.clone().filter(|_| !self.pictured) else { return };
         ctx.request_repaint();
-        // panels need some frames to find their sizes
+        // panels need some frames to settle their sizes
         if Some(shown.step) == options.at_step && !shown.playing && ctx.cumulative_frame_nr() > 20 {
             self.pictured = true;
             let window = ctx.clone();
@@ -186,7 +186,7 @@ impl Outside {
     }
 }
 
-/// Begins to record.
+/// Starts a recording.
 ///
 /// # Errors
 /// The system starts no thread.
@@ -195,7 +195,7 @@ pub fn record(subject: Subject, take: Take, ctx: &Context) -> Result<Recording, 
     Recording::start(subject, take, begin, move || ctx.request_repaint())
 }
 
-/// Begins the file of a recording, which may not be there yet.
+/// Creates the file of a recording. The file must not exist.
 fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
     if path.exists() {
         return Err(format!("there is {} already: choose another name", path.display()));
@@ -203,45 +203,45 @@ fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
     Recorder::create(path, plan).map_err(|error| error.to_string())
 }
 
-/// Whether the recording is done.
+/// Whether the recording is complete.
 ///
 /// # Errors
-/// There will be none; why.
+/// The recording failed.
 pub fn go_on(recording: &mut Recording, _: &Context) -> Result<bool, String> {
     recording.done()
 }
 
-/// What there is to say of a recording that is done.
+/// Returns the message for a complete recording.
 pub fn recorded(path: &Path) -> String {
     format!("recorded: {}", std::path::absolute(path).unwrap_or_else(|_| path.into()).display())
 }
 
-/// A file of a name that there is not yet, where `ending` is `.mp4` or the like: of the name, or else `name-2` and so on.
+/// Returns an unused file name with an ending such as `.mp4`: `name`, or else `name-2` and so on.
 pub fn unused(name: &str, ending: &str) -> PathBuf {
     let numbered = (2..).map(|k| PathBuf::from(format!("{name}-{k}{ending}")));
     let mut paths = std::iter::once(PathBuf::from(format!("{name}{ending}"))).chain(numbered);
     paths.find(|path| !path.exists()).unwrap_or_default()
 }
 
-/// Writes what is shown to the file that the options name.
+/// Writes the state to the file of the options.
 pub fn tell(options: &Options, state: &str) {
     if let Some(path) = &options.state {
-        // a test that reads it sees that it is missing
+        // a test that reads the file notices that it is missing
         let _ = std::fs::write(path, state);
     }
 }
 
-/// Writes a file of a new name in the current folder; what there is to say of it.
+/// Writes a new file in the current folder. Returns the message for the user.
 ///
 /// # Errors
-/// It cannot be written.
+/// The file cannot be written.
 pub fn hand_over(name: &str, kind: &str, bytes: &[u8]) -> Result<String, String> {
     let path = unused(name, &format!(".{kind}"));
     write(&path, bytes)?;
     Ok(format!("saved: {}", path.display()))
 }
 
-/// A window has no address.
+/// Returns an error: a window has no address.
 ///
 /// # Errors
 /// Always.
@@ -249,7 +249,7 @@ pub fn address(_: &str) -> Result<String, String> {
     Err("a window has no address: share the scene's file".into())
 }
 
-/// Writes a file that is there whole, or as it was before.
+/// Writes a file atomically: it is complete, or unchanged.
 fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
     let written = Output::create(path).and_then(|mut file| {
         file.put(bytes)?;

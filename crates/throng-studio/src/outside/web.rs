@@ -1,9 +1,9 @@
-//! In a web page.
+//! The platform of the web page.
 
 use super::files::chosen;
 use crate::Options;
 use crate::document::Document;
-use crate::play::{Player, Shown};
+use crate::play::{Player, RunMoment};
 use crate::record::{Recording, Subject, Take};
 use eframe::egui::{Context, DroppedFileHandle};
 use std::collections::BTreeMap;
@@ -18,16 +18,16 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 
-/// A page gives so much of each frame to the simulation.
+/// The time that the simulation gets in each frame.
 const SLICE: Duration = Duration::from_millis(10);
 
-/// Bytes of a file at most: more than that has no room in a page.
+/// The largest file, bytes. Larger files do not fit into the memory of a page.
 const MOST: f64 = 512e6;
 
-/// Files that are read together: their names, and what is in them.
+/// Files that are read together: names and contents.
 type Batch = Vec<(String, Result<Vec<u8>, String>)>;
 
-/// The files that were handed to the page last, by being dropped on it or picked.
+/// The files last dropped on the page or picked.
 pub struct Folder {
     files: BTreeMap<String, Arc<[u8]>>,
     coming: (Sender<Batch>, Receiver<Batch>),
@@ -40,34 +40,34 @@ impl Default for Folder {
 }
 
 impl Folder {
-    /// Whether there is a file.
+    /// Whether the file exists.
     pub fn holds(&self, file: &Path) -> bool {
         file.to_str().is_some_and(|name| self.files.contains_key(name))
     }
 
-    /// The text of a file; `None` if there is none.
+    /// Returns the text of a file, `None` if the file does not exist.
     pub fn text(&self, file: &Path) -> Option<Result<String, String>> {
         let bytes = self.files.get(file.to_str()?)?;
         Some(String::from_utf8(bytes.to_vec()).map_err(|_| format!("{}: it is no text", file.display())))
     }
 
-    /// The document of a file's text: it is not in a file that the page could write.
+    /// Returns a document with this text. The document has no file, because a page cannot write files.
     pub fn document(&self, file: &str, text: String) -> Document {
         let stem = Path::new(file).file_stem().and_then(|stem| stem.to_str());
         Document::new(stem.unwrap_or("scene"), text)
     }
 
-    /// A page reads scene files alone.
+    /// Returns `None`: a page imports no files of other programs.
     pub fn import(&self, _: &Path) -> Option<Result<Document, String>> {
         None
     }
 
-    /// What is in a file.
+    /// Returns the content of a file.
     pub fn bytes(&self, file: &str) -> Option<Arc<[u8]>> {
         self.files.get(file).cloned()
     }
 
-    /// Takes what is dropped on the page, and reads it.
+    /// Reads the files dropped on the page.
     pub fn take(&mut self, dropped: &[DroppedFileHandle], ctx: &Context) {
         self.read(dropped.iter().filter_map(|file| file.web_file().cloned()).collect(), ctx);
     }
@@ -76,10 +76,10 @@ impl Folder {
         read(files, self.coming.0.clone(), ctx.clone());
     }
 
-    /// What has come and is to be opened; what came before is let go.
+    /// Returns the file to open. Only the last batch of files is kept.
     ///
     /// # Errors
-    /// A file that the browser cannot read.
+    /// The browser cannot read a file.
     pub fn came(&mut self) -> Option<Result<String, String>> {
         let batch = self.coming.1.try_iter().last()?;
         let names: Vec<_> = batch.iter().map(|(name, _)| name.clone()).collect();
@@ -91,7 +91,7 @@ impl Folder {
         chosen(&names).map(Ok)
     }
 
-    /// Lets people pick files; whether there is a way to.
+    /// Opens the file picker of the browser. Returns whether there is one.
     pub fn pick(&self, ctx: &Context) -> bool {
         let document = web_sys::window().and_then(|window| window.document());
         let input = document.and_then(|document| document.create_element("input").ok());
@@ -114,7 +114,7 @@ impl Folder {
     }
 }
 
-/// Reads files while the page goes on, and wakes it when they are there.
+/// Reads files asynchronously, and wakes the page when they are available.
 fn read(files: Vec<web_sys::File>, sender: Sender<Batch>, ctx: Context) {
     if files.is_empty() {
         return;
@@ -132,7 +132,7 @@ fn read(files: Vec<web_sys::File>, sender: Sender<Batch>, ctx: Context) {
             };
             batch.push((file.name(), bytes));
         }
-        // who does not listen any more has closed the studio
+        // sending fails only after the studio has closed
         let _ = sender.send(batch);
         ctx.request_repaint();
     });
@@ -141,7 +141,7 @@ fn read(files: Vec<web_sys::File>, sender: Sender<Batch>, ctx: Context) {
 /// Reads a file of the page's folder.
 ///
 /// # Errors
-/// It is not there.
+/// The file is missing.
 pub async fn fetch(file: &str) -> Result<Vec<u8>, String> {
     let get = async {
         let window = web_sys::window().ok_or("there is no window")?;
@@ -155,13 +155,13 @@ pub async fn fetch(file: &str) -> Result<Vec<u8>, String> {
     get.await.map_err(|error: JsValue| format!("{file} is missing, copy the whole folder of the page: {error:?}"))
 }
 
-/// The file of the gallery's picture of a scene, which wakes the page when it is there; nothing comes if there is none.
+/// Sends the thumbnail of a scene and wakes the page. Sends nothing if there is none.
 pub fn thumbnail(name: &str, ctx: &Context) -> Receiver<Vec<u8>> {
     let (sender, receiver) = channel();
     let (file, ctx) = (format!("thumbnails/{name}.png"), ctx.clone());
     wasm_bindgen_futures::spawn_local(async move {
         if let Ok(bytes) = fetch(&file).await {
-            // who does not listen any more has closed the studio
+            // sending fails only after the studio has closed
             let _ = sender.send(bytes);
             ctx.request_repaint();
         }
@@ -169,15 +169,15 @@ pub fn thumbnail(name: &str, ctx: &Context) -> Receiver<Vec<u8>> {
     receiver
 }
 
-/// A player that works while the page draws.
+/// Creates a player that works between the frames of the page.
 ///
 /// # Errors
-/// None here.
+/// None on this platform.
 pub fn player(_: &Context) -> Result<Player, String> {
     Ok(Player::default())
 }
 
-/// Gives the player its slice.
+/// Gives the player its time slice.
 pub fn work(player: &mut Player, ctx: &Context) {
     player.work(SLICE);
     if player.idle().is_some() {
@@ -185,24 +185,24 @@ pub fn work(player: &mut Player, ctx: &Context) {
     }
 }
 
-/// Makes something at once: a page has no threads.
+/// Computes a value at once: a page has no threads.
 pub fn beside<T: 'static>(_: &Context, make: impl FnOnce() -> T + 'static) -> Receiver<T> {
     let (sender, receiver) = channel();
-    // the other end is here
+    // the receiver exists in this function
     let _ = sender.send(make());
     receiver
 }
 
-/// Nothing is watched.
+/// The platform state of the document. A page watches no files.
 pub struct Outside;
 
 impl Outside {
-    /// Nothing is watched.
+    /// Creates the state.
     pub fn new(_: &Document) -> Self {
         Self
     }
 
-    /// There are no files.
+    /// Returns `None`: a page watches no files.
     pub fn changed(&mut self, _: &Context) -> Option<String> {
         None
     }
@@ -217,10 +217,10 @@ impl Outside {
         Ok(())
     }
 
-    /// Gives the text as a download.
+    /// Downloads the text under another name.
     ///
     /// # Errors
-    /// The browser does not let it.
+    /// The browser refuses.
     pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
         let name = if name.contains('.') { name.to_owned() } else { format!("{name}.toml") };
         download(&name, document.text().as_bytes())
@@ -229,19 +229,19 @@ impl Outside {
         Ok(())
     }
 
-    /// Browsers take pictures themselves.
-    pub fn screenshot(&mut self, _: &Context, _: &Options, _: &Shown) {}
+    /// Does nothing: the browser takes screenshots.
+    pub fn screenshot(&mut self, _: &Context, _: &Options, _: &RunMoment) {}
 }
 
-/// Makes what is shown `globalThis.throng`.
+/// Publishes the state as `globalThis.throng`.
 pub fn tell(_: &Options, state: &str) {
     if let Ok(value) = js_sys::JSON::parse(state) {
-        // a page whose global object is frozen has no tests
+        // fails only where the global object is frozen, and no test runs there
         let _ = js_sys::Reflect::set(&js_sys::global(), &JsValue::from_str("throng"), &value);
     }
 }
 
-/// Begins to record.
+/// Starts a recording.
 ///
 /// # Errors
 /// The scene cannot be built.
@@ -249,7 +249,7 @@ pub fn record(subject: Subject, take: Take, _: &Context) -> Result<Recording, St
     Recording::new(&subject, &take, begin)
 }
 
-/// Begins the file of a recording, which is downloaded when it is complete.
+/// Creates the file of a recording. The file is downloaded when it is complete.
 fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
     let hand = |path: &Path, bytes: Vec<u8>| {
         download(&path.display().to_string(), &bytes).map_err(|error| std::io::Error::other(format!("{error:?}")))
@@ -257,26 +257,26 @@ fn begin(path: &Path, plan: &Plan) -> Result<Recorder, String> {
     Recorder::to(Output::handed(path, hand), plan).map_err(|error| error.to_string())
 }
 
-/// Gives the recording its slice; whether it is done.
+/// Gives the recording its time slice. Returns whether it is complete.
 ///
 /// # Errors
-/// There will be none; why.
+/// The recording failed.
 pub fn go_on(recording: &mut Recording, ctx: &Context) -> Result<bool, String> {
     ctx.request_repaint();
     recording.work(SLICE)
 }
 
-/// What there is to say of a recording that is done.
+/// Returns the message for a complete recording.
 pub fn recorded(path: &Path) -> String {
     format!("downloaded: {}", path.display())
 }
 
-/// Browsers find a name that there is not yet.
+/// Returns the name: browsers number files that exist.
 pub fn unused(name: &str, ending: &str) -> PathBuf {
     PathBuf::from(format!("{name}{ending}"))
 }
 
-/// Downloads a file; what there is to say of it.
+/// Downloads a file. Returns the message for the user.
 ///
 /// # Errors
 /// The browser refuses.
@@ -298,14 +298,14 @@ fn download(file: &str, bytes: &[u8]) -> Result<(), JsValue> {
     web_sys::Url::revoke_object_url(&url)
 }
 
-/// Puts a link behind the `#` of the page's address; the address.
+/// Puts a link after the `#` of the page's address, and returns the address.
 ///
 /// # Errors
 /// The browser refuses.
 pub fn address(link: &str) -> Result<String, String> {
     let place = |link: &str| -> Result<String, JsValue> {
         let window = web_sys::window().ok_or("there is no window")?;
-        // no new entry: who goes back leaves the page
+        // replaces the history entry, so that "back" leaves the page
         window.history()?.replace_state_with_url(&JsValue::NULL, "", Some(&format!("#{link}")))?;
         window.location().href()
     };

@@ -1,19 +1,19 @@
-//! The bar below the view: playing, the clock, cameras and colours.
+//! The bar below the view: playback, timeline, speed, seed, camera and colours.
 
 use super::icon::Icon;
-use crate::play::{Command, Shown, Speed};
+use crate::play::{Command, RunMoment, Speed};
 use crate::settings::Settings;
-use crate::view::{Coloring, Marks, Mode, View};
+use crate::view::{Coloring, Marks, Mode, ViewOptions};
 use eframe::egui::{Align, ComboBox, DragValue, Layout, Response, RichText, Role, Slider, Ui, WidgetInfo};
 
-/// Shows the bar; what it asks the player to do.
-pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View) -> Vec<Command> {
+/// Shows the bar. Returns the commands for the player.
+pub fn bar(ui: &mut Ui, shown: &RunMoment, settings: &mut Settings, view: &mut ViewOptions) -> Vec<Command> {
     let mut asked = Vec::new();
     ui.horizontal(|ui| {
         if Icon::Restart.button(ui, "restart (R)").clicked() {
             asked.push(Command::Restart);
         }
-        if Icon::Back.button(ui, "a step back (Left)").clicked() {
+        if Icon::Back.button(ui, "one step back (Left)").clicked() {
             asked.push(Command::Back);
         }
         let (play, icon, says) = match shown.playing {
@@ -23,7 +23,7 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         if icon.button(ui, says).clicked() {
             asked.push(play);
         }
-        if Icon::Step.button(ui, "a step on (Right)").clicked() {
+        if Icon::Step.button(ui, "one step forward (Right)").clicked() {
             asked.push(Command::Step);
         }
         ui.separator();
@@ -31,7 +31,7 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
         ui.separator();
         speeds(ui, settings, &mut asked);
         match &shown.reel {
-            Some(_) => _ = ui.label("replay").on_hover_text("of a file: what has happened"),
+            Some(_) => _ = ui.label("replay").on_hover_text("recorded trajectories of a file"),
             None => seed(ui, shown, &mut asked),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| looks(ui, settings, view));
@@ -39,8 +39,8 @@ pub fn bar(ui: &mut Ui, shown: &Shown, settings: &mut Settings, view: &mut View)
     asked
 }
 
-/// The time, and where in the run it is: dragged, the run goes there.
-fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
+/// Shows the time and the timeline. A drag seeks to a step.
+fn timeline(ui: &mut Ui, shown: &RunMoment, asked: &mut Vec<Command>) {
     let time = &shown.scene.time;
     ui.label(RichText::new(format!("{:6.2} s", shown.time())).monospace().size(15.0));
     let last = (time.limit / time.step).round().max(1.0) as u64;
@@ -54,11 +54,11 @@ fn timeline(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
     }
 }
 
-fn seed(ui: &mut Ui, shown: &Shown, asked: &mut Vec<Command>) {
+fn seed(ui: &mut Ui, shown: &RunMoment, asked: &mut Vec<Command>) {
     let mut seed = shown.seed;
     let label = ui.label("seed");
     let field = DragValue::new(&mut seed).range(0..=i64::MAX as u64).update_while_editing(false);
-    if ui.add(field).labelled_by(label.id).on_hover_text("of everything random").changed() {
+    if ui.add(field).labelled_by(label.id).on_hover_text("seed of all random numbers").changed() {
         asked.push(Command::Seed(seed));
     }
 }
@@ -76,7 +76,7 @@ fn speeds(ui: &mut Ui, settings: &mut Settings, asked: &mut Vec<Command>) {
     }
 }
 
-fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
+fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut ViewOptions) {
     let mut mode = view.eye.mode();
     let combo = ComboBox::from_id_salt("camera").width(108.0).selected_text(mode.label()).show_ui(ui, |ui| {
         for other in Mode::ALL {
@@ -103,7 +103,7 @@ fn looks(ui: &mut Ui, settings: &mut Settings, view: &mut View) {
     named(&combo.response, Role::ComboBox, "marks");
 }
 
-/// Gives a control the name that screen readers say.
+/// Gives a control an accessible name for screen readers.
 pub(super) fn named(response: &Response, role: Role, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(role, true, name));
 }

@@ -1,4 +1,4 @@
-//! What of a scene trajectories have: how often, who, and which columns.
+//! The choice of recorded trajectories: sampling rate, agents, groups and columns.
 
 use super::bar::named;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
@@ -6,27 +6,27 @@ use eframe::egui::{DragValue, PopupCloseBehavior, Role, TextEdit, Ui};
 use std::path::Path;
 use throng_record::{Choice, Column, Format, Setting};
 
-/// Moments a second, to begin with.
+/// The first sampling rate, samples per second.
 const RATE: f64 = 10.0;
 
-/// What people choose of it.
+/// The choice of recorded trajectories.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chosen {
-    /// Moments a second; `None`: every step.
+    /// Samples per second. `None` for every step.
     pub rate: Option<f64>,
-    /// The numbers of those who are written, as people write them; empty: everybody.
+    /// The numbers of the recorded agents, as typed. Empty for all agents.
     pub agents: String,
-    /// The names of the groups that are written; empty: all.
+    /// The names of the recorded groups. Empty for all groups.
     pub groups: Vec<String>,
-    /// The columns of a table, in this order; empty: all.
+    /// The columns of a table, in this order. Empty for all columns.
     pub columns: Vec<Column>,
 }
 
 impl Chosen {
-    /// What is chosen, from a time to another, seconds; columns where a file of this name has them.
+    /// Returns the choice for a time span, seconds. Columns apply only if the format of the file has columns.
     ///
     /// # Errors
-    /// The agents are no numbers; what to write.
+    /// The agents are no list of numbers.
     pub fn choice(&self, [from, to]: [f64; 2], file: &Path) -> Result<Choice, String> {
         let parts = self.agents.split(',').map(str::trim).filter(|part| !part.is_empty());
         let agents = parts.map(Choice::numbers).collect::<Result<_, _>>().map_err(|says| format!("agents: {says}"))?;
@@ -34,9 +34,9 @@ impl Chosen {
         Ok(Choice { from, to, rate: self.rate, agents, groups: self.groups.clone(), columns })
     }
 
-    /// Shows its fields, rows of a grid, for trajectories of a file of this name.
+    /// Shows the fields as rows of a grid, for trajectories of a file of this name.
     pub(super) fn fields(&mut self, ui: &mut Ui, setting: &Setting, file: &Path) {
-        let label = ui.label("moments a second");
+        let label = ui.label("samples per second");
         ui.horizontal(|ui| match &mut self.rate {
             Some(rate) => {
                 ui.add(DragValue::new(rate).speed(0.2).range(0.01..=1000.0)).labelled_by(label.id);
@@ -46,7 +46,7 @@ impl Chosen {
             }
             None => {
                 ui.label("every step");
-                if ui.button("fewer").on_hover_text("between steps everybody goes straight on").clicked() {
+                if ui.button("fewer").on_hover_text("agents move along straight lines between samples").clicked() {
                     self.rate = Some(RATE);
                 }
             }
@@ -74,12 +74,12 @@ impl Chosen {
     }
 }
 
-/// Whether columns can be chosen of a file of this name.
+/// Whether the format of the file has selectable columns.
 fn has_columns(file: &Path) -> bool {
     Format::of(file).is_some_and(Format::has_columns)
 }
 
-/// A menu in which some of several are chosen, in the order in which they are.
+/// Shows a menu with a checkbox for each item. The chosen items are in the order of their selection.
 fn menu<T: PartialEq>(
     ui: &mut Ui,
     name: &str,

@@ -1,4 +1,4 @@
-//! The gallery: every scene that comes with the project or with plug-ins, by group; search finds names, titles and texts.
+//! The gallery: the scenes of the project and of plug-ins, in groups. The search covers names, titles and texts.
 
 use super::thumbnails::Thumbnails;
 use eframe::egui::{
@@ -8,20 +8,20 @@ use eframe::egui::{
 use std::sync::Arc;
 use throng_scene::Plugins;
 
-/// Width of a tile, points of the screen, and width over height of its picture.
+/// The width of a tile, points of the screen, and the aspect ratio (width over height) of its picture.
 const TILE: f32 = 99.0;
 const ASPECT: f32 = 1.5;
 
-/// The gallery's panel.
+/// The panel of the gallery.
 #[derive(Default)]
 pub struct Gallery {
-    /// What is searched for.
+    /// The search text.
     pub search: String,
     thumbnails: Thumbnails,
 }
 
 impl Gallery {
-    /// Shows the gallery, where `open` is the name of the scene that is open; the name of the one that is asked for.
+    /// Shows the gallery. `open` is the name of the open scene. Returns the name of the scene to open.
     pub fn ui(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, open: &str) -> Option<String> {
         let mut asked = None;
         let search = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(f32::INFINITY));
@@ -84,7 +84,7 @@ impl Gallery {
     }
 }
 
-/// Whether a scene has every word that is searched for.
+/// Whether a scene contains every word of the search.
 fn finds(plugins: &Plugins, name: &str, search: &str) -> bool {
     let words = search.to_lowercase();
     let title = plugins.title(name).unwrap_or_default().to_lowercase();
@@ -92,7 +92,7 @@ fn finds(plugins: &Plugins, name: &str, search: &str) -> bool {
     words.split_whitespace().all(|word| name.contains(word) || title.contains(word) || text().contains(word))
 }
 
-/// The scene of the gallery that comes `by` places after the one of this name; the first after the last.
+/// Returns the scene `by` places after the named one. The list wraps around.
 pub fn beside(plugins: &Plugins, name: &str, by: isize) -> Option<String> {
     let names = plugins.names();
     let now = names.iter().position(|&known| known == name);

@@ -1,17 +1,17 @@
-//! The help: every key, and what the mouse does.
+//! The help window: keys, tools and the mouse.
 
 use crate::direct::Tool;
 use crate::keys::KEYS;
 use eframe::egui::{Align2, Context, Grid, RichText, Ui, Window};
 
 const MOUSE: [(&str, &str); 8] = [
-    ("drag", "move the plan; go round in orbit"),
+    ("drag", "move the plan; orbit around the target"),
     ("Shift drag, right drag", "move the target in orbit"),
     ("wheel, pinch", "zoom at the pointer"),
     ("click", "select an agent"),
-    ("double click", "see everything"),
+    ("double click", "show the whole scene"),
     ("drop a file", "open a scene"),
-    ("two fingers", "move, zoom, and in orbit turn the ground"),
+    ("two fingers", "move and zoom; rotate in orbit"),
     ("long press", "the right button"),
 ];
 

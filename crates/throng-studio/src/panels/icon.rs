@@ -1,24 +1,24 @@
-//! The signs of the playing bar, drawn: typefaces differ in which they have.
+//! The icons of the playback bar. They are drawn, because not every typeface has them.
 
 use eframe::egui::{Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
-/// A sign of the playing bar.
+/// An icon of the playback bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Icon {
-    /// From the start.
+    /// Restart.
     Restart,
-    /// A step back.
+    /// One step back.
     Back,
-    /// Goes on.
+    /// Run.
     Run,
-    /// Stops.
+    /// Pause.
     Pause,
-    /// A step on.
+    /// One step forward.
     Step,
 }
 
 impl Icon {
-    /// A button with the sign, and what it does in words.
+    /// Shows a button with the icon. `says` is its accessible name and tooltip.
     pub fn button(self, ui: &mut Ui, says: &str) -> Response {
         let large = matches!(self, Self::Run | Self::Pause);
         let side = if large { 34.0 } else { 28.0 };

@@ -1,13 +1,13 @@
-//! What colours and lines in the view say, in its corner.
+//! The key of colours and lines, in a corner of the view.
 
 use crate::style;
 use crate::view::{Row, Sign};
 use eframe::egui::{Align2, Area, Frame, Id, Rect, RichText, Sense, Shape, Stroke, Ui, vec2};
 
-/// Size of a ramp, and length of a line, points of the screen.
+/// The size of a colour ramp and the length of a line, points of the screen.
 const RAMP: [f32; 2] = [120.0, 9.0];
 const LINE: f32 = 22.0;
-/// Steps of a ramp.
+/// The number of steps of a ramp.
 const STEPS: usize = 40;
 
 /// Shows the key in the lower left corner of a view.
@@ -76,7 +76,7 @@ fn sign(ui: &mut Ui, sign: Sign) {
     }
 }
 
-/// A number for people: two digits after the point at most.
+/// Formats a number with at most two decimals.
 fn number(most: f32) -> String {
     ((f64::from(most) * 100.0).round() / 100.0).to_string()
 }

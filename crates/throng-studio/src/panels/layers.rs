@@ -1,4 +1,4 @@
-//! What is seen: a menu.
+//! The menu of visible layers.
 
 use crate::settings::Settings;
 use crate::view::{Heat, Streams};
@@ -6,10 +6,10 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Grid, PopupCloseBehavior, RichText, Ui};
 use throng_record::Setting;
 
-/// Windows that heat is the mean of, seconds.
+/// The averaging windows of the heat map, seconds.
 const WINDOWS: [f32; 5] = [0.0, 2.0, 5.0, 10.0, 60.0];
 
-/// Shows the button of the menu, and the menu while it is open. `setting` is the place that is shown, if one is.
+/// Shows the button of the menu, and the menu while it is open. `setting` is the shown setting, if there is one.
 pub fn layers(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     MenuButton::new("View").config(stays).ui(ui, |ui| {
@@ -29,14 +29,14 @@ fn switches(ui: &mut Ui, settings: &mut Settings) {
     }
     let layers = &mut settings.layers;
     ui.checkbox(&mut layers.shadows, "shadows");
-    ui.checkbox(&mut settings.annotations, "what the selected agent has in mind (A)");
-    ui.checkbox(&mut layers.paths, "the way it has planned");
+    ui.checkbox(&mut settings.annotations, "annotations of the selected agent (A)");
+    ui.checkbox(&mut layers.paths, "planned path of the selected agent");
     ui.checkbox(&mut layers.mesh, "navigation mesh")
-        .on_hover_text("the triangles that ways are planned on, for the selected agent's body; where there are walls");
-    ui.checkbox(&mut layers.key, "key: what colours and lines say");
+        .on_hover_text("triangles used for path planning, for the selected agent's body; needs walls");
+    ui.checkbox(&mut layers.key, "key of colours and lines");
 }
 
-/// A menu in a menu would close it: what can be chosen stands side by side.
+/// Shows the choices side by side, because a nested menu would close this menu.
 fn choices(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
     let layers = &mut settings.layers;
     ui.label("heat map").on_hover_text("density or speed of the crowd, as colour on the ground");
@@ -55,7 +55,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
     ui.label("field").on_hover_text("the velocities that groups follow");
     row(ui, &mut layers.streams, Streams::ALL.map(|streams| (streams, streams.label().to_owned())));
     ui.label("");
-    ui.checkbox(&mut layers.stream_speed, "its speed as colour");
+    ui.checkbox(&mut layers.stream_speed, "speed as colour");
     ui.end_row();
     if setting.flows.len() > 1 {
         ui.label("of");
@@ -64,7 +64,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
     }
 }
 
-/// A row of the menu: one of some.
+/// Shows a row of the menu with a choice between items.
 fn row<T: PartialEq>(ui: &mut Ui, chosen: &mut T, all: impl IntoIterator<Item = (T, String)>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
@@ -73,7 +73,7 @@ fn row<T: PartialEq>(ui: &mut Ui, chosen: &mut T, all: impl IntoIterator<Item = 
     ui.end_row();
 }
 
-/// The names of the groups that a field leads.
+/// Returns the names of the groups that follow a field.
 fn led(setting: &Setting, groups: &[u32]) -> String {
     let names: Vec<&str> =
         groups.iter().filter_map(|&group| setting.groups.get(group as usize)).map(String::as_str).collect();

@@ -1,9 +1,9 @@
-//! The question before changes or a recording would be lost.
+//! The question before unsaved work is lost.
 
 use crate::keep::{Answer, Leaving, Unfinished};
 use eframe::egui::{Context, Id, Modal};
 
-/// Asks what is to be done with what is unfinished of `name`; the answer, once there is one.
+/// Shows the question about the unfinished work on `name`. Returns the answer once there is one.
 pub fn leaving(ctx: &Context, name: &str, to: &Leaving, of: Unfinished) -> Option<Answer> {
     let modal = Modal::new(Id::unique("leaving")).show(ctx, |ui| {
         ui.set_max_width(360.0);

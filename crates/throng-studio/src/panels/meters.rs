@@ -1,4 +1,4 @@
-//! Meters on the ground: drawn with the mouse, shown over the view.
+//! Meters on the ground: drawn with the mouse and shown over the view.
 
 use crate::play::{Command, Meter};
 use crate::style;
@@ -7,53 +7,53 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Response, Shape, Stro
 use glam::{DVec2, Vec2};
 use throng_draw::{Projector, palette};
 
-/// What is drawn next.
+/// The shape of the next meter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tool {
+pub enum MeterTool {
     /// A line.
     Line,
     /// A rectangle.
     Area,
 }
 
-/// The meters that there are, and the one that is being drawn.
+/// The meters, and the meter that is being drawn.
 #[derive(Clone, Debug, Default)]
 pub struct Meters {
     all: Vec<Meter>,
-    tool: Option<Tool>,
-    /// Where on the ground the mouse was pressed.
+    tool: Option<MeterTool>,
+    /// The position on the ground where the mouse was pressed.
     begun: Option<DVec2>,
 }
 
-/// The colour of a meter, in the view and in the plots.
+/// Returns the colour of a meter, in the view and in the plots.
 pub(super) fn color(index: usize) -> Color32 {
     style::color(palette([1, 2, 3, 7, 0][index % 5]))
 }
 
 impl Meters {
-    /// What is drawn next, if something is.
-    pub fn tool(&self) -> Option<Tool> {
+    /// Returns the shape of the next meter, if one is to be drawn.
+    pub fn tool(&self) -> Option<MeterTool> {
         self.tool
     }
 
-    /// Draws something next, or nothing.
-    pub fn take_up(&mut self, tool: Option<Tool>) {
+    /// Selects the shape of the next meter.
+    pub fn take_up(&mut self, tool: Option<MeterTool>) {
         (self.tool, self.begun) = (tool, None);
     }
 
-    /// Whether there are none.
+    /// Whether there are no meters.
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
-    /// Puts all of them away.
+    /// Removes all meters.
     pub fn clear(&mut self) -> Command {
         *self = Self::default();
         self.command()
     }
 
-    /// Shows the meters over the view that has answered so, and draws one where a tool is taken up: what the player is to do
-    /// when that is done.
+    /// Shows the meters over the view of this response and handles the drawing of a meter. Returns the command for the
+    /// player when a meter is complete.
     pub fn ui(&mut self, ui: &Ui, view: &Response, eye: &Eye) -> Option<Command> {
         let rect = view.rect;
         let projector = eye.projector(Vec2::new(rect.width(), rect.height()).max(Vec2::ONE));
@@ -70,15 +70,15 @@ impl Meters {
         }
         let ends = [self.begun?, view.interact_pointer_pos().and_then(at)?];
         let meter = match tool {
-            Tool::Line => Meter::Line(ends),
-            Tool::Area => Meter::Area(ends),
+            MeterTool::Line => Meter::Line(ends),
+            MeterTool::Area => Meter::Area(ends),
         };
         draw(&painter, rect, &projector, meter, self.all.len());
         if !view.drag_stopped() {
             return None;
         }
         self.take_up(None);
-        // a click draws nothing
+        // a click without a drag draws no meter
         (meter.extent() > 1e-3).then(|| {
             self.all.push(meter);
             self.command()

@@ -1,7 +1,8 @@
-//! What stands round the view: each panel shows a part of what is known, and tells what people ask for.
+//! The panels around the view. Each panel shows a part of the state and returns what the user requests.
 
 mod bar;
 mod chosen;
+mod explanation;
 mod gallery;
 mod help;
 mod icon;
@@ -13,29 +14,28 @@ mod models;
 mod naming;
 mod plots;
 mod record;
+mod request;
 mod summary;
 mod text;
 mod thumbnails;
 mod tools;
 mod tuning;
-mod why;
-mod wish;
 
 pub use bar::bar;
 pub use chosen::Chosen;
+pub use explanation::ExplanationWindow;
 pub use gallery::{Gallery, beside};
 pub use help::help;
 pub use key::key;
 pub use layers::layers;
 pub use leaving::leaving;
-pub use meters::{Meters, Tool};
+pub use meters::{MeterTool, Meters};
 pub use models::{beside_by, name_of_models};
 pub use naming::Naming;
 pub use plots::plots;
 pub use record::{Beside, Record, Recorded};
+pub use request::RecordRequest;
 pub use summary::summary;
-pub use text::{Asked, text};
+pub use text::{TextRequest, text};
 pub use tools::{tool_options, tools};
 pub use tuning::{Tuned, Tuning};
-pub use why::Why;
-pub use wish::Wish;

@@ -1,11 +1,11 @@
-//! Two models side by side: which, and which is which.
+//! Comparison of two models: the choice of the second model, and the labels of the views.
 
 use super::bar::named;
 use crate::play::models_of;
 use eframe::egui::{Align2, ComboBox, FontId, Rect, Role, Ui};
 use throng_scene::{Model, Scene};
 
-/// Lets people choose the model that a scene is played with beside its own; whether they chose another.
+/// Shows the choice of the model that runs beside the model of the scene. Returns whether it changed.
 pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
     let before = model.clone();
     let shown = if model.is_empty() { "one model" } else { model.as_str() };
@@ -16,11 +16,11 @@ pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
         }
     });
     named(&combo.response, Role::ComboBox, "beside");
-    combo.response.on_hover_text("plays the scene with another model beside its own, on the same clock");
+    combo.response.on_hover_text("runs the scene with a second model side by side, on the same clock");
     *model != before
 }
 
-/// Says in the corner of a view which models its groups have.
+/// Shows the models of the groups in a corner of a view.
 pub fn name_of_models(ui: &Ui, rect: Rect, scene: &Scene) {
     let at = rect.min + eframe::egui::vec2(12.0, 10.0);
     ui.painter_at(rect).text(

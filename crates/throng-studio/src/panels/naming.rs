@@ -1,31 +1,31 @@
-//! Asking for the name of a file: a small dialog.
+//! The dialog for a file name.
 
 use eframe::egui::{Align2, Context, Key, TextEdit, Window};
 
-/// The dialog.
+/// The dialog for a file name.
 #[derive(Clone, Debug)]
 pub struct Naming {
     title: &'static str,
     verb: &'static str,
     hint: &'static str,
-    /// The name that is written, while the dialog is open.
+    /// The typed name, while the dialog is open.
     pub name: Option<String>,
-    /// Why the last name was no good.
+    /// Why the last name was refused.
     pub refused: Option<String>,
 }
 
 impl Naming {
-    /// One of this title, with what its button says, and what stands in its empty field.
+    /// Creates the dialog with its title, the label of its button, and the hint of its empty field.
     pub fn new(title: &'static str, verb: &'static str, hint: &'static str) -> Self {
         Self { title, verb, hint, name: None, refused: None }
     }
 
-    /// Opens it with a name to begin with.
+    /// Opens the dialog with an initial name.
     pub fn open(&mut self, name: &str) {
         (self.name, self.refused) = (Some(name.to_owned()), None);
     }
 
-    /// Shows it while it is open; the name once it is said.
+    /// Shows the dialog while it is open. Returns the name once it is confirmed.
     pub fn ui(&mut self, ctx: &Context) -> Option<String> {
         let name = self.name.as_mut()?;
         let (mut said, mut open) = (false, true);
@@ -48,7 +48,7 @@ impl Naming {
         Some(name).filter(|name| said && !name.is_empty())
     }
 
-    /// The name was good, or was not.
+    /// Closes the dialog, or shows why the name was refused.
     pub fn answer(&mut self, answer: Result<(), String>) {
         match answer {
             Ok(()) => self.name = None,

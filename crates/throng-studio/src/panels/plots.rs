@@ -1,28 +1,28 @@
-//! Figures against time, live; and meters to draw on the ground.
+//! Live plots against time, and the tools to draw meters.
 
-use super::meters::{Meters, Tool, color};
-use crate::play::{Command, Gauge, Meter, Quantity, Shown};
+use super::meters::{MeterTool, Meters, color};
+use crate::play::{Command, Gauge, Meter, Quantity, RunMoment};
 use crate::style;
 use eframe::egui::{Align, Color32, Id, Layout, RichText, ScrollArea, Ui};
 use egui_plot::{AxisHints, HoverPosition, Line, Plot};
 use throng_draw::palette;
 
-/// Places of the palette that are seen well on light and on dark ground, one for each quantity.
+/// Indices of the palette that are legible on light and on dark ground, one for each quantity.
 const COLORS: [usize; Quantity::ALL.len()] = [0, 7, 2, 3, 1];
-/// Seconds after which a flow says something.
+/// The time after which a flow is shown, seconds.
 const SETTLED: f64 = 1.0;
-/// So many points of a line at most.
+/// The most points of a line.
 const FINE: usize = 500;
 
-/// Shows the plots; what they ask the player to do.
-pub fn plots(ui: &mut Ui, shown: &Shown, meters: &mut Meters) -> Option<Command> {
+/// Shows the plots. Returns the command for the player.
+pub fn plots(ui: &mut Ui, shown: &RunMoment, meters: &mut Meters) -> Option<Command> {
     ui.label(RichText::new("Plots").heading());
     let asked = tools(ui, meters);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for (index, gauge) in shown.series.gauges().iter().enumerate() {
             metered(ui, shown, index, gauge);
         }
-        // a film does not say what the guard did
+        // a file of trajectories does not record the guard
         let known = |quantity: &Quantity| shown.reel.is_none() || *quantity != Quantity::Guarded;
         for (index, quantity) in Quantity::ALL.into_iter().enumerate().filter(|(_, quantity)| known(quantity)) {
             let value = |sample: &crate::play::Sample| [sample.time, f64::from(sample.values[index])];
@@ -36,26 +36,26 @@ pub fn plots(ui: &mut Ui, shown: &Shown, meters: &mut Meters) -> Option<Command>
     asked
 }
 
-/// Buttons that take up a meter to draw, and put them all away.
+/// Shows the buttons that draw or remove meters.
 fn tools(ui: &mut Ui, meters: &mut Meters) -> Option<Command> {
     ui.horizontal(|ui| {
         ui.label(RichText::new("measure").weak());
         for (tool, says, help) in [
-            (Tool::Line, "Flow", "draw a line in the view: who crosses it, either way, is counted"),
-            (Tool::Area, "Density", "draw a rectangle in the view: who is in it, is counted"),
+            (MeterTool::Line, "Flow", "draw a line in the view to count the agents that cross it in either direction"),
+            (MeterTool::Area, "Density", "draw a rectangle in the view to count the agents inside"),
         ] {
             let mut on = meters.tool() == Some(tool);
             if ui.toggle_value(&mut on, says).on_hover_text(help).changed() {
                 meters.take_up(on.then_some(tool));
             }
         }
-        let clear = !meters.is_empty() && ui.button("Clear").on_hover_text("put all meters away").clicked();
+        let clear = !meters.is_empty() && ui.button("Clear").on_hover_text("remove all meters").clicked();
         clear.then(|| meters.clear())
     })
     .inner
 }
 
-fn metered(ui: &mut Ui, shown: &Shown, index: usize, gauge: &Gauge) {
+fn metered(ui: &mut Ui, shown: &RunMoment, index: usize, gauge: &Gauge) {
     let (color, extent, number) = (color(index), gauge.meter().extent(), index + 1);
     let now = shown.frame.time;
     match gauge.meter() {
@@ -63,13 +63,13 @@ fn metered(ui: &mut Ui, shown: &Shown, index: usize, gauge: &Gauge) {
             let counts = thinned(gauge.counts().chain([[now, f64::from(gauge.count())]]).collect());
             let begin = counts.first().map_or(0.0, |&[time, _]| time);
             let name = format!("{number}: crossed");
-            let says = "how many have crossed the line, either way, since it was drawn";
+            let says = "agents that have crossed the line in either direction since it was drawn";
             Chart { name: (&name, "agents"), says, now: gauge.count().to_string(), color }.ui(ui, counts);
             let times = shown.series.samples().iter().map(|sample| sample.time).filter(|&time| time >= begin + SETTLED);
             let flows = thinned(times.map(|time| [time, gauge.flow(time)]).collect());
             let flow = gauge.flow(now);
             let name = format!("{number}: flow");
-            let says = "crossings a second over the last 5 s; and over the length of the line";
+            let says = "crossings per second over the last 5 s, also per metre of the line";
             let now = format!("{flow:.2} /s   {:.2} /(m s)", flow / extent);
             Chart { name: (&name, "1/s"), says, now, color }.ui(ui, flows);
         }
@@ -84,7 +84,7 @@ fn metered(ui: &mut Ui, shown: &Shown, index: usize, gauge: &Gauge) {
     }
 }
 
-/// Not more points than are seen; the last one stays.
+/// Thins the points to at most [`FINE`], and keeps the last point.
 fn thinned(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let (every, last) = (points.len().div_ceil(FINE).max(1), points.len().saturating_sub(1));
     let mut k = 0;
@@ -95,15 +95,15 @@ fn thinned(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points
 }
 
-/// A figure in words.
+/// Formats a value with its unit.
 fn said(value: f64, unit: &str) -> String {
     let digits = if value.abs() >= 10.0 || value == value.round() { 0 } else { 2 };
     if value.is_finite() { format!("{value:.digits$} {unit}").trim_end().to_owned() } else { "–".into() }
 }
 
-/// A line against time, with what it is and what it is now.
+/// A line against time, with its name and its current value.
 struct Chart<'a> {
-    /// Its name, and its unit.
+    /// The name and the unit.
     name: (&'a str, &'a str),
     says: &'a str,
     now: String,

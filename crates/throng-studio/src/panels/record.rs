@@ -1,72 +1,72 @@
-//! What is to be recorded, and how far that is: a small window beside which people go on.
+//! The recording window: the settings of a recording and its progress. The studio stays usable while it records.
 
 use super::Chosen;
 use super::bar::named;
-use super::wish::{WIDEST, Wish};
-use crate::play::{Shown, models_of};
+use super::request::{RecordRequest, WIDEST};
+use crate::play::{RunMoment, models_of};
 use crate::record::{Format, Which};
 use eframe::egui::{
     Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
 };
 use std::path::{Path, PathBuf};
 
-/// The window.
+/// The recording window.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
-    /// Whether it is open.
+    /// Whether the window is open.
     pub open: bool,
-    /// What is in its fields, once it has been open.
-    pub wish: Wish,
-    /// The scene that the fields are about.
+    /// The values of the fields.
+    pub wish: RecordRequest,
+    /// The name of the scene that the fields are for.
     of: String,
-    /// Why the last recording is not there, or where it is.
+    /// The outcome of the last recording: a message or an error.
     pub said: Option<Result<String, String>>,
 }
 
-/// What people ask for.
+/// A request of the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recorded {
-    /// Records what is wished for.
+    /// Starts a recording.
     Begin,
-    /// Completes the recording with what there is of it.
+    /// Completes the recording with the frames that exist.
     Finish,
-    /// Stops the recording; nothing is left of it.
+    /// Cancels the recording and removes its file.
     Cancel,
 }
 
-/// What the window is shown beside.
+/// The context of the window.
 pub struct Beside<'a> {
-    /// What is shown.
-    pub shown: &'a Shown,
+    /// The shown moment.
+    pub shown: &'a RunMoment,
     /// Width and height of the view, pixels.
     pub size: [u32; 2],
     /// The upper right corner of the view.
     pub corner: Pos2,
-    /// What the camera does, in words.
+    /// The description of the camera.
     pub camera: &'a str,
-    /// How much of the recording under way is done.
+    /// The completed share of the recording under way.
     pub share: Option<f32>,
-    /// A name that no file has yet, of this name and ending.
+    /// Returns an unused file name for a name and an ending.
     pub unused: &'a dyn Fn(&str, &str) -> PathBuf,
 }
 
 impl Record {
-    /// Opens it, or closes it.
+    /// Opens or closes the window.
     pub fn toggle(&mut self) {
         self.open = !self.open;
         self.said = None;
     }
 
-    /// Shows it while it is open; what people ask for.
+    /// Shows the window while it is open. Returns the request of the user.
     pub fn ui(&mut self, ctx: &Context, beside: &Beside<'_>) -> Option<Recorded> {
         if *self.of != *beside.shown.name || (self.open && self.wish.file.is_empty()) {
             let rate = beside.shown.scene.view.fps.unwrap_or(self.wish.rate);
             let chosen = match *self.of == *beside.shown.name {
                 true => self.wish.chosen.clone(),
-                // others have other groups
+                // another scene has other groups
                 false => Chosen::default(),
             };
-            self.wish = Wish { from: 0.0, to: None, rate, chosen, ..self.wish.clone() };
+            self.wish = RecordRequest { from: 0.0, to: None, rate, chosen, ..self.wish.clone() };
             self.of = beside.shown.name.to_string();
             self.name(beside);
         }
@@ -82,7 +82,7 @@ impl Record {
         asked.and_then(|asked| asked.inner.flatten())
     }
 
-    /// A new name for the file.
+    /// Chooses an unused file name.
     fn name(&mut self, beside: &Beside<'_>) {
         let path = (beside.unused)(&beside.shown.name, self.wish.format.ending());
         self.wish.file = path.display().to_string();
@@ -116,7 +116,7 @@ impl Record {
         if self.wish.format != before {
             self.name(beside);
         } else if let Ok(format) = Format::of(Path::new(self.wish.file.trim())) {
-            // who writes an ending means it
+            // a typed ending selects the format
             self.wish.format = format;
         }
     }
@@ -125,7 +125,7 @@ impl Record {
         if let Some(share) = beside.share {
             ui.add(ProgressBar::new(share).desired_width(262.0).show_percentage());
             let buttons = ui.horizontal(|ui| {
-                let finish = ui.button("Finish now").on_hover_text("completes the file with what there is of it");
+                let finish = ui.button("Finish now").on_hover_text("completes the file with the frames so far");
                 let finish = finish.clicked().then_some(Recorded::Finish);
                 finish.or(ui.button("Cancel").clicked().then_some(Recorded::Cancel))
             });
@@ -140,20 +140,20 @@ impl Record {
         let selection = ui.visuals().selection;
         let button = Button::new(RichText::new("Record").color(selection.stroke.color)).fill(selection.bg_fill);
         let ready = ui.add_enabled(!self.wish.file.trim().is_empty(), button);
-        ready.on_hover_text("plays it once more from its start, and writes what it shows").clicked().then(|| {
+        ready.on_hover_text("plays the scene from its start and records it").clicked().then(|| {
             self.said = None;
             Recorded::Begin
         })
     }
 }
 
-/// A field for seconds.
+/// Returns a field for seconds.
 fn seconds(value: &mut f64) -> DragValue<'_> {
     DragValue::new(value).speed(0.05).max_decimals(2).suffix(" s")
 }
 
-/// From when to when.
-fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+/// Shows the start and the end of the recording.
+fn span(ui: &mut Ui, wish: &mut RecordRequest, beside: &Beside<'_>) {
     let (now, limit) = (beside.shown.frame.time, beside.shown.scene.time.limit);
     let label = ui.label("from");
     ui.horizontal(|ui| {
@@ -161,7 +161,7 @@ fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
         if ui.button("start").clicked() {
             wish.from = 0.0;
         }
-        if ui.button("now").on_hover_text("the time that is shown").clicked() {
+        if ui.button("now").on_hover_text("the current time").clicked() {
             wish.from = now;
         }
     });
@@ -175,7 +175,7 @@ fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
         if wish.to.is_some() && ui.button("end").clicked() {
             wish.to = None;
         }
-        if ui.button("now ").on_hover_text("the time that is shown").clicked() {
+        if ui.button("now ").on_hover_text("the current time").clicked() {
             wish.to = Some(now.max(wish.from));
         }
         if wish.to.is_none() && ui.button("after 10 s").clicked() {
@@ -185,8 +185,8 @@ fn span(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
 }
 
-/// Which of two models.
-fn models(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
+/// Shows the choice between two models.
+fn models(ui: &mut Ui, wish: &mut RecordRequest, beside: &Beside<'_>) {
     let Some(other) = &beside.shown.beside else { return };
     let [own, other] = [&beside.shown.scene, &other.scene].map(|scene| models_of(scene));
     let mut all = vec![(Which::Own, own), (Which::Other, other)];
@@ -207,15 +207,15 @@ fn models(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
     ui.end_row();
 }
 
-/// How many pictures, how large, and what they look like.
-fn pictures(ui: &mut Ui, wish: &mut Wish, beside: &Beside<'_>) {
-    let label = ui.label("pictures a second");
+/// Shows the rate, size and style of pictures.
+fn pictures(ui: &mut Ui, wish: &mut RecordRequest, beside: &Beside<'_>) {
+    let label = ui.label("pictures per second");
     ui.add(DragValue::new(&mut wish.rate).speed(0.2).range(0.1..=120.0)).labelled_by(label.id);
     ui.end_row();
     let label = ui.label("speed");
     ui.add(DragValue::new(&mut wish.speed_up).speed(0.05).range(0.01..=1000.0).suffix(" ×"))
         .labelled_by(label.id)
-        .on_hover_text("seconds of the scene in a second of the film");
+        .on_hover_text("seconds of the scene per second of video");
     ui.end_row();
     ui.label("size");
     ui.horizontal(|ui| {

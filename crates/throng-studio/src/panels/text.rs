@@ -1,4 +1,4 @@
-//! The scene's text: edited, checked as it is written, applied, saved.
+//! The text of the scene: edited, checked while it is typed, applied and saved.
 
 use crate::document::Document;
 use crate::play::Trouble;
@@ -6,19 +6,19 @@ use eframe::egui::{
     Button, Color32, Id, Key, KeyboardShortcut, Modifiers, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
 
-/// What the text's panel asks for.
+/// A request of the text panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
-    /// Plays what the text says.
+pub enum TextRequest {
+    /// Plays the scene of the text.
     Apply,
-    /// Writes it to its file.
+    /// Writes the text to its file.
     Save,
 }
 
 const APPLY: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Enter);
 
-/// Shows the text, and what is wrong with it; `trouble` is what the player found wrong.
-pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> Option<Asked> {
+/// Shows the text and its error. `trouble` is the error of the player.
+pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> Option<TextRequest> {
     let mut asked = None;
     ui.horizontal(|ui| {
         ui.label(
@@ -28,17 +28,17 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
     ui.horizontal(|ui| {
         let sound = document.scene().is_ok();
         let shortcut = ui.input_mut(|input| input.consume_shortcut(&APPLY));
-        if ui.add_enabled(sound, Button::new("Apply")).on_hover_text("play what it says (Ctrl Enter)").clicked()
+        if ui.add_enabled(sound, Button::new("Apply")).on_hover_text("play this scene (Ctrl Enter)").clicked()
             || (shortcut && sound)
         {
-            asked = Some(Asked::Apply);
+            asked = Some(TextRequest::Apply);
         }
         if ui
             .add_enabled(document.changed(), Button::new("Save"))
-            .on_hover_text("write it to its file (Ctrl S)")
+            .on_hover_text("write the text to its file (Ctrl S)")
             .clicked()
         {
-            asked = Some(Asked::Save);
+            asked = Some(TextRequest::Save);
         }
         if ui.button("Undo").clicked() {
             document.undo();
@@ -56,7 +56,7 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
         ui.label(RichText::new(says).monospace().color(red));
     }
     let mut text = document.text().to_owned();
-    // by name: whoever writes goes on writing when what is wrong appears above
+    // a fixed id, so that the field keeps the focus when an error message appears above it
     ScrollArea::both().id_salt("text").auto_shrink(false).show(ui, |ui| {
         let edit = TextEdit::multiline(&mut text).id(Id::unique("text of the scene"));
         let edit = edit.code_editor().desired_width(f32::INFINITY).desired_rows(30);
@@ -69,7 +69,7 @@ pub fn text(ui: &mut Ui, document: &mut Document, trouble: Option<&Trouble>) -> 
     asked
 }
 
-/// What is wrong: with the text, or else with what it says.
+/// Returns the error of the text, or else the error of the player.
 fn wrong(document: &Document, trouble: Option<&Trouble>) -> Option<String> {
     match document.scene() {
         Err(error) => Some(error.to_string()),

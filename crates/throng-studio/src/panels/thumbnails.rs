@@ -1,4 +1,5 @@
-//! The gallery's pictures, fetched when they are first looked at; scenes of plug-ins have theirs drawn then.
+//! The thumbnails of the gallery. They are fetched when they first become visible. Thumbnails of plug-in scenes are
+//! rendered instead.
 
 use crate::document::Document;
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
@@ -9,24 +10,24 @@ use throng_draw::{Color, Painter, Style, Theme};
 use throng_record::{Frame, moment};
 use throng_scene::{Plugins, caught, gallery};
 
-/// Pixels of a picture that is drawn: those of the files.
+/// The size of a rendered thumbnail, pixels, equal to the size of the files.
 const SIZE: (u32, u32) = (216, 144);
 
-/// Pictures that have been looked at.
+/// The thumbnails that have been visible.
 #[derive(Default)]
 pub struct Thumbnails {
-    pictures: [BTreeMap<String, Picture>; 2],
+    pictures: [BTreeMap<String, Thumbnail>; 2],
 }
 
-enum Picture {
-    /// Its file is on its way.
+enum Thumbnail {
+    /// The file is being fetched.
     Coming(Receiver<Vec<u8>>),
-    /// There it is, or there is none.
+    /// The texture, or `None` if the scene has no thumbnail.
     Here(Option<TextureHandle>),
 }
 
 impl Thumbnails {
-    /// The picture of a scene, for panels as dark as these; `None` if there is none, or not yet.
+    /// Returns the thumbnail of a scene in the theme of the panels, `None` if there is none or not yet.
     pub fn of(&mut self, name: &str, plugins: &Arc<Plugins>, ctx: &Context) -> Option<&TextureHandle> {
         let dark = ctx.global_style().visuals.dark_mode;
         let pictures = &mut self.pictures[usize::from(dark)];
@@ -39,26 +40,27 @@ impl Thumbnails {
         if !pictures.contains_key(name) {
             let own = plugins.text(name) != gallery::text(name);
             let picture = if own {
-                Picture::Here(beginning(name, plugins).map(texture))
+                Thumbnail::Here(beginning(name, plugins).map(texture))
             } else {
-                Picture::Coming(crate::outside::thumbnail(name, ctx))
+                Thumbnail::Coming(crate::outside::thumbnail(name, ctx))
             };
             pictures.insert(name.to_owned(), picture);
         }
         let picture = pictures.get_mut(name)?;
-        if let Picture::Coming(coming) = picture
+        if let Thumbnail::Coming(coming) = picture
             && let Ok(file) = coming.try_recv()
         {
-            *picture = Picture::Here(image(&file).map(texture));
+            *picture = Thumbnail::Here(image(&file).map(texture));
         }
         match picture {
-            Picture::Here(texture) => texture.as_ref(),
-            Picture::Coming(_) => None,
+            Thumbnail::Here(texture) => texture.as_ref(),
+            Thumbnail::Coming(_) => None,
         }
     }
 }
 
-/// A colour of pictures on light ground as one of those on dark ground: as far from the ground to the type, with its own hue.
+/// Maps a colour of the light theme to the dark theme. The hue stays, and the luma keeps its relative position between
+/// ground and text.
 fn darkened(color: Color32) -> Color32 {
     let channels = |color: Color| [color.r, color.g, color.b].map(f32::from);
     let luma = |[r, g, b]: [f32; 3]| 0.299 * r + 0.587 * g + 0.114 * b;
@@ -66,12 +68,12 @@ fn darkened(color: Color32) -> Color32 {
     let from = [color.r(), color.g(), color.b()].map(f32::from);
     let part = (luma(from) - luma(light[0])) / (luma(light[1]) - luma(light[0]));
     let gray = |[ground, text]: [[f32; 3]; 2], k: usize| ground[k] + (text[k] - ground[k]) * part;
-    // a cast keeps within 0 to 255
+    // the cast saturates to 0..=255
     let [r, g, b] = [0, 1, 2].map(|k| (from[k] - gray(light, k) + gray(dark, k)).round() as u8);
     Color32::from_rgb(r, g, b)
 }
 
-/// A scene as it begins; `None` if it does not.
+/// Renders the first moment of a scene, `None` if it cannot be built.
 fn beginning(name: &str, plugins: &Arc<Plugins>) -> Option<ColorImage> {
     let document = Document::named(name, plugins)?;
     let scene = document.scene().ok()?;

@@ -1,4 +1,4 @@
-//! The tools that scenes are directed with, one below the other, and what the one in hand needs to know.
+//! The toolbar of the editing tools, and the options of the selected tool.
 
 use crate::direct::{Director, Tool};
 use eframe::egui::{
@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 use throng_scene::Scene;
 
-/// Shows the tools.
+/// Shows the toolbar.
 pub fn tools(ui: &mut Ui, director: &mut Director) {
     ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
     for (k, group) in Tool::GROUPS.into_iter().enumerate() {
@@ -22,7 +22,7 @@ pub fn tools(ui: &mut Ui, director: &mut Director) {
     }
 }
 
-/// Shows what the tool in hand needs to know: whom it is for, and how the brush paints.
+/// Shows the options of the selected tool: its group, and the settings of the brush.
 pub fn tool_options(ui: &mut Ui, director: &mut Director, scene: &Scene) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(director.tool.says().2).weak());

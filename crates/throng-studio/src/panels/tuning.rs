@@ -1,8 +1,8 @@
-//! Sliders for whatever the groups of the scene say of themselves.
+//! Controls for the parameters of the groups.
 
 use super::bar::named;
 use crate::document::{Document, Edit};
-use crate::tune::{Kind, Parameter, Section, Tunable};
+use crate::tune::{Parameter, ParameterKind, Section, Tunable};
 use eframe::egui::{CollapsingHeader, ComboBox, RichText, Role, ScrollArea, Slider, SliderClamping, Ui};
 use std::sync::Arc;
 use throng_scene::Scene;
@@ -11,37 +11,37 @@ use throng_scene::Scene;
 #[derive(Default)]
 pub struct Tuning {
     tunable: Option<Tunable>,
-    /// What can be tuned of this scene.
+    /// The parameters of the current scene.
     sections: Option<(Arc<Scene>, Vec<Section>)>,
-    /// What is being dragged, and where it is by now.
+    /// The path and the current value of the dragged slider.
     dragged: Option<(String, f64)>,
-    /// Why the last change was not made.
+    /// Why the last change was refused.
     refused: Option<String>,
 }
 
-/// What people tuned.
+/// A change by the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tuned {
     /// The text has changed.
     Changed,
-    /// It will, when the slider is let go: meanwhile the scene is to be like this.
+    /// The slider is still dragged. The text changes on release; meanwhile the run uses this scene.
     Dragged(Arc<Scene>),
 }
 
-/// A change that people ask for.
-enum Wish {
+/// A requested change.
+enum TuningRequest {
     Number(f64, bool),
     Switch(bool),
     Choose(String, Option<String>),
-    /// As it is without the key.
+    /// Removes the key.
     Forget,
 }
 
 impl Tuning {
-    /// Shows the parameters of the document's groups, and changes its text as people ask for.
+    /// Shows the parameters of the groups and applies changes to the text of the document.
     pub fn ui(&mut self, ui: &mut Ui, document: &mut Document) -> Option<Tuned> {
         let Ok(scene) = document.scene().cloned() else {
-            ui.label("The text is to be mended first.");
+            ui.label("Fix the errors in the scene text first.");
             return None;
         };
         let tunable = self.tunable.get_or_insert_with(|| Tunable::new(document.plugins()));
@@ -64,7 +64,7 @@ impl Tuning {
         done.ok()
     }
 
-    fn section(&mut self, ui: &mut Ui, section: &Section, wish: &mut Option<(String, Wish, bool)>) {
+    fn section(&mut self, ui: &mut Ui, section: &Section, wish: &mut Option<(String, TuningRequest, bool)>) {
         for parameter in &section.parameters {
             if let Some((asked, last)) = self.parameter(ui, parameter) {
                 *wish = Some((parameter.path.clone(), asked, last));
@@ -72,7 +72,7 @@ impl Tuning {
         }
         for inner in &section.sections {
             let header = CollapsingHeader::new(inner.name.replace('_', " ")).id_salt(&inner.name);
-            // what is alone beside a choice is what was chosen
+            // a single section beside a choice holds the options of that choice, so it starts open
             let chosen = section.sections.len() == 1 && section.parameters.len() == 1;
             let open = chosen || ["avoid", "speed", "steer"].contains(&inner.name.as_str());
             let shown = header.default_open(open).show(ui, |ui| self.section(ui, inner, wish));
@@ -80,15 +80,15 @@ impl Tuning {
         }
     }
 
-    /// One parameter: what is asked for, and whether that is the last word.
-    fn parameter(&mut self, ui: &mut Ui, parameter: &Parameter) -> Option<(Wish, bool)> {
+    /// Shows a parameter. Returns the requested change, and whether it is final.
+    fn parameter(&mut self, ui: &mut Ui, parameter: &Parameter) -> Option<(TuningRequest, bool)> {
         let Parameter { path, about, given, kind, .. } = parameter;
         let name = RichText::new(parameter.name.replace('_', " "));
         let name = if *given { name } else { name.weak() };
         let mut asked = None;
         ui.horizontal(|ui| {
             match kind {
-                Kind::Number { value, low, high, whole } => {
+                ParameterKind::Number { value, low, high, whole } => {
                     let pending = self.dragged.as_ref().filter(|(at, _)| at == path).map(|&(_, value)| value);
                     let mut now = pending.unwrap_or(*value);
                     ui.spacing_mut().slider_width = 110.0;
@@ -103,21 +103,21 @@ impl Tuning {
                     let dragging = response.dragged();
                     if response.changed() {
                         self.dragged = dragging.then(|| (path.clone(), now));
-                        asked = Some((Wish::Number(now, *whole), !dragging));
+                        asked = Some((TuningRequest::Number(now, *whole), !dragging));
                     } else if let Some(last) = pending.filter(|_| !dragging) {
                         self.dragged = None;
-                        asked = Some((Wish::Number(last, *whole), true));
+                        asked = Some((TuningRequest::Number(last, *whole), true));
                     }
                 }
-                Kind::Switch { value } => {
+                ParameterKind::Switch { value } => {
                     let mut now = value.unwrap_or_default();
                     let known = value.is_some();
                     let mark = eframe::egui::Checkbox::without_text(&mut now).indeterminate(!known);
                     if ui.add(mark).on_hover_text(&about.text).changed() {
-                        asked = Some((Wish::Switch(now), true));
+                        asked = Some((TuningRequest::Switch(now), true));
                     }
                 }
-                Kind::Choice { value, options } => {
+                ParameterKind::Choice { value, options } => {
                     let mut now = value.clone();
                     let combo = ComboBox::from_id_salt(path).selected_text(&now).width(110.0).show_ui(ui, |ui| {
                         for (option, says) in options {
@@ -127,14 +127,14 @@ impl Tuning {
                     named(&combo.response, Role::ComboBox, &parameter.name);
                     if now != *value {
                         let table = self.is_table(path, value);
-                        asked = Some((Wish::Choose(now, table.then(|| value.clone())), true));
+                        asked = Some((TuningRequest::Choose(now, table.then(|| value.clone())), true));
                     }
                 }
             }
             let label = ui.label(name).on_hover_text(&about.text);
             label.context_menu(|ui| {
-                if ui.add_enabled(*given, eframe::egui::Button::new("as without this key")).clicked() {
-                    asked = Some((Wish::Forget, true));
+                if ui.add_enabled(*given, eframe::egui::Button::new("remove this key")).clicked() {
+                    asked = Some((TuningRequest::Forget, true));
                     ui.close();
                 }
             });
@@ -142,7 +142,7 @@ impl Tuning {
         asked
     }
 
-    /// Whether a choice is between tables, of which the scene says this one.
+    /// Whether the choice selects a table with options, instead of a plain name.
     fn is_table(&self, path: &str, value: &str) -> bool {
         let inside = format!("{path}.{value}");
         fn any(section: &Section, inside: &str) -> bool {
@@ -152,29 +152,29 @@ impl Tuning {
         path.ends_with(".avoid") || self.sections.iter().any(|(_, all)| all.iter().any(|section| any(section, &inside)))
     }
 
-    fn make(&mut self, document: &mut Document, path: &str, wish: Wish) -> Result<Tuned, String> {
+    fn make(&mut self, document: &mut Document, path: &str, wish: TuningRequest) -> Result<Tuned, String> {
         document.change(|edit| apply(edit, path, wish))?;
         Ok(Tuned::Changed)
     }
 
-    fn preview(&self, document: &Document, path: &str, wish: Wish) -> Result<Tuned, String> {
+    fn preview(&self, document: &Document, path: &str, wish: TuningRequest) -> Result<Tuned, String> {
         let mut preview = document.clone();
         preview.change(|edit| apply(edit, path, wish))?;
         preview.scene().map(|scene| Tuned::Dragged(scene.clone())).map_err(ToString::to_string)
     }
 }
 
-fn apply(edit: &mut Edit, path: &str, wish: Wish) -> Result<(), String> {
+fn apply(edit: &mut Edit, path: &str, wish: TuningRequest) -> Result<(), String> {
     match wish {
-        Wish::Number(value, true) => edit.set(path, value.round() as i64),
-        // what a slider says beyond six digits is its own doing
-        Wish::Number(value, false) => edit.set(path, format!("{value:.5}").parse().unwrap_or(value)),
-        Wish::Switch(value) => edit.set(path, value),
-        Wish::Choose(option, None) => edit.set(path, option),
-        Wish::Choose(option, Some(_)) => {
+        TuningRequest::Number(value, true) => edit.set(path, value.round() as i64),
+        // rounds to five decimals, because further digits of a slider are noise
+        TuningRequest::Number(value, false) => edit.set(path, format!("{value:.5}").parse().unwrap_or(value)),
+        TuningRequest::Switch(value) => edit.set(path, value),
+        TuningRequest::Choose(option, None) => edit.set(path, option),
+        TuningRequest::Choose(option, Some(_)) => {
             edit.remove(path)?;
             edit.set(path, toml_edit::InlineTable::from_iter([(option.as_str(), toml_edit::InlineTable::new())]))
         }
-        Wish::Forget => edit.remove(path).map(drop),
+        TuningRequest::Forget => edit.remove(path).map(drop),
     }
 }

@@ -1,76 +1,78 @@
-//! What plays: it takes commands, makes the steps that are due, and tells what there is to see.
+//! The engine of playback: it takes commands, makes the steps that are due, and publishes states.
 
 use super::meter::Meter;
 use super::pace::{Pace, Speed};
 use super::reel::{Film, Reel};
-use super::run::Run;
-use super::shown::{Shown, Trouble};
+use super::run::PlayedRun;
+use super::run_moment::{RunMoment, Trouble};
 use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::{Model, Scene};
 use web_time::Instant;
 
-/// What one can tell a player to do.
+/// A command for a player.
 #[derive(Clone, Debug)]
 pub enum Command {
-    /// Plays another scene from its start, paused or not; if it cannot be built, the one before goes on.
+    /// Loads a scene and shows its start, running or paused. If it cannot be built, the previous run continues.
     Load {
-        /// What it is called.
+        /// The name.
         name: Arc<str>,
         /// The scene.
         scene: Arc<Scene>,
-        /// Whether it begins to run.
+        /// Whether it starts running.
         run: bool,
     },
-    /// Lets the run go on as another scene says, if only its groups are others; else plays that from its start.
+    /// Replaces the scene. If only groups changed, the run continues from its current state. Otherwise the new scene
+    /// starts again.
     Change {
-        /// What it is called.
+        /// The name.
         name: Arc<str>,
         /// The scene.
         scene: Arc<Scene>,
     },
-    /// Replays a file of trajectories from its start, paused or not; if it cannot be read, what was there before goes on.
+    /// Replays a trajectory file from its start, running or paused. If it cannot be read, the previous run continues.
     Replay {
         /// The file.
         film: Film,
-        /// Whether it begins to run.
+        /// Whether it starts running.
         run: bool,
     },
-    /// Goes on; after the end, from the start.
+    /// Runs. After the end, starts again.
     Run,
-    /// Stops.
+    /// Pauses.
     Pause,
-    /// Stops at a step, wherever it is: on from here, or back.
+    /// Goes to a step, forward or back, and pauses there.
     Seek(u64),
-    /// Stops a step later.
+    /// Makes one step and pauses.
     Step,
-    /// Stops a step earlier.
+    /// Goes one step back and pauses.
     Back,
-    /// Begins again.
+    /// Starts again.
     Restart,
-    /// Begins again with another seed.
+    /// Starts again with another seed.
     Seed(u64),
-    /// Plays faster or slower.
+    /// Sets the playback speed.
     Speed(Speed),
-    /// Which agent tells why it goes where it goes, by number.
+    /// Sets the agent to explain, by number.
     Explain(Option<u32>),
-    /// Plays the scene with another model beside it, on the same clock; or nothing.
+    /// Runs the scene with a second model on the same clock, or with one model only.
     Beside(Option<Model>),
-    /// What measures parts of the ground, in this run and those after it.
+    /// Sets the meters of this run and of later runs.
     Meters(Arc<[Meter]>),
 }
 
-/// Plays scenes: [`command`](Self::command) it, let it [`work`](Self::work), and look at what is [`shown`](Self::shown).
+/// Plays scenes: give it a [`command`](Self::command), let it [`work`](Self::work), and read the published state
+/// ([`shown`](Self::shown)).
 pub struct Engine {
-    run: Option<Run>,
-    /// The same scene with another model, on the same clock.
-    beside: Option<Run>,
+    run: Option<PlayedRun>,
+    /// The same scene with a second model, on the same clock.
+    beside: Option<PlayedRun>,
     model: Option<Model>,
-    /// How many runs have begun.
+    /// The number of runs so far.
     runs: u64,
     pace: Pace,
     playing: bool,
-    /// The step it is on its way to, however fast that goes.
+    /// The step to reach as fast as possible.
     goal: Option<u64>,
     explained: Option<u32>,
     meters: Arc<[Meter]>,
@@ -95,12 +97,12 @@ impl Default for Engine {
 }
 
 impl Engine {
-    /// Does what it is told.
+    /// Executes a command.
     pub fn command(&mut self, command: Command) {
         match command {
             Command::Load { name, scene, run } => self.load(name, scene, run),
             Command::Replay { film, run } => match Reel::open(&film) {
-                Ok(reel) => self.begin(Run::replay(Arc::new(reel), &self.meters), run),
+                Ok(reel) => self.begin(PlayedRun::replay(Arc::new(reel), &self.meters), run),
                 Err(says) => self.trouble = Some(Trouble::Film(says)),
             },
             Command::Change { name, scene } => self.change(name, scene),
@@ -134,13 +136,13 @@ impl Engine {
     }
 
     fn load(&mut self, name: Arc<str>, scene: Arc<Scene>, go: bool) {
-        match Run::new(name, scene, &self.meters) {
+        match PlayedRun::new(name, scene, &self.meters) {
             Ok(run) => self.begin(run, go),
             Err(trouble) => self.trouble = Some(trouble),
         }
     }
 
-    fn begin(&mut self, mut run: Run, go: bool) {
+    fn begin(&mut self, mut run: PlayedRun, go: bool) {
         run.stage.explain(self.explained);
         self.runs += 1;
         (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
@@ -159,7 +161,7 @@ impl Engine {
         }
     }
 
-    /// Begins to play the scene with the other model; it catches up.
+    /// Starts the run with the second model. It catches up with the main run.
     fn put_beside(&mut self) {
         self.beside = None;
         let (Some(run), Some(model)) = (&self.run, &self.model) else { return };
@@ -167,7 +169,7 @@ impl Engine {
             return;
         }
         let scene = run.scene.with_model(model).map_err(|error| Trouble::Scene(Box::new(error)));
-        match scene.and_then(|scene| Run::new(run.name.clone(), Arc::new(scene), &self.meters)) {
+        match scene.and_then(|scene| PlayedRun::new(run.name.clone(), Arc::new(scene), &self.meters)) {
             Ok(mut beside) => {
                 beside.stage.explain(self.explained);
                 self.beside = Some(beside);
@@ -179,7 +181,7 @@ impl Engine {
     fn restart(&mut self, seed: Option<u64>) {
         let Some(run) = &self.run else { return };
         if let Some(reel) = run.stage.reel() {
-            return self.begin(Run::replay(reel, &self.meters), self.playing);
+            return self.begin(PlayedRun::replay(reel, &self.meters), self.playing);
         }
         let mut scene = run.scene.clone();
         if let Some(seed) = seed.filter(|seed| *seed != scene.seed) {
@@ -205,8 +207,8 @@ impl Engine {
         self.run.is_some() && self.run.iter().chain(&self.beside).all(|run| run.stage.over())
     }
 
-    /// Makes the steps that are due, for as long as `budget` at most, or until one more is made than fits; whether there is
-    /// something new to see.
+    /// Makes the steps that are due, until `budget` is used up. The last step may exceed the budget. Returns whether
+    /// there is a new state to publish.
     pub fn work(&mut self, budget: Duration) -> bool {
         let begin = Instant::now();
         self.pace.pass(begin, self.playing);
@@ -220,7 +222,7 @@ impl Engine {
             }
             made += 1;
             let step = run.stage.steps();
-            // on the way to a step only the last two are looked at
+            // on the way to a step, only the last two states are captured
             if self.goal.is_none_or(|goal| step + 1 >= goal) {
                 run.see();
             }
@@ -252,23 +254,23 @@ impl Engine {
         made > 0 || arrived || ended
     }
 
-    /// Whether what is beside is behind.
+    /// Whether the run with the second model is behind.
     fn lags(&self) -> bool {
         self.beside.as_ref().is_some_and(|beside| beside.stage.steps() < self.step())
     }
 
-    /// Whether a step is to be made now.
+    /// Whether the main run is to make a step now.
     fn due(&mut self) -> bool {
         let over = self.over();
         let Some(run) = &self.run else { return false };
         match self.goal {
-            // a film ends
+            // a trajectory file has a last moment
             Some(goal) => run.stage.steps() < goal && !(run.stage.over() && run.stage.reel().is_some()),
             None => self.playing && !over && self.pace.take(run.scene.time.step),
         }
     }
 
-    /// How long nothing is to be done; `None`: until the next command.
+    /// Returns how long the engine has nothing to do, `None` until the next command.
     pub fn idle(&self) -> Option<Duration> {
         let run = self.run.as_ref()?;
         match (self.goal, self.playing) {
@@ -279,16 +281,20 @@ impl Engine {
         }
     }
 
-    /// What there is to see; `None` before the first scene.
-    pub fn shown(&mut self) -> Option<Arc<Shown>> {
+    /// Returns the current state, `None` before the first scene.
+    pub fn shown(&mut self) -> Option<Arc<RunMoment>> {
         let beside =
             self.beside.as_mut().map(|run| Arc::new(Self::show(run, (self.runs, self.playing, self.pace), None)));
         let run = self.run.as_mut()?;
         Some(Arc::new(Self::show(run, (self.runs, self.playing, self.pace), beside)))
     }
 
-    fn show(run: &mut Run, (runs, playing, pace): (u64, bool, Pace), beside: Option<Arc<Shown>>) -> Shown {
-        Shown {
+    fn show(
+        run: &mut PlayedRun,
+        (runs, playing, pace): (u64, bool, Pace),
+        beside: Option<Arc<RunMoment>>,
+    ) -> RunMoment {
+        RunMoment {
             name: run.name.clone(),
             scene: run.scene.clone(),
             setting: run.setting.clone(),
@@ -313,7 +319,7 @@ impl Engine {
         }
     }
 
-    /// What went wrong last.
+    /// Returns the last error.
     pub fn trouble(&self) -> Option<Trouble> {
         self.trouble.clone()
     }

@@ -1,32 +1,33 @@
-//! Where a run has been: saved states, within a bound of memory.
+//! Saved states of a run, within a memory limit.
 
-/// Saved states of a run by step, oldest first. When they grow too many, every second one is let go and the next ones are
-/// taken half as often, so the whole run stays within reach: going back is loading the nearest before, and stepping on.
+/// Saved states of a run by step, oldest first. Beyond the memory limit, every second state is dropped and the interval
+/// of new states doubles, so the whole run stays reachable. Going back loads the nearest earlier state and steps
+/// forward from it.
 #[derive(Clone, Debug)]
-pub struct History {
+pub struct StateHistory {
     states: Vec<(u64, Vec<u8>)>,
-    /// Steps from one state to the next.
+    /// Steps between states.
     stride: u64,
-    /// Bytes held, and how many at most.
+    /// The bytes held, and the memory limit.
     bytes: usize,
     most: usize,
 }
 
-/// Steps between states at first: what is re-stepped to go one step back is never noticed.
+/// The first interval between states, in steps. Repeating so few steps is not noticeable.
 const STRIDE: u64 = 8;
 
-impl History {
-    /// Nothing yet; it will hold at most so many bytes, or two states.
+impl StateHistory {
+    /// Creates an empty history with a memory limit of `most` bytes. It holds at least two states.
     pub fn new(most: usize) -> Self {
         Self { states: Vec::new(), stride: STRIDE, bytes: 0, most }
     }
 
-    /// Whether the state at this step is wanted.
+    /// Whether the state at this step is to be saved.
     pub fn wants(&self, step: u64) -> bool {
         step.is_multiple_of(self.stride) && self.states.last().is_none_or(|&(last, _)| last < step)
     }
 
-    /// Keeps the state at a step that is [wanted](Self::wants).
+    /// Saves the state at a step that is [wanted](Self::wants).
     pub fn push(&mut self, step: u64, state: Vec<u8>) {
         self.bytes += state.len();
         self.states.push((step, state));
@@ -38,13 +39,13 @@ impl History {
         }
     }
 
-    /// The last state at a step or before it.
+    /// Returns the last state at or before a step.
     pub fn nearest(&self, step: u64) -> Option<&[u8]> {
         let after = self.states.partition_point(|&(at, _)| at <= step);
         Some(&self.states[after.checked_sub(1)?].1)
     }
 
-    /// Bytes held.
+    /// Returns the bytes held.
     pub fn bytes(&self) -> usize {
         self.bytes
     }
@@ -56,7 +57,7 @@ mod tests {
 
     #[test]
     fn the_whole_run_stays_within_reach_and_within_the_bound() {
-        let mut history = History::new(1000);
+        let mut history = StateHistory::new(1000);
         for step in 0..5000 {
             if history.wants(step) {
                 history.push(step, (step as u32).to_le_bytes().repeat(10));
@@ -68,6 +69,6 @@ mod tests {
             let found = u64::from(u32::from_le_bytes(state[..4].try_into().unwrap()));
             assert!(found <= step && step - found < 2 * 5000 / 12, "{found} for {step}");
         }
-        assert_eq!(History::new(9).nearest(3), None);
+        assert_eq!(StateHistory::new(9).nearest(3), None);
     }
 }

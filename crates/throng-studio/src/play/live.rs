@@ -1,41 +1,41 @@
-//! A world that is played: its steps, and where it has been.
+//! A simulated world: its steps and its saved states.
 
-use super::history::History;
+use super::history::StateHistory;
 use super::observed::Observed;
-use super::shown::{Cost, Trouble};
-use super::stage::Stage;
+use super::playable::Playable;
+use super::run_moment::{Cost, Trouble};
 use std::sync::Arc;
-use throng::{Asked, Explanation, Stage as Part, Summary, World};
+use throng::{Explanation, Stage as Part, Summary, TraceRequest, World};
 use throng_record::{Frame, Setting, moment};
 use throng_scene::{Built, Scene, caught};
 use web_time::Instant;
 
-/// Bytes of states that are kept to go back to.
+/// The memory limit of saved states, bytes.
 const MEMORY: usize = 256 << 20;
-/// How much of the cost of a step is the last one's.
+/// The weight of the last step in the smoothed cost.
 const FRESH: f64 = 0.1;
 
-/// The world of a scene.
+/// A simulated world.
 pub(super) struct Live {
     world: World,
     built: Built,
     scene: Arc<Scene>,
-    history: History,
+    history: StateHistory,
     summary: (Instant, Arc<Summary>),
-    /// Who is to explain itself, and what it said last, when.
+    /// The agent to explain, and the last explanation with its time.
     explained: Option<u32>,
     explanation: Option<(Instant, Arc<Explanation>)>,
 }
 
 impl Live {
-    /// Builds the scene's world; what stays the same in it.
+    /// Builds the world of a scene. Returns it with its setting.
     pub fn new(scene: Arc<Scene>, title: &str) -> Result<(Self, Setting), Trouble> {
         let built = guarded(|| scene.build())?;
         let (world, built) = built.map_err(|error| Trouble::Scene(Box::new(error)))?;
         let setting = moment::setting(&world, &built, title);
         let mut live = Self {
             scene,
-            history: History::new(MEMORY),
+            history: StateHistory::new(MEMORY),
             summary: (Instant::now(), Arc::new(world.summary())),
             explained: None,
             explanation: None,
@@ -46,13 +46,13 @@ impl Live {
         Ok((live, setting))
     }
 
-    /// The corners of the place and everybody at first.
+    /// Returns the corners of the box around the scene and the agents at the start.
     pub fn bounds(&self) -> [glam::DVec2; 2] {
         self.built.bounds
     }
 
-    /// After a panic, which leaves a step half made: a new world, as it was at a step or, if it panics on the way there too,
-    /// at the last state before that is kept.
+    /// Rebuilds the world after a panic, which leaves a step incomplete. The new world is at `step`, or, if the steps
+    /// to it panic too, at the last saved state before it.
     fn mend(&mut self, step: u64) {
         for goal in [step, 0] {
             let Ok(Ok((mut world, built))) = guarded(|| self.scene.build()) else { return };
@@ -74,7 +74,7 @@ impl Live {
     }
 }
 
-impl Stage for Live {
+impl Playable for Live {
     fn steps(&self) -> u64 {
         self.world.steps()
     }
@@ -111,9 +111,9 @@ impl Stage for Live {
 
     fn back_to(&mut self, step: u64) {
         let Some(state) = self.history.nearest(step) else { return };
-        // a state from before behaviours were changed cannot be gone back to
+        // a state saved before the behaviours changed cannot be loaded
         if self.world.load(state).is_err() {
-            self.history = History::new(MEMORY);
+            self.history = StateHistory::new(MEMORY);
             self.keep();
         }
     }
@@ -134,18 +134,19 @@ impl Stage for Live {
     }
 
     fn explain(&mut self, number: Option<u32>) {
-        self.world.ask(number.map_or(Asked::Nobody, |number| Asked::Numbers(vec![number])));
+        self.world.request_traces(number.map_or(TraceRequest::None, |number| TraceRequest::Numbers(vec![number])));
         (self.explained, self.explanation) = (number, None);
     }
 
     fn explanation(&mut self, fresh: bool, step: f64) -> Option<Arc<Explanation>> {
         let number = self.explained?;
         let now = Instant::now();
-        // a clone of the world makes a sub-step: a large one is asked less often
+        // an explanation clones the world and makes a sub-step, so slow worlds are explained less often
         let patience = 0.25 + 50.0 * step;
         let old = self.explanation.as_ref().is_none_or(|(at, _)| (now - *at).as_secs_f64() > patience);
         if old || fresh {
-            let row = (0..self.world.agents().len()).find(|&row| self.world.agents().number[row] == number);
+            let row = (0..self.world.relative_columns().len())
+                .find(|&row| self.world.relative_columns().number[row] == number);
             let why = row.and_then(|row| guarded(|| self.world.explain(self.world.id(row))).ok().flatten());
             self.explanation = why.map(|why| (now, Arc::new(why)));
         }
@@ -170,7 +171,7 @@ impl Stage for Live {
     }
 }
 
-/// Runs code of a scene: a panic in it becomes what it says.
+/// Runs code of a scene and turns a panic into an error.
 pub(crate) fn guarded<T>(code: impl FnOnce() -> T) -> Result<T, Trouble> {
     caught(code).map_err(Trouble::Panic)
 }

@@ -1,26 +1,26 @@
-//! Meters that people put on the ground: flow through a line, density in a rectangle.
+//! Meters on the ground: flow through a line, density in a rectangle.
 
 use super::observed::Observed;
 use glam::{DVec2, Vec2};
 
-/// Seconds over which a flow is taken.
+/// The averaging window of a flow, seconds.
 const WINDOW: f64 = 5.0;
-/// So many crossings are kept one by one at most.
+/// The most crossings stored individually.
 const MOST: usize = 1 << 15;
-/// Who goes farther than this in a step, metres, was put there, and crosses nothing.
+/// A longer displacement in one step, metres, is a relocation and counts as no crossing.
 const FARTHEST: f32 = 10.0;
 
-/// Something that measures a part of the ground, in world coordinates, metres.
+/// A meter on the ground, in world coordinates, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meter {
-    /// Counts who goes through a line, either way.
+    /// Counts the agents that cross a line in either direction.
     Line([DVec2; 2]),
-    /// Counts who is in the rectangle that has these corners.
+    /// Counts the agents in the rectangle with these corners.
     Area([DVec2; 2]),
 }
 
 impl Meter {
-    /// Metres of a line, square metres of a rectangle.
+    /// Returns the length of a line in metres or the area of a rectangle in square metres.
     pub fn extent(&self) -> f64 {
         match self {
             Self::Line([a, b]) => a.distance(*b),
@@ -29,20 +29,20 @@ impl Meter {
     }
 }
 
-/// What a meter has told so far.
+/// The measurements of a meter so far.
 #[derive(Clone, Debug)]
 pub struct Gauge {
     meter: Meter,
-    /// Where those near the line were a step ago, relative to [`Observed::origin`], by number.
+    /// The positions of the agents near the line one step ago, relative to [`Observed::origin`], by number.
     before: Vec<(u32, Vec2)>,
-    /// How many had crossed in all after each step at which somebody did: step, time, count.
+    /// The total number of crossings after each step with a crossing: step, time, count.
     crossings: Vec<(u64, f64, u32)>,
-    /// Step, time, and persons a square metre.
+    /// Step, time, and agents per square metre.
     densities: Vec<(u64, f64, f64)>,
 }
 
 impl Gauge {
-    /// A meter that is put up now.
+    /// Creates a meter that starts now.
     pub(super) fn new(meter: Meter, now: &Observed) -> Self {
         let mut gauge = Self { meter, before: Vec::new(), crossings: Vec::new(), densities: Vec::new() };
         gauge.crossings.push((now.step, now.time, 0));
@@ -50,22 +50,23 @@ impl Gauge {
         gauge
     }
 
-    /// What measures.
+    /// Returns the meter.
     pub fn meter(&self) -> Meter {
         self.meter
     }
 
-    /// How many have crossed the line in all.
+    /// Returns the number of crossings so far.
     pub fn count(&self) -> u32 {
         self.crossings.last().map_or(0, |&(.., count)| count)
     }
 
-    /// How many had crossed the line, against time.
+    /// Returns the number of crossings against time.
     pub fn counts(&self) -> impl Iterator<Item = [f64; 2]> {
         self.crossings.iter().map(|&(_, time, count)| [time, f64::from(count)])
     }
 
-    /// How many a second cross the line around a time, over the last five seconds or what there is of them.
+    /// Returns the crossings per second at a time, averaged over the last five seconds or the shorter time since the
+    /// meter started.
     pub fn flow(&self, time: f64) -> f64 {
         let at = |time: f64| {
             let after = self.crossings.partition_point(|&(_, then, _)| then <= time);
@@ -76,12 +77,12 @@ impl Gauge {
         if seconds > 0.0 { f64::from(at(time).saturating_sub(at(begin))) / seconds } else { 0.0 }
     }
 
-    /// Persons a square metre, against time.
+    /// Returns the agents per square metre against time.
     pub fn densities(&self) -> impl Iterator<Item = [f64; 2]> {
         self.densities.iter().map(|&(_, time, density)| [time, density])
     }
 
-    /// Looks at everybody after a step.
+    /// Updates the crossings after a step.
     pub(super) fn see(&mut self, now: &Observed) {
         let Meter::Line(ends) = self.meter else { return };
         let [a, b] = ends.map(|end| (end - now.origin).as_vec2());
@@ -95,7 +96,7 @@ impl Gauge {
             self.crossings.push((now.step, now.time, self.count() + crossed));
         }
         if self.crossings.len() > MOST {
-            // the first and the last stay: counts in between become coarser
+            // keeps the first and the last count and drops every second count in between
             let mut odd = true;
             self.crossings.retain(|_| {
                 odd = !odd;
@@ -105,7 +106,7 @@ impl Gauge {
         self.before = near;
     }
 
-    /// Takes a sample of what is not counted at every step.
+    /// Samples the density, which is not measured at every step.
     pub(super) fn sample(&mut self, now: &Observed) {
         let Meter::Area(corners) = self.meter else { return };
         let [a, b] = corners.map(|corner| (corner - now.origin).as_vec2());
@@ -115,7 +116,7 @@ impl Gauge {
         self.densities.push((now.step, now.time, count as f64 / self.meter.extent()));
     }
 
-    /// The run has gone back to where everybody is now.
+    /// Drops the measurements after `now`, because the run has gone back.
     pub(super) fn back(&mut self, now: &Observed) {
         let step = now.step;
         self.crossings.truncate(self.crossings.partition_point(|&(at, ..)| at <= step));
@@ -126,7 +127,7 @@ impl Gauge {
         self.remember(now);
     }
 
-    /// Keeps the samples of every so many steps.
+    /// Keeps the samples at multiples of `stride` steps.
     pub(super) fn thin(&mut self, stride: u64) {
         self.densities.retain(|(step, ..)| step.is_multiple_of(stride));
     }
@@ -138,7 +139,7 @@ impl Gauge {
     }
 }
 
-/// Who is so near to a line that a step may lead across it, by number.
+/// Returns the agents that may cross the line in the next step, sorted by number.
 fn near(now: &Observed, [a, b]: [Vec2; 2]) -> Vec<(u32, Vec2)> {
     let (low, high) = (a.min(b) - FARTHEST, a.max(b) + FARTHEST);
     let beings = now.beings.iter().map(|being| (being.number, being.position));
@@ -147,7 +148,8 @@ fn near(now: &Observed, [a, b]: [Vec2; 2]) -> Vec<(u32, Vec2)> {
     near
 }
 
-/// Whether a way crosses a line; one that ends on it crosses when it goes on.
+/// Whether a displacement crosses a line. A displacement that ends on the line does not cross it; the next one does if
+/// the agent goes on.
 fn cross([from, to]: [Vec2; 2], [a, b]: [Vec2; 2]) -> bool {
     let side = |point: Vec2, a: Vec2, b: Vec2| (b - a).perp_dot(point - a) > 0.0;
     side(from, a, b) != side(to, a, b) && side(a, from, to) != side(b, from, to)
@@ -159,13 +161,16 @@ mod tests {
     use throng_scene::gallery;
 
     #[test]
-    fn everybody_who_comes_through_is_counted_once() {
+    fn each_agent_that_crosses_is_counted_once() {
         let (mut world, _) = gallery::scene("headon").unwrap().build().unwrap();
         let x = DVec2::new(0.0, 50.0);
         let mut gauge = Gauge::new(Meter::Line([-x, x]), &(&world).into());
         let mut area = Gauge::new(Meter::Area([-DVec2::splat(50.0), DVec2::splat(50.0)]), &(&world).into());
         area.sample(&(&world).into());
-        assert_eq!(area.densities().next().map(|[_, density]| density), Some(world.agents().len() as f64 / 1e4));
+        assert_eq!(
+            area.densities().next().map(|[_, density]| density),
+            Some(world.relative_columns().len() as f64 / 1e4)
+        );
         let mut saved = None;
         while !world.finished() && world.steps() < 1000 {
             world.step();
@@ -174,7 +179,7 @@ mod tests {
                 saved = Some(world.save());
             }
         }
-        assert_eq!(gauge.count() as usize, world.agents().len());
+        assert_eq!(gauge.count() as usize, world.relative_columns().len());
         assert_eq!(gauge.flow(world.time() + 60.0), 0.0);
         world.load(&saved.unwrap()).unwrap();
         gauge.back(&(&world).into());
@@ -182,16 +187,16 @@ mod tests {
     }
 
     #[test]
-    fn only_who_is_near_is_remembered() {
+    fn only_agents_near_the_line_are_remembered() {
         let (world, _) = gallery::scene("ring-1000").unwrap().build().unwrap();
         let gauge = Gauge::new(Meter::Line([DVec2::new(100.0, -1.0), DVec2::new(110.0, 1.0)]), &Observed::from(&world));
-        // a ring of 103.5 m, 0.65 m for each
+        // a ring of 103.5 m radius with 0.65 m per agent
         assert!((20..60).contains(&gauge.before.len()), "{}", gauge.before.len());
         assert!(gauge.before.is_sorted_by_key(|(number, _)| *number));
     }
 
     #[test]
-    fn who_passes_beside_the_line_does_not_cross_it() {
+    fn a_path_beside_the_line_does_not_cross_it() {
         let line = [Vec2::ZERO, Vec2::Y];
         assert!(cross([Vec2::new(-1.0, 0.5), Vec2::new(1.0, 0.5)], line));
         assert!(!cross([Vec2::new(-1.0, 1.5), Vec2::new(1.0, 1.5)], line));

@@ -1,7 +1,8 @@
-//! Playing a scene: commands go in, states come out.
+//! Playback of a scene: commands in, states out.
 //!
-//! An [`Engine`] owns the scene and the world that was made of it, or a [`Reel`] read from a file of trajectories. In a window it runs in a thread of its own
-//! ([`Threaded`]); in a web page, where there are none, the page lets it work a slice of each frame. Either is a [`Player`].
+//! An [`Engine`] owns the scene and its world, or a [`Reel`] read from a trajectory file. In a window it runs in its
+//! own thread ([`ThreadedEngine`]). In a web page, which has no threads, it works for a time slice of each frame. Both are a
+//! [`Player`].
 
 mod engine;
 mod history;
@@ -9,32 +10,32 @@ mod live;
 mod meter;
 mod observed;
 mod pace;
+mod playable;
 mod quantity;
 mod reel;
 mod run;
+mod run_moment;
 mod series;
-mod shown;
-mod stage;
 #[cfg(not(target_arch = "wasm32"))]
 mod threaded;
 
 pub use engine::{Command, Engine};
-pub use history::History;
+pub use history::StateHistory;
 pub(crate) use live::guarded;
 pub use meter::{Gauge, Meter};
-pub use observed::{Being, Observed};
+pub use observed::{AgentMoment, Observed};
 pub use pace::{Pace, Speed};
 pub use quantity::Quantity;
 pub use reel::{Film, Reel};
 pub(crate) use run::{models_of, title};
+pub use run_moment::{Cost, RunMoment, Trouble};
 pub use series::{Sample, Series};
-pub use shown::{Cost, Shown, Trouble};
 #[cfg(not(target_arch = "wasm32"))]
-pub use threaded::Threaded;
+pub use threaded::ThreadedEngine;
 
-/// What plays scenes here.
+/// The player of this platform.
 #[cfg(not(target_arch = "wasm32"))]
-pub type Player = Threaded;
-/// What plays scenes here.
+pub type Player = ThreadedEngine;
+/// The player of this platform.
 #[cfg(target_arch = "wasm32")]
 pub type Player = Engine;

@@ -1,54 +1,54 @@
-//! What figures are measured of: everybody at one moment, of a world or of a file.
+//! Observations of all agents at one moment, of a world or of a trajectory file.
 
 use glam::{DVec2, Vec2};
 use throng::{Status, World};
 
-/// Everybody at one moment.
+/// All agents at one moment.
 #[derive(Clone, Debug, Default)]
 pub struct Observed {
-    /// Steps made.
+    /// Number of steps.
     pub step: u64,
-    /// Seconds since the start.
+    /// Simulation time, seconds.
     pub time: f64,
-    /// Seconds of a step.
+    /// Length of a step, seconds.
     pub period: f64,
-    /// World coordinates of what places are relative to.
+    /// World coordinates of the origin of positions.
     pub origin: DVec2,
-    /// How many have arrived so far.
+    /// Number of agents that have arrived.
     pub arrived: usize,
-    /// Share of all moves so far that the guard changed; not a number where nobody knows.
+    /// Share of agent-steps so far that the guard changed. NaN if unknown.
     pub guarded: f64,
-    /// Everybody who is there.
-    pub beings: Vec<Being>,
+    /// The agents present.
+    pub beings: Vec<AgentMoment>,
 }
 
-/// Somebody at one moment.
+/// An agent at one moment.
 #[derive(Clone, Copy, Debug)]
-pub struct Being {
-    /// Its number.
+pub struct AgentMoment {
+    /// The number of the agent.
     pub number: u32,
-    /// Where it is, relative to [`Observed::origin`], and how high, metres.
+    /// Position relative to [`Observed::origin`], metres.
     pub position: Vec2,
-    /// Metres above the ground.
+    /// Height above the ground, metres.
     pub altitude: f32,
-    /// Radius of the circle round its body, metres.
+    /// Radius of the bounding circle of the body, metres.
     pub radius: f32,
-    /// m/s.
+    /// Speed, m/s.
     pub speed: f32,
-    /// How far its heading has turned since it came, radians.
+    /// Total turning of the heading since the agent entered, radians.
     pub turned: f64,
-    /// Whether it is on its way.
+    /// Whether the agent is walking to its goal.
     pub walking: bool,
 }
 
 impl From<&World> for Observed {
     fn from(world: &World) -> Self {
-        let (agents, settings, summary) = (world.agents(), world.settings(), world.summary());
-        let being = |row: usize| Being {
+        let (agents, settings, summary) = (world.relative_columns(), world.settings(), world.summary());
+        let being = |row: usize| AgentMoment {
             number: agents.number[row],
             position: agents.position[row],
             altitude: agents.altitude[row],
-            radius: agents.body(row).bound(),
+            radius: agents.body(row).bounding_radius(),
             speed: agents.speed(row),
             turned: agents.trip(row).turned,
             walking: agents.status[row] == Status::Walking,

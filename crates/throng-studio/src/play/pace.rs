@@ -1,19 +1,19 @@
-//! How fast the world's clock runs beside the real one.
+//! The playback speed: simulation time against real time.
 
 use std::time::Duration;
 use web_time::Instant;
 
-/// How fast a scene plays.
+/// The speed of playback.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub enum Speed {
-    /// So many seconds of the world in a real second. Limit: > 0.
+    /// Seconds of simulation per second of real time. Limit: > 0.
     Times(f64),
-    /// As many steps as can be made.
+    /// As many steps as possible.
     Fastest,
 }
 
 impl Speed {
-    /// What can be chosen, slow to fast.
+    /// The selectable speeds, in ascending order.
     pub const ALL: [Self; 8] = [
         Self::Times(0.1),
         Self::Times(0.25),
@@ -25,7 +25,7 @@ impl Speed {
         Self::Fastest,
     ];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> String {
         match self {
             Self::Times(times) => format!("{times}×"),
@@ -33,33 +33,34 @@ impl Speed {
         }
     }
 
-    /// The next one of [`Speed::ALL`]; the first after the last.
+    /// Returns the next speed of [`Speed::ALL`], the first after the last.
     pub fn next(self) -> Self {
         let now = Self::ALL.iter().position(|&speed| speed == self);
         Self::ALL[now.map_or(3, |now| (now + 1) % Self::ALL.len())]
     }
 }
 
-/// Real time that a world may be behind before it lets go of it: a slow world does not rush afterwards.
+/// The real time that a slow world may fall behind, seconds. Further delay is dropped, so that the world does not rush
+/// later.
 const PATIENCE: f64 = 0.1;
 
-/// Tells when a step is due.
+/// Decides when a step is due.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
-    /// How fast the scene plays.
+    /// The playback speed.
     pub speed: Speed,
-    /// Seconds of the world that have passed and are not simulated yet.
+    /// Seconds of simulation that are due.
     owed: f64,
     last: Instant,
 }
 
 impl Pace {
-    /// Nothing is due at `now`.
+    /// Creates a pace with no step due at `now`.
     pub fn new(speed: Speed, now: Instant) -> Self {
         Self { speed, owed: 0.0, last: now }
     }
 
-    /// Lets time pass until `now`; whether it counts.
+    /// Adds the real time until `now`, if the run is playing.
     pub fn pass(&mut self, now: Instant, playing: bool) {
         let real = now.saturating_duration_since(self.last).as_secs_f64().min(PATIENCE);
         self.last = now;
@@ -69,7 +70,7 @@ impl Pace {
         }
     }
 
-    /// Takes a step of so many seconds, if one is due.
+    /// Takes a step of this length, seconds, if it is due. Returns whether it was due.
     pub fn take(&mut self, seconds: f64) -> bool {
         match self.speed {
             Speed::Fastest => true,
@@ -81,12 +82,12 @@ impl Pace {
         }
     }
 
-    /// Drops steps that are due and were not made in time; less than one stays.
+    /// Drops overdue steps, except for less than one.
     pub fn let_go(&mut self, seconds: f64) {
         self.owed = self.owed.min(seconds);
     }
 
-    /// When the next step of so many seconds is due.
+    /// Returns the real time until the next step of this length is due.
     pub fn wait(&self, seconds: f64) -> Duration {
         match self.speed {
             Speed::Fastest => Duration::ZERO,
@@ -94,7 +95,7 @@ impl Pace {
         }
     }
 
-    /// How far the clock is on its way from the last step to the next, as a share of it, at a moment.
+    /// Returns the share of the next step that has passed at `now`, 0 to 1.
     pub fn share(&self, seconds: f64, now: Instant) -> f64 {
         match self.speed {
             Speed::Fastest => 1.0,

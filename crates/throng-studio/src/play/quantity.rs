@@ -1,28 +1,28 @@
-//! What is measured of a run, now and then.
+//! Sampled quantities of a run.
 
 use super::observed::Observed;
 use std::collections::HashMap;
 
-/// A figure of a moment.
+/// A quantity at one moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// How many have arrived.
+    /// Number of agents that have arrived.
     Arrived,
-    /// The least distance of two centres over the sum of their radii, now.
+    /// The least separation: distance of two centres over the sum of their radii.
     Separation,
-    /// Mean speed of those on their way.
+    /// Mean speed of the walking agents.
     Speed,
-    /// Mean turning of the headings of those on their way.
+    /// Mean turning rate of the headings of the walking agents.
     Turning,
-    /// Share of all moves so far that the guard changed.
+    /// Share of agent-steps so far that the guard changed.
     Guarded,
 }
 
 impl Quantity {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 5] = [Self::Arrived, Self::Separation, Self::Speed, Self::Turning, Self::Guarded];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Arrived => "arrived",
@@ -33,7 +33,7 @@ impl Quantity {
         }
     }
 
-    /// Its unit; empty where it has none.
+    /// Returns the unit, empty for a dimensionless quantity.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Arrived => "agents",
@@ -44,21 +44,21 @@ impl Quantity {
         }
     }
 
-    /// What it is, in a line.
+    /// Returns the definition in one line.
     pub fn says(self) -> &'static str {
         match self {
             Self::Arrived => "agents at the end of their journeys",
             Self::Separation => {
                 "least distance of two centres over the sum of their radii, at this moment; 1: they touch"
             }
-            Self::Speed => "mean speed of those on their way",
-            Self::Turning => "mean turning of the headings of those on their way",
+            Self::Speed => "mean speed of the walking agents",
+            Self::Turning => "mean turning rate of the headings of the walking agents",
             Self::Guarded => "share of agent-steps so far that the guard changed by more than a hundredth",
         }
     }
 }
 
-/// The figures of a moment, where `before` is how far everybody had turned a step ago.
+/// Measures all quantities. `before` holds the total turning of the agents one step ago.
 pub(super) fn measure(now: &Observed, before: &[(u32, f64)]) -> [f32; Quantity::ALL.len()] {
     let walking = || now.beings.iter().filter(|being| being.walking);
     let before: HashMap<u32, f64> = before.iter().copied().collect();
@@ -72,19 +72,19 @@ pub(super) fn measure(now: &Observed, before: &[(u32, f64)]) -> [f32; Quantity::
     })
 }
 
-/// How far everybody has turned so far, by number.
+/// Returns the total turning of each agent, by number.
 pub(super) fn turned(now: &Observed) -> impl Iterator<Item = (u32, f64)> {
     now.beings.iter().map(|being| (being.number, being.turned))
 }
 
-/// Not a number for none.
+/// Returns the mean, NaN for no values.
 fn mean(values: impl Iterator<Item = f64>) -> f32 {
     let (sum, count) = values.fold((0.0, 0_u32), |(sum, count), value| (sum + value, count + 1));
     (sum / f64::from(count)) as f32
 }
 
-/// The least distance of two centres over the sum of their radii: along x, only those are looked at who can be nearer than the
-/// nearest so far.
+/// Returns the least separation. Sweeps along x and compares only pairs that can be closer than the least separation so
+/// far.
 fn least_separation(now: &Observed) -> f32 {
     let mut all: Vec<(glam::Vec3, f32)> =
         now.beings.iter().map(|being| (being.position.extend(being.altitude), being.radius)).collect();

@@ -1,9 +1,9 @@
-//! A film of a run: trajectories read from a file, to be played again.
+//! Replay of trajectories read from a file.
 
-use super::observed::{Being, Observed};
+use super::observed::{AgentMoment, Observed};
+use super::playable::Playable;
 use super::run::title;
-use super::shown::{Cost, Trouble};
-use super::stage::Stage;
+use super::run_moment::{Cost, Trouble};
 use glam::DVec2;
 use std::collections::HashMap;
 use std::f32::consts::{PI, TAU};
@@ -11,56 +11,57 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use throng::{Status, Summary};
 use throng_draw::WorldBox;
-use throng_record::{Frame, Moments, Reading, Setting, Spot, Tracks, moment};
+use throng_record::{Frame, Moments, Reading, Sample, Setting, Trajectories, moment};
 use throng_scene::{Scene, caught};
 
-/// A file of trajectories that can be replayed.
+/// A trajectory file to replay.
 #[derive(Clone, Debug, Default)]
 pub struct Film {
-    /// Its name.
+    /// The path.
     pub path: PathBuf,
-    /// What is in it, where that is in memory; else it is read.
+    /// The content, if it is in memory. Otherwise the file is read.
     pub bytes: Option<Arc<[u8]>>,
-    /// The scene that may be of the place, with its name: if it has the groups of the file, it is.
+    /// A scene with its name. It provides the surroundings if it has the groups of the file.
     pub place: Option<(Arc<str>, Arc<Scene>)>,
 }
 
-/// Who was where at every moment of a run, and what stayed the same.
+/// The trajectories of a run, and its setting.
 #[derive(Debug)]
 pub struct Reel {
-    /// The stem of the file's name.
+    /// The stem of the file name.
     pub name: Arc<str>,
-    /// The scene that the place is of, if there is one; its clock is that of the file.
+    /// The scene of the surroundings, or an empty scene. Its time step and limit are those of the file.
     pub scene: Arc<Scene>,
-    /// The place, as far as it is known, and the names of the groups.
+    /// The surroundings, as far as they are known, and the names of the groups.
     pub setting: Arc<Setting>,
     moments: Moments,
-    /// How far each spot's agent had turned by then, radians.
+    /// The total turning of the agent up to each sample, radians.
     turned: Vec<f32>,
 }
 
 impl Reel {
-    /// Reads a file of trajectories.
+    /// Reads a trajectory file.
     ///
     /// # Errors
-    /// It cannot be read, is no such file, or nobody is in it; where, why, and what to do.
+    /// The file cannot be read, has no known format, or has no agents. The message names the position, the reason and
+    /// the remedy.
     pub fn open(film: &Film) -> Result<Self, String> {
         let path = &film.path;
         let tracks = film
             .bytes
             .as_ref()
-            .map_or_else(|| Tracks::read(path), |bytes| Tracks::of_file(path, bytes, &Reading::default()));
+            .map_or_else(|| Trajectories::read(path), |bytes| Trajectories::of_file(path, bytes, &Reading::default()));
         let tracks = tracks.map_err(|error| error.to_string())?;
         if tracks.spots.is_empty() {
-            return Err(format!("{}: nobody is in it: there is nothing to replay", path.display()));
+            return Err(format!("{}: the file has no agents: there is nothing to replay", path.display()));
         }
         let name = path.file_stem().map_or_else(|| "film".into(), |stem| stem.to_string_lossy().into_owned());
         let place = film.place.as_ref().and_then(|(called, scene)| place(called, scene));
         Ok(Self::new(&name, tracks, place))
     }
 
-    /// A film of tracks that are not empty, in a place if that has their groups.
-    fn new(name: &str, mut tracks: Tracks, place: Option<(Scene, Setting)>) -> Self {
+    /// Creates a reel of nonempty trajectories. `place` applies if it has their groups.
+    fn new(name: &str, mut tracks: Trajectories, place: Option<(Scene, Setting)>) -> Self {
         let placed = place.filter(|(_, setting)| tracks.put_into(setting)).map(|(scene, _)| scene);
         let mut scene = placed.unwrap_or_else(|| {
             tracks.setting.title = name.into();
@@ -78,32 +79,32 @@ impl Reel {
         }
     }
 
-    /// How many moments there are, at least 1.
+    /// Returns the number of moments, at least 1.
     pub fn count(&self) -> usize {
         self.moments.count()
     }
 
-    /// When a moment was, seconds; of those after the last, when that was.
+    /// Returns the time of a moment, seconds. Moments after the last have the time of the last.
     pub fn time(&self, moment: usize) -> f64 {
         self.moments.time(moment)
     }
 
-    /// Makes `frame` show a moment.
+    /// Writes a moment into `frame`.
     pub fn capture(&self, moment: usize, frame: &mut Frame) {
         self.moments.capture(moment, frame);
     }
 
-    /// The box that holds the place, and everybody at every moment.
+    /// Returns the box around the surroundings and all positions at all moments.
     pub(super) fn bounds(&self) -> WorldBox {
         let one = WorldBox { min: DVec2::ZERO, max: DVec2::ONE };
-        WorldBox::of(&self.setting, &self.moments.everybody()).unwrap_or(one)
+        WorldBox::of(&self.setting, &self.moments.all_bodies()).unwrap_or(one)
     }
 
     fn observe(&self, moment: usize) -> Observed {
         let origin = self.setting.origin;
         let being = |index: usize| {
             let spot = &self.moments.spots()[index];
-            Being {
+            AgentMoment {
                 number: spot.number,
                 position: (spot.place.truncate() - origin).as_vec2(),
                 altitude: spot.place.z as f32,
@@ -125,17 +126,17 @@ impl Reel {
     }
 }
 
-/// A scene, with its setting; `None` if it cannot be built.
+/// Returns a scene with its setting, `None` if it cannot be built.
 fn place(name: &str, scene: &Scene) -> Option<(Scene, Setting)> {
     let (world, built) = caught(|| scene.build()).ok()?.ok()?;
     let setting = moment::setting(&world, &built, title(scene, name));
     Some((scene.clone(), setting))
 }
 
-/// Along all spots: how far everybody has turned by then, radians.
-fn turned(spots: &[Spot]) -> Vec<f32> {
+/// Returns the total turning of the agent up to each sample, radians.
+fn turned(spots: &[Sample]) -> Vec<f32> {
     let mut last: HashMap<u32, (f32, f32)> = HashMap::new();
-    let turn = |spot: &Spot| {
+    let turn = |spot: &Sample| {
         let (heading, so_far) = last.get(&spot.number).copied().unwrap_or((spot.heading, 0.0));
         let by = (spot.heading - heading + PI).rem_euclid(TAU) - PI;
         last.insert(spot.number, (spot.heading, so_far + by.abs()));
@@ -144,20 +145,20 @@ fn turned(spots: &[Spot]) -> Vec<f32> {
     spots.iter().map(turn).collect()
 }
 
-/// A film at one of its moments.
-pub(super) struct Replay {
+/// A reel at one of its moments.
+pub(super) struct ReelReplay {
     reel: Arc<Reel>,
     at: usize,
 }
 
-impl Replay {
-    /// At its first moment.
+impl ReelReplay {
+    /// Starts at the first moment.
     pub fn new(reel: Arc<Reel>) -> Self {
         Self { reel, at: 0 }
     }
 }
 
-impl Stage for Replay {
+impl Playable for ReelReplay {
     fn steps(&self) -> u64 {
         self.at as u64
     }

@@ -1,21 +1,21 @@
-//! Something being played: its moments, what they look like, and what was measured of them.
+//! A run: its current and previous frames, and its measurements.
 
 use super::live::Live;
 use super::meter::Meter;
-use super::reel::{Reel, Replay};
+use super::playable::Playable;
+use super::reel::{Reel, ReelReplay};
+use super::run_moment::{Cost, Trouble};
 use super::series::Series;
-use super::shown::{Cost, Trouble};
-use super::stage::Stage;
 use std::sync::Arc;
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting};
 use throng_scene::Scene;
 
-/// A scene or a film, at one of its moments, and what is to be seen of it.
-pub(super) struct Run {
+/// A run of a scene or a trajectory file.
+pub(super) struct PlayedRun {
     pub name: Arc<str>,
     pub scene: Arc<Scene>,
-    pub stage: Box<dyn Stage>,
+    pub stage: Box<dyn Playable>,
     pub setting: Arc<Setting>,
     pub bounds: WorldBox,
     pub first: Arc<Frame>,
@@ -25,25 +25,25 @@ pub(super) struct Run {
     pub series: Arc<Series>,
 }
 
-impl Run {
-    /// Builds the scene's world.
+impl PlayedRun {
+    /// Builds the world of a scene.
     pub fn new(name: Arc<str>, scene: Arc<Scene>, meters: &Arc<[Meter]>) -> Result<Self, Trouble> {
         let (live, setting) = Live::new(scene.clone(), title(&scene, &name))?;
         let [min, max] = live.bounds();
         Ok(Self::of(name, scene, Box::new(live), Arc::new(setting), WorldBox { min, max }, meters))
     }
 
-    /// A film, at its first moment.
+    /// Starts a replay at its first moment.
     pub fn replay(reel: Arc<Reel>, meters: &Arc<[Meter]>) -> Self {
         let (name, scene, setting, bounds) =
             (reel.name.clone(), reel.scene.clone(), reel.setting.clone(), reel.bounds());
-        Self::of(name, scene, Box::new(Replay::new(reel)), setting, bounds, meters)
+        Self::of(name, scene, Box::new(ReelReplay::new(reel)), setting, bounds, meters)
     }
 
     fn of(
         name: Arc<str>,
         scene: Arc<Scene>,
-        stage: Box<dyn Stage>,
+        stage: Box<dyn Playable>,
         setting: Arc<Setting>,
         bounds: WorldBox,
         meters: &Arc<[Meter]>,
@@ -51,7 +51,7 @@ impl Run {
         let mut frame = Frame::default();
         stage.capture(&mut frame);
         let frame = Arc::new(frame);
-        // a film knows where everybody ever is, a scene where they are at first
+        // a trajectory file knows the positions at all moments, a scene only those at the start
         let around = if stage.reel().is_some() { None } else { WorldBox::of(&setting, &frame) };
         Self {
             bounds: around.unwrap_or(bounds),
@@ -79,7 +79,7 @@ impl Run {
         Ok(())
     }
 
-    /// Goes on as another scene says, if only its groups are others: whether it does.
+    /// Continues with another scene, if only its groups differ. Returns whether they alone differ.
     pub fn change(&mut self, scene: Arc<Scene>) -> Result<bool, Trouble> {
         let tuned = self.stage.tune(&scene, &self.scene, title(&scene, &self.name))?;
         let found = tuned.is_some();
@@ -90,29 +90,29 @@ impl Run {
         Ok(found)
     }
 
-    /// Goes to the last state within reach of a step or of one before it.
+    /// Goes to the last reachable state at or before a step.
     pub fn back_to(&mut self, step: u64) {
         self.stage.back_to(step);
         self.stand();
     }
 
-    /// Shows where the stage stands after it has not gone on from what was shown.
+    /// Captures the current state without a previous frame to interpolate from.
     fn stand(&mut self) {
         Arc::make_mut(&mut self.series).back(&self.stage.observe());
         self.see();
         self.before = self.frame.clone();
     }
 
-    /// What is there now is to be seen.
+    /// Captures the current state.
     pub fn see(&mut self) {
         let mut next = std::mem::replace(&mut self.before, self.frame.clone());
-        // memory of moments that nobody looks at any more is used again
+        // reuses the memory of the previous frame if no reader holds it
         self.stage.capture(Arc::make_mut(&mut next));
         self.frame = next;
     }
 }
 
-/// What the local models of a scene's groups are called.
+/// Returns the names of the local models of a scene's groups.
 pub(crate) fn models_of(scene: &Scene) -> String {
     let mut names: Vec<String> = Vec::new();
     for group in &scene.groups {
@@ -124,7 +124,7 @@ pub(crate) fn models_of(scene: &Scene) -> String {
     names.join(", ")
 }
 
-/// What a scene of this name is called.
+/// Returns the title of a scene, or its name if it has no title.
 pub(crate) fn title<'a>(scene: &'a Scene, name: &'a str) -> &'a str {
     if scene.title.is_empty() { name } else { &scene.title }
 }

@@ -1,40 +1,40 @@
-//! Figures of a run against its time.
+//! Time series of a run.
 
 use super::meter::{Gauge, Meter};
 use super::observed::Observed;
 use super::quantity::{Quantity, measure, turned};
 use std::sync::Arc;
 
-/// So many samples at most: enough for a plot as wide as a screen.
+/// The most samples, enough for a plot of the width of a screen.
 const MOST: usize = 1000;
-/// Seconds between samples at first.
+/// The first interval between samples, seconds.
 const PERIOD: f64 = 0.2;
 
-/// The figures of one moment.
+/// The quantities at one moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
-    /// Steps made.
+    /// Number of steps.
     pub step: u64,
-    /// Seconds since the start.
+    /// Simulation time, seconds.
     pub time: f64,
-    /// In the order of [`Quantity::ALL`]; not a number where there is nothing to tell.
+    /// The values in the order of [`Quantity::ALL`]. NaN if undefined.
     pub values: [f32; Quantity::ALL.len()],
 }
 
-/// Figures of a run by step, oldest first. When they grow too many, every second one is let go and the next ones are taken half
-/// as often; when the run goes back, so do they.
+/// Samples of a run by step, oldest first. Beyond `MOST`, every second sample is dropped and the interval doubles.
+/// When the run goes back, later samples are dropped.
 #[derive(Clone, Debug)]
 pub struct Series {
     samples: Vec<Sample>,
-    /// Steps from one sample to the next.
+    /// Steps between samples.
     stride: u64,
-    /// How far everybody had turned a step before the next sample, by number.
+    /// Total turning of the agents one step before the next sample, by number.
     turned: Vec<(u32, f64)>,
     gauges: Vec<Gauge>,
 }
 
 impl Series {
-    /// Of a run at its start, with nothing but meters for now.
+    /// Creates the series of a run at its start.
     pub fn new(now: &Observed, meters: &Arc<[Meter]>) -> Self {
         let stride = (PERIOD / now.period).round().max(1.0) as u64;
         let mut series = Self { samples: Vec::new(), stride, turned: Vec::new(), gauges: Vec::new() };
@@ -43,17 +43,17 @@ impl Series {
         series
     }
 
-    /// What was measured, oldest first.
+    /// Returns the samples, oldest first.
     pub fn samples(&self) -> &[Sample] {
         &self.samples
     }
 
-    /// What the meters tell, in their order.
+    /// Returns the measurements of the meters, in their order.
     pub fn gauges(&self) -> &[Gauge] {
         &self.gauges
     }
 
-    /// Reads these meters from now on; one that is read already goes on.
+    /// Sets the meters. A meter that exists already keeps its measurements.
     pub fn meter(&mut self, now: &Observed, meters: &Arc<[Meter]>) {
         let mut before = std::mem::take(&mut self.gauges);
         let mut gauge = |meter: &Meter| {
@@ -63,12 +63,12 @@ impl Series {
         self.gauges = meters.iter().map(&mut gauge).collect();
     }
 
-    /// Whether there is something to see at this step.
+    /// Whether this step is to be observed.
     pub fn wants(&self, step: u64) -> bool {
         !self.gauges.is_empty() || step.is_multiple_of(self.stride) || (step + 1).is_multiple_of(self.stride)
     }
 
-    /// Looks at everybody after a step.
+    /// Updates the series after a step.
     pub fn see(&mut self, now: &Observed) {
         let step = now.step;
         self.gauges.iter_mut().for_each(|gauge| gauge.see(now));
@@ -82,7 +82,7 @@ impl Series {
         }
     }
 
-    /// The run has gone back to where everybody is now.
+    /// Drops the samples after `now`, because the run has gone back.
     pub fn back(&mut self, now: &Observed) {
         let step = now.step;
         self.samples.truncate(self.samples.partition_point(|sample| sample.step <= step));

@@ -1,27 +1,27 @@
-//! An engine in a thread of its own, so that no window waits for a step.
+//! An engine in its own thread, so that the window does not wait for steps.
 
 use super::engine::{Command, Engine};
-use super::shown::{Shown, Trouble};
+use super::run_moment::{RunMoment, Trouble};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// A thread works for so long before it shows what it has done.
+/// The working time before the thread publishes a state.
 const SLICE: Duration = Duration::from_millis(12);
 
-/// What a thread has to show.
-type Window = Arc<Mutex<(Option<Arc<Shown>>, Option<Trouble>)>>;
+/// The state that the thread publishes.
+type Window = Arc<Mutex<(Option<Arc<RunMoment>>, Option<Trouble>)>>;
 
-/// An [`Engine`] that works in a thread of its own; dropped, it stops.
-pub struct Threaded {
+/// An [`Engine`] in its own thread. Dropping it stops the thread.
+pub struct ThreadedEngine {
     commands: Option<Sender<Command>>,
     window: Window,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Threaded {
-    /// Starts the thread; it calls `wake` whenever there is something new to see.
+impl ThreadedEngine {
+    /// Starts the thread. The thread calls `wake` after each new state.
     ///
     /// # Errors
     /// The system starts no thread.
@@ -34,30 +34,30 @@ impl Threaded {
         Ok(Self { commands: Some(sender), window, thread: Some(thread) })
     }
 
-    /// Lets the engine do something, soon.
+    /// Sends a command to the engine.
     pub fn command(&mut self, command: Command) {
         if let Some(commands) = &self.commands {
-            // an engine that has stopped does nothing: what there is to see stays
+            // fails only after the engine has stopped; the last state stays
             let _ = commands.send(command);
         }
     }
 
-    /// What there is to see; `None` before the first scene.
-    pub fn shown(&mut self) -> Option<Arc<Shown>> {
+    /// Returns the current state, `None` before the first scene.
+    pub fn shown(&mut self) -> Option<Arc<RunMoment>> {
         self.window.lock().unwrap_or_else(PoisonError::into_inner).0.clone()
     }
 
-    /// What went wrong last.
+    /// Returns the last error.
     pub fn trouble(&self) -> Option<Trouble> {
         self.window.lock().unwrap_or_else(PoisonError::into_inner).1.clone()
     }
 }
 
-impl Drop for Threaded {
+impl Drop for ThreadedEngine {
     fn drop(&mut self) {
         self.commands = None;
         if let Some(thread) = self.thread.take() {
-            // a thread that panicked has nothing to finish
+            // a panicked thread has nothing to finish
             let _ = thread.join();
         }
     }

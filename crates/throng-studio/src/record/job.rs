@@ -1,4 +1,4 @@
-//! A recording, piece by piece.
+//! A recording in time slices.
 
 use super::{Begin, Source, Subject, Take};
 use std::sync::Arc;
@@ -8,11 +8,11 @@ use throng_draw::record::{Files, Plan};
 use throng_record::{Frame, Pool};
 use web_time::Instant;
 
-/// A recording under way: let it [`work`](Self::work). Dropped, it leaves nothing.
+/// A recording under way: let it [`work`](Self::work). Dropping it before it is complete removes its file.
 pub struct Job {
-    /// What is recorded side by side, on one clock.
+    /// The runs recorded side by side, on the same clock.
     sources: Vec<Box<dyn Source>>,
-    /// `None` once the file is complete.
+    /// The output, `None` once the file is complete.
     files: Option<Files>,
     frames: Pool<Frame>,
     from: f64,
@@ -20,10 +20,10 @@ pub struct Job {
 }
 
 impl Job {
-    /// Goes to the start of what is recorded, and begins the file.
+    /// Builds the runs and creates the file.
     ///
     /// # Errors
-    /// The scene cannot be built, what is chosen is not there, or the file cannot be begun; why.
+    /// The scene cannot be built, the choice does not fit the scene, or the file cannot be created.
     pub fn new(subject: &Subject, take: &Take, begin: Begin) -> Result<Self, String> {
         let sources = subject.begin(&take.style.annotations)?;
         let (setting, sheet) = (sources[0].setting(), subject.sheet(&sources, take.style.legend));
@@ -46,17 +46,17 @@ impl Job {
         Ok(job)
     }
 
-    /// Goes on for as long as `budget`, or a step more; whether the file is complete.
+    /// Works until `budget` is used up; the last step may exceed it. Returns whether the file is complete.
     ///
     /// # Errors
-    /// Code of the scene panicked, or the file cannot be written; why. Then nothing is left of it.
+    /// Code of the scene panicked, or the file cannot be written. The file is removed.
     pub fn work(&mut self, budget: Duration) -> Result<bool, String> {
         let begin = Instant::now();
         while self.files.is_some() && begin.elapsed() < budget {
             if self.sources.iter().all(|source| source.over()) || self.time() >= self.to - SLACK {
                 self.finish()?;
             } else {
-                // who is over keeps the last moment
+                // a run that has ended stays at its last moment
                 self.sources.iter_mut().filter(|source| !source.over()).try_for_each(|source| source.advance())?;
                 self.take()?;
             }
@@ -64,13 +64,13 @@ impl Job {
         Ok(self.files.is_none())
     }
 
-    /// How much is done, 0 to 1.
+    /// Returns the completed share, 0 to 1.
     pub fn share(&self) -> f32 {
         let end = self.sources.iter().map(|source| source.end()).fold(0.0, f64::max);
         (self.time() / self.to.min(end).max(1e-9)).clamp(0.0, 1.0) as f32
     }
 
-    /// The time of the source that is farthest, seconds.
+    /// Returns the time of the most advanced run, seconds.
     fn time(&self) -> f64 {
         self.sources.iter().map(|source| source.time()).fold(f64::NEG_INFINITY, f64::max)
     }
@@ -82,14 +82,14 @@ impl Job {
         files.push_all(time, step, || captured(sources, frames)).map_err(|error| error.to_string())
     }
 
-    /// Completes the file with what there is of it.
+    /// Completes the file with the frames that exist.
     ///
     /// # Errors
-    /// What is to be recorded has not begun yet, or the file cannot be written; why. Then nothing is left of it.
+    /// The recorded time span has not begun yet, or the file cannot be written. The file is removed.
     pub fn finish(&mut self) -> Result<(), String> {
         let (end, from) = (self.time(), self.from);
         if end + 0.5 * self.sources[0].step() <= from + SLACK {
-            return Err(format!("it ends at {end:.2} s, before what is to be recorded begins, at {from:.2} s"));
+            return Err(format!("the run ends at {end:.2} s, before the recording begins, at {from:.2} s"));
         }
         let Self { sources, files, frames, .. } = self;
         let Some(files) = files.take() else { return Ok(()) };
@@ -97,10 +97,10 @@ impl Job {
     }
 }
 
-/// Rounding of times, seconds.
+/// The tolerance of times, seconds.
 const SLACK: f64 = 1e-9;
 
-/// A frame a source.
+/// Captures one frame of each run.
 fn captured(sources: &[Box<dyn Source>], frames: &mut Pool<Frame>) -> Vec<Arc<Frame>> {
     sources.iter().map(|source| frames.make(|frame| source.capture(frame))).collect()
 }

@@ -1,7 +1,7 @@
-//! Recording: a scene played once more from its start, beside the one that people watch, into a file.
+//! Recording: a scene is run again from its start into a file, independently of the displayed run.
 //!
-//! A [`Job`] makes the steps and writes; in a window it works in a thread of its own, in a web page a slice of each frame:
-//! either is a [`Recording`]. What it writes is what `throng run` writes of the same scene and seed.
+//! A [`Job`] makes the steps and writes the file. In a window it works in its own thread, in a web page for a time
+//! slice of each frame. Both are a [`Recording`]. The output equals that of `throng run` for the same scene and seed.
 
 mod job;
 mod source;
@@ -13,14 +13,14 @@ pub use job::Job;
 pub use source::{Source, Subject, Which};
 pub use take::{Format, Take};
 #[cfg(not(target_arch = "wasm32"))]
-pub use threaded::Threaded;
+pub use threaded::ThreadedJob;
 
-/// A recording under way; dropped, it stops and leaves nothing.
+/// A recording under way. Dropping it before it is complete removes its file.
 #[cfg(not(target_arch = "wasm32"))]
-pub type Recording = Threaded;
-/// A recording under way; dropped, it stops and leaves nothing.
+pub type Recording = ThreadedJob;
+/// A recording under way. Dropping it before it is complete removes its file.
 #[cfg(target_arch = "wasm32")]
 pub type Recording = Job;
 
-/// What begins the file of a recording.
+/// Creates the output of a recording.
 pub type Begin = fn(&std::path::Path, &throng_draw::record::Plan) -> Result<throng_draw::record::Recorder, String>;

@@ -1,39 +1,39 @@
-//! What is recorded: moments one after the other.
+//! The sources of a recording: sequences of moments.
 
-use crate::play::{Reel, Shown, guarded, models_of, title};
+use crate::play::{Reel, RunMoment, guarded, models_of, title};
 use std::sync::Arc;
 use throng::World;
 use throng_draw::{Annotations, Sheet};
 use throng_record::{Frame, Setting, moment};
 use throng_scene::Scene;
 
-/// What a recording is made of.
+/// The subject of a recording.
 #[derive(Clone, Debug)]
 pub enum Subject {
-    /// A scene, with what it is called.
+    /// A scene and its name.
     Scene(Arc<str>, Arc<Scene>),
-    /// A film that is replayed.
+    /// Replayed trajectories.
     Film(Arc<Reel>),
-    /// A scene by two models, side by side: what it is called, and each with what its models are called.
+    /// A scene with two models side by side: its name, and each scene with the names of its models.
     Beside(Arc<str>, [(String, Arc<Scene>); 2]),
 }
 
-/// Which is recorded where a scene is shown by two models.
+/// The recorded model, where a scene runs with two models.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Which {
     /// Both, side by side.
     #[default]
     Both,
-    /// The scene by its own model.
+    /// The model of the scene.
     Own,
-    /// The one beside it.
+    /// The second model.
     Other,
 }
 
 impl Subject {
-    /// What is shown.
-    pub fn of(shown: &Shown, which: Which) -> Self {
-        let scene = |shown: &Shown| Self::Scene(shown.name.clone(), shown.scene.clone());
+    /// Returns the subject of the displayed run.
+    pub fn of(shown: &RunMoment, which: Which) -> Self {
+        let scene = |shown: &RunMoment| Self::Scene(shown.name.clone(), shown.scene.clone());
         match (&shown.reel, &shown.beside, which) {
             (Some(reel), ..) => Self::Film(reel.clone()),
             (None, Some(other), Which::Other) => scene(other),
@@ -45,22 +45,22 @@ impl Subject {
         }
     }
 
-    /// Its moments, from the first; those who are annotated tell what they have in mind.
+    /// Starts the sources at their first moment. Annotated agents record their decision traces.
     ///
     /// # Errors
-    /// The scene cannot be built; why.
+    /// The scene cannot be built.
     pub fn begin(&self, annotations: &Annotations) -> Result<Vec<Box<dyn Source>>, String> {
         let run = |name: &str, scene: &Arc<Scene>| -> Result<Box<dyn Source>, String> {
-            Ok(Box::new(Run::new(name, scene.clone(), annotations)?))
+            Ok(Box::new(SceneRun::new(name, scene.clone(), annotations)?))
         };
         match self {
-            Self::Film(reel) => Ok(vec![Box::new(Replay { reel: reel.clone(), at: 0 })]),
+            Self::Film(reel) => Ok(vec![Box::new(FilmReplay { reel: reel.clone(), at: 0 })]),
             Self::Scene(name, scene) => Ok(vec![run(name, scene)?]),
             Self::Beside(name, both) => both.iter().map(|(_, scene)| run(name, scene)).collect(),
         }
     }
 
-    /// What pictures of several sources show, under the title of the scene if they have one at all.
+    /// Returns the sheet for several sources side by side, with the title of the scene if `titled`.
     pub fn sheet(&self, sources: &[Box<dyn Source>], titled: bool) -> Option<Sheet> {
         let Self::Beside(_, both) = self else { return None };
         let panels = both
@@ -72,44 +72,44 @@ impl Subject {
     }
 }
 
-/// Moments one after the other.
+/// A sequence of moments.
 pub trait Source {
-    /// What stays the same.
+    /// Returns the constant part.
     fn setting(&self) -> &Setting;
-    /// Seconds from a moment to the next.
+    /// Returns the time between moments, seconds.
     fn step(&self) -> f64;
-    /// When this moment is, seconds.
+    /// Returns the time of the current moment, seconds.
     fn time(&self) -> f64;
-    /// When the last moment is, at the latest, seconds.
+    /// Returns the latest possible time of the last moment, seconds.
     fn end(&self) -> f64;
-    /// Whether this is the last one.
+    /// Whether the current moment is the last.
     fn over(&self) -> bool;
-    /// Goes on to the next.
+    /// Advances to the next moment.
     ///
     /// # Errors
-    /// Code of a scene panicked: what it said.
+    /// Code of the scene panicked, with its message.
     fn advance(&mut self) -> Result<(), String>;
-    /// Makes `frame` show this moment.
+    /// Writes the current moment into `frame`.
     fn capture(&self, frame: &mut Frame);
 }
 
-/// A scene from its start.
-struct Run {
+/// A scene that is run from its start.
+struct SceneRun {
     scene: Arc<Scene>,
     world: World,
     setting: Setting,
 }
 
-impl Run {
+impl SceneRun {
     fn new(name: &str, scene: Arc<Scene>, annotations: &Annotations) -> Result<Self, String> {
         let built = guarded(|| scene.build()).map_err(|trouble| trouble.to_string())?;
         let (mut world, built) = built.map_err(|error| error.to_string())?;
-        world.ask(annotations.asked());
+        world.request_traces(annotations.asked());
         Ok(Self { setting: moment::setting(&world, &built, title(&scene, name)), world, scene })
     }
 }
 
-impl Source for Run {
+impl Source for SceneRun {
     fn setting(&self) -> &Setting {
         &self.setting
     }
@@ -139,13 +139,13 @@ impl Source for Run {
     }
 }
 
-/// A film from its first moment.
-struct Replay {
+/// A replay from its first moment.
+struct FilmReplay {
     reel: Arc<Reel>,
     at: usize,
 }
 
-impl Source for Replay {
+impl Source for FilmReplay {
     fn setting(&self) -> &Setting {
         &self.reel.setting
     }

@@ -1,11 +1,11 @@
-//! What is to be recorded.
+//! Formats and settings of a recording.
 
 use std::path::{Path, PathBuf};
 use throng_draw::Style;
 use throng_draw::sink::Kind;
 use throng_record::Choice;
 
-/// What a recording becomes.
+/// The format of a recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Format {
     /// H.264 video.
@@ -14,21 +14,21 @@ pub enum Format {
     /// A looping animation.
     #[cfg_attr(target_arch = "wasm32", default)]
     Gif,
-    /// A folder of pictures.
+    /// A folder of numbered pictures.
     Pictures,
-    /// Where everybody was at every step.
+    /// The positions of the agents at every sample.
     Trajectories,
 }
 
 impl Format {
-    /// Those that can be written here: a web page has no folders, and no encoder of video.
+    /// The formats of this platform. A web page can write neither folders nor video.
     pub const ALL: &[Self] = if cfg!(target_arch = "wasm32") {
         &[Self::Gif, Self::Trajectories]
     } else {
         &[Self::Video, Self::Gif, Self::Pictures, Self::Trajectories]
     };
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Video => "video (.mp4)",
@@ -38,7 +38,7 @@ impl Format {
         }
     }
 
-    /// How its name ends.
+    /// Returns the ending of the file name.
     pub fn ending(self) -> &'static str {
         match self {
             Self::Video => ".mp4",
@@ -48,10 +48,10 @@ impl Format {
         }
     }
 
-    /// What the name of a file says.
+    /// Returns the format that a file name selects.
     ///
     /// # Errors
-    /// It says nothing that can be recorded; how names end.
+    /// The name selects no recordable format. The message lists the endings.
     pub fn of(path: &Path) -> Result<Self, String> {
         let table = throng_record::Format::of(path).is_some_and(throng_record::Format::is_written);
         let said = match Kind::of(path) {
@@ -72,17 +72,17 @@ impl Format {
     }
 }
 
-/// What is to be recorded, and how.
+/// The settings of a recording.
 #[derive(Clone, Debug)]
 pub struct Take {
-    /// The file; its ending says what it becomes.
+    /// The file. Its ending selects the format.
     pub path: PathBuf,
-    /// From when to when, and what of it trajectories have.
+    /// The time span, and the choice of trajectories.
     pub choice: Choice,
-    /// Pictures a second, 0.001 to 1000.
+    /// Pictures per second, 0.001 to 1000.
     pub rate: f64,
-    /// Seconds of the scene in a second of video, greater than 0.
+    /// Seconds of the scene per second of video, greater than 0.
     pub speed_up: f64,
-    /// What pictures look like.
+    /// The style of pictures.
     pub style: Style,
 }

@@ -1,21 +1,21 @@
-//! What the doc line of a key says: its unit, its limits, what it is where it is left out.
+//! Parses the doc line of a key: its unit, its limits and its default.
 
-/// The doc line of a key, read.
+/// A parsed doc line of a key.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
-    /// All of it.
+    /// The whole text.
     pub text: String,
-    /// The unit, as short as it goes.
+    /// The abbreviated unit.
     pub unit: Option<&'static str>,
-    /// The least, if there is one.
+    /// The minimum, if there is one.
     pub low: Option<f64>,
-    /// The most, if there is one.
+    /// The maximum, if there is one.
     pub high: Option<f64>,
-    /// The value where the key is left out, if the line has it.
+    /// The default, if the line states one.
     pub without: Option<f64>,
 }
 
-/// Words of doc lines, longer ones first, and what is shown of them.
+/// Units in doc lines, longer ones first, and their abbreviations.
 const UNITS: [(&str, &str); 9] = [
     ("m/s²", "m/s²"),
     ("m/s", "m/s"),
@@ -29,12 +29,12 @@ const UNITS: [(&str, &str); 9] = [
 ];
 
 impl About {
-    /// Reads a doc line.
+    /// Parses a doc line.
     pub fn new(text: &str) -> Self {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let lower = text.to_lowercase();
         let first = |(words, unit): &(&str, &'static str)| Some((lower.find(words)?, words.len(), *unit));
-        // the unit that is named first; of those that begin alike the longest
+        // the unit that appears first; among units that start there, the longest
         let unit = UNITS.iter().filter_map(first).min_by_key(|&(at, length, _)| (at, std::cmp::Reverse(length)));
         let (low, high) = text.split_once("Limit: ").map_or((None, None), |(_, limit)| limits(limit));
         let without = text.split_once("Without it, ").and_then(|(_, rest)| number(rest));
@@ -42,7 +42,7 @@ impl About {
     }
 }
 
-/// The least and the most that a limit names: `a to b`, `> a`, `>= a`, `> a, at most b`.
+/// Returns the minimum and the maximum of a limit: `a to b`, `> a`, `>= a`, `> a, at most b`.
 fn limits(limit: &str) -> (Option<f64>, Option<f64>) {
     let most = limit.split_once("at most ").and_then(|(_, rest)| number(rest));
     if let Some(rest) = limit.strip_prefix(">= ").or_else(|| limit.strip_prefix("> ")) {
@@ -54,7 +54,7 @@ fn limits(limit: &str) -> (Option<f64>, Option<f64>) {
     }
 }
 
-/// The number that a text begins with.
+/// Returns the number at the start of a text.
 fn number(text: &str) -> Option<f64> {
     let end = text.find(|c: char| !(c.is_ascii_digit() || "-.,eE+".contains(c))).unwrap_or(text.len());
     text[..end].trim_end_matches(['.', ',']).replace(',', "").parse().ok()

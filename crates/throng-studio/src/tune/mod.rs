@@ -1,20 +1,20 @@
-//! What can be tuned of a scene's groups: the numbers, switches and choices that the schema of scene files knows.
+//! Tunable parameters of the groups: the numbers, switches and choices of the schema of scene files.
 //!
-//! The schema has the keys, their kinds, limits and doc lines; the scene has their values. So whatever a scene file can say of a
-//! group can be tuned, without a list of its own here.
+//! The schema provides keys, types, limits and doc lines. The scene provides the values. Every key of a group in the
+//! schema is tunable, without a separate list.
 
 mod about;
 mod section;
 
 pub use about::About;
-pub use section::{Kind, Parameter, Section};
+pub use section::{Parameter, ParameterKind, Section};
 
 use crate::document::{Document, Edit};
 use serde_json::Value;
 use throng_scene::Plugins;
 
-/// Keys of a group that say where and when its agents start and where they go: another scene, not another tuning; and what
-/// is a matter of pictures.
+/// Keys of a group that are not tuned: keys that define where and when agents start and where they go, and keys of
+/// drawing.
 const NOT_TUNED: [&str; 13] = [
     "name",
     "count",
@@ -31,19 +31,19 @@ const NOT_TUNED: [&str; 13] = [
     "mark",
 ];
 
-/// What can be tuned: the schema of scene files, read once.
+/// The schema of scene files.
 #[derive(Clone, Debug)]
 pub struct Tunable {
     schema: Value,
 }
 
 impl Tunable {
-    /// What scene files can say, with these plug-ins.
+    /// Reads the schema with these plug-ins.
     pub fn new(plugins: &Plugins) -> Self {
         Self { schema: plugins.schema() }
     }
 
-    /// A section for each group of a scene; none while its text is no scene.
+    /// Returns a section for each group of the scene. Returns none if the text is invalid.
     pub fn groups(&self, document: &Document) -> Vec<Section> {
         let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
         let of = |(k, group): (usize, &throng_scene::Group)| {
@@ -84,20 +84,20 @@ mod tests {
             |path: &str| *found.iter().find(|parameter| parameter.path == path).unwrap_or_else(|| panic!("{path}"));
         let horizon = of("group.0.avoid.orca.time_horizon");
         assert_eq!(horizon.about.unit, Some("s"));
-        assert!(matches!(horizon.kind, Kind::Number { value: 2.0, whole: false, .. }), "{horizon:?}");
+        assert!(matches!(horizon.kind, ParameterKind::Number { value: 2.0, whole: false, .. }), "{horizon:?}");
         let time_gap = of("group.0.time_gap");
-        assert!(matches!(time_gap.kind, Kind::Number { low: 0.05, high: 10.0, .. }), "{time_gap:?}");
-        assert!(matches!(of("group.0.avoid.orca.neighbours").kind, Kind::Number { whole: true, .. }));
-        assert!(matches!(of("group.0.guard").kind, Kind::Switch { .. }));
+        assert!(matches!(time_gap.kind, ParameterKind::Number { low: 0.05, high: 10.0, .. }), "{time_gap:?}");
+        assert!(matches!(of("group.0.avoid.orca.neighbours").kind, ParameterKind::Number { whole: true, .. }));
+        assert!(matches!(of("group.0.guard").kind, ParameterKind::Switch { .. }));
         assert!(found.iter().all(|parameter| !parameter.path.contains("place") && !parameter.path.contains("goal")));
-        let Kind::Choice { value, options } = &of("group.0.avoid").kind else { panic!("a choice of models") };
+        let ParameterKind::Choice { value, options } = &of("group.0.avoid").kind else { panic!("a choice of models") };
         let names: Vec<&str> = options.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(value, "orca");
         assert_eq!(names, Model::names());
         assert!(options.iter().all(|(_, about)| about.len() > 10), "{options:?}");
     }
 
-    /// Every number of every scene, given its own value again, is taken, and the scene says what it did.
+    /// Sets every number of every scene to its own value, and checks that the scene stays equal.
     #[test]
     fn every_parameter_of_the_gallery_can_be_set() {
         let tunable = Tunable::new(&Plugins::new());
@@ -109,7 +109,7 @@ mod tests {
             assert!(found.len() >= 5 * scene.groups.len(), "{name}: {}", found.len());
             for parameter in found {
                 assert!(!parameter.about.text.is_empty(), "{name}: {}", parameter.path);
-                let Kind::Number { value, low, high, whole } = parameter.kind else { continue };
+                let ParameterKind::Number { value, low, high, whole } = parameter.kind else { continue };
                 assert!(low < high && value.is_finite(), "{name}: {parameter:?}");
                 if parameter.given {
                     let set = if whole {

@@ -1,84 +1,84 @@
-//! The tree of what can be tuned, from a schema and from values that fit it.
+//! The tree of tunable parameters, built from a schema and the values that fit it.
 
 use super::about::About;
 use serde_json::{Map, Value, json};
 
-/// Parameters that belong together: those of a table.
+/// The parameters of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
-    /// Its key, or the group's name.
+    /// The key, or the name of the group.
     pub name: String,
-    /// Its doc line.
+    /// The doc line.
     pub about: String,
-    /// What it holds.
+    /// The parameters of the table.
     pub parameters: Vec<Parameter>,
-    /// The tables in it.
+    /// The tables inside.
     pub sections: Vec<Self>,
 }
 
-/// Something that can be tuned.
+/// A tunable parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Where it stands in the scene: `group.0.avoid.orca.time_horizon`.
+    /// The path in the scene: `group.0.avoid.orca.time_horizon`.
     pub path: String,
-    /// Its key.
+    /// The key.
     pub name: String,
-    /// What its doc line says.
+    /// The parsed doc line.
     pub about: About,
-    /// Whether the scene says it; else what is shown is what holds without it.
+    /// Whether the scene states the value. Otherwise the default is shown.
     pub given: bool,
-    /// What it can be, and is.
-    pub kind: Kind,
+    /// The type and value.
+    pub kind: ParameterKind,
 }
 
-/// What a parameter can be.
+/// The type of a parameter.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
-    /// A number, usually between two others.
+pub enum ParameterKind {
+    /// A number in a range.
     Number {
-        /// What it is.
+        /// The value.
         value: f64,
-        /// The least that a slider shows.
+        /// The minimum of the slider.
         low: f64,
-        /// The most.
+        /// The maximum of the slider.
         high: f64,
-        /// Whether it counts something.
+        /// Whether the number is an integer.
         whole: bool,
     },
-    /// Yes or no.
+    /// A boolean.
     Switch {
-        /// What it is; `None`: whatever holds without it.
+        /// The value, `None` for the default.
         value: Option<bool>,
     },
-    /// One of several names, each with its doc line. A name of a table stands for one with nothing in it.
+    /// A choice of names, each with its doc line. The name of a table stands for the table without keys.
     Choice {
-        /// What it is.
+        /// The selected name.
         value: String,
-        /// What it can be.
+        /// The available names.
         options: Vec<(String, String)>,
     },
 }
 
 impl Section {
-    /// Leaves out keys of this table.
+    /// Removes keys of this table.
     pub fn leave_out(&mut self, names: &[&str]) {
         self.parameters.retain(|parameter| !names.contains(&parameter.name.as_str()));
         self.sections.retain(|section| !names.contains(&section.name.as_str()));
     }
 
-    /// Notes what the scene says itself: what it has at these paths.
+    /// Marks the parameters that the scene states. `has` tells whether a path exists in its text.
     pub fn given(&mut self, has: &dyn Fn(&str) -> bool) {
         self.parameters.iter_mut().for_each(|parameter| parameter.given = has(&parameter.path));
         self.sections.iter_mut().for_each(|section| section.given(has));
     }
 
-    /// Whether there is nothing to tune.
+    /// Whether there is no parameter.
     pub fn is_empty(&self) -> bool {
         self.parameters.is_empty() && self.sections.iter().all(Self::is_empty)
     }
 }
 
-/// The section of a table that a schema describes and that says `said`.
+/// Returns the section of a table with this schema and the values `said`.
 pub fn of(root: &Value, schema: &Value, said: &Value, path: &str, name: &str) -> Section {
     let mut section = Section { name: name.to_owned(), about: line(schema), ..Section::default() };
     if let Some(properties) = schema["properties"].as_object() {
@@ -87,7 +87,7 @@ pub fn of(root: &Value, schema: &Value, said: &Value, path: &str, name: &str) ->
     section
 }
 
-/// Adds what properties describe; those without a doc line have that of their table.
+/// Adds the properties of a table. A property without a doc line gets the line of its table.
 fn fill(
     section: &mut Section,
     root: &Value,
@@ -109,43 +109,48 @@ fn fill(
     }
 }
 
-/// Where something stands, and what is said of it.
+/// The path, name and doc line of a property.
 struct Place<'a> {
     path: String,
     name: &'a str,
     about: About,
 }
 
-/// Adds what a schema describes: a parameter, or a section of its own.
+/// Adds a property as a parameter or as a section.
 fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>, place: Place) {
     let Place { path, name, about } = place;
     let given = said.is_some();
     let variants = variants(root, schema);
-    // a name of a table stands for one with nothing in it
+    // the name of a table stands for the table without keys
     let named = said.and_then(Value::as_str).filter(|name| variants.iter().any(|variant| is_only(variant, name)));
     let named = named.map(|name| json!({ name: {} }));
     let said = named.as_ref().or(said);
-    let parameter =
-        |kind: Kind| Parameter { path: path.clone(), name: name.to_owned(), about: about.clone(), given, kind };
+    let parameter = |kind: ParameterKind| Parameter {
+        path: path.clone(),
+        name: name.to_owned(),
+        about: about.clone(),
+        given,
+        kind,
+    };
     if let Some(value) = said.and_then(Value::as_f64).or(about.without.filter(|_| !given))
         && variants.iter().any(|variant| is(variant, "number") || is(variant, "integer"))
     {
         let whole = variants.iter().any(|variant| is(variant, "integer"));
         let (low, high) = range(&about, value);
-        section.parameters.push(parameter(Kind::Number { value, low, high, whole }));
+        section.parameters.push(parameter(ParameterKind::Number { value, low, high, whole }));
     } else if variants.iter().any(|variant| is(variant, "boolean")) {
-        section.parameters.push(parameter(Kind::Switch { value: said.and_then(Value::as_bool) }));
+        section.parameters.push(parameter(ParameterKind::Switch { value: said.and_then(Value::as_bool) }));
     } else if let Some(Value::String(value)) = said {
         let options: Vec<(String, String)> = variants.iter().flat_map(|variant| names(variant)).collect();
         if options.iter().any(|(option, _)| option == value) {
-            section.parameters.push(parameter(Kind::Choice { value: value.clone(), options }));
+            section.parameters.push(parameter(ParameterKind::Choice { value: value.clone(), options }));
         }
     } else if let Some(Value::Array(items)) = said {
         let inner = variants.iter().find_map(|variant| variant.get("items"));
         for (k, item) in items.iter().enumerate() {
             let Some(inner) = inner else { break };
             let own = line(inner);
-            // an element without a doc line has that of its list
+            // an element without a doc line gets the line of its list
             let own = if own.is_empty() { about.clone() } else { About::new(&own) };
             let about = About { low: about.low, high: about.high, ..own };
             let path = format!("{path}.{k}");
@@ -153,7 +158,7 @@ fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>
                 Section { name: format!("{name} {}", k + 1), about: about.text.clone(), ..Section::default() };
             let name = holder.name.clone();
             add(&mut holder, root, inner, Some(item), Place { path, name: &name, about });
-            // what holds one table is that table
+            // a section that holds a single table becomes that table
             let only = holder.parameters.is_empty() && holder.sections.len() == 1;
             let holder = if only { holder.sections.remove(0) } else { holder };
             section.sections.extend(Some(holder).filter(|holder| !holder.is_empty()));
@@ -163,22 +168,22 @@ fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>
     }
 }
 
-/// Adds a table: of the variants the one whose keys it has, and which of them it is where that can be chosen.
+/// Adds a table: the variant that has all its keys, and the choice of the variant where there is one.
 fn table_of(
     section: &mut Section,
     root: &Value,
     variants: &[&Value],
     (table, values): (&Value, &Map<String, Value>),
-    parameter: impl Fn(Kind) -> Parameter,
+    parameter: impl Fn(ParameterKind) -> Parameter,
 ) {
     let fits = |variant: &&&Value| {
         variant["properties"].as_object().is_some_and(|known| values.keys().all(|key| known.contains_key(key)))
     };
     let Some(variant) = variants.iter().find(fits) else { return };
-    let shell = parameter(Kind::Switch { value: None });
+    let shell = parameter(ParameterKind::Switch { value: None });
     let about = if shell.about.text.is_empty() { line(variant) } else { shell.about.text.clone() };
     let mut inner = Section { name: shell.name.clone(), about, ..Section::default() };
-    // tables of one key each: the key says which
+    // in a choice of tables, each variant has one key, which selects it
     let one_key = |variant: &&&Value| variant["properties"].as_object().is_some_and(|known| known.len() == 1);
     let options: Vec<(String, String)> = variants
         .iter()
@@ -189,12 +194,12 @@ fn table_of(
         .collect();
     let chosen = values.keys().next().filter(|_| options.len() > 2 && values.len() == 1);
     if let Some(chosen) = chosen {
-        inner.parameters.push(parameter(Kind::Choice { value: chosen.clone(), options }));
+        inner.parameters.push(parameter(ParameterKind::Choice { value: chosen.clone(), options }));
     }
     if let Some(properties) = variant["properties"].as_object() {
         fill(&mut inner, root, (properties, &line(variant)), table, &shell.path);
     }
-    // a table that was chosen shows what it holds right there
+    // the content of the selected table is shown directly beside the choice
     if chosen.is_some() && inner.sections.len() == 1 {
         let only = inner.sections.remove(0);
         inner.parameters.extend(only.parameters);
@@ -205,7 +210,7 @@ fn table_of(
     }
 }
 
-/// What a schema can be: itself without references, or each of its variants, which may have some of their own.
+/// Returns the variants of a schema, with references and nested variants resolved.
 fn variants<'a>(root: &'a Value, schema: &'a Value) -> Vec<&'a Value> {
     if let Some(name) = schema["$ref"].as_str().and_then(|name| name.strip_prefix("#/$defs/")) {
         return variants(root, &root["$defs"][name]);
@@ -214,7 +219,7 @@ fn variants<'a>(root: &'a Value, schema: &'a Value) -> Vec<&'a Value> {
     of("anyOf").or_else(|| of("oneOf")).unwrap_or_else(|| vec![schema])
 }
 
-/// Whether a schema is, among others, of a type.
+/// Whether a schema allows a type.
 fn is(schema: &Value, name: &str) -> bool {
     match &schema["type"] {
         Value::String(one) => one == name,
@@ -223,18 +228,18 @@ fn is(schema: &Value, name: &str) -> bool {
     }
 }
 
-/// Whether a schema is of tables with this key and no other.
+/// Whether a schema describes tables with this key only.
 fn is_only(schema: &Value, key: &str) -> bool {
     schema["properties"].as_object().is_some_and(|known| known.len() == 1 && known.contains_key(key))
 }
 
-/// A number of a schema as it was written: those that were `f32` have digits there that nobody wrote.
+/// Returns a number of a schema as written. An `f32` that was widened to `f64` has spurious digits.
 fn written(number: f64) -> f64 {
     let short = number as f32;
     if f64::from(short) == number { short.to_string().parse().unwrap_or(number) } else { number }
 }
 
-/// The names that a schema of names allows, each with its doc line.
+/// Returns the names that a schema allows, each with its doc line.
 fn names(schema: &Value) -> Vec<(String, String)> {
     let named = schema["const"].as_str().map(|name| (name.to_owned(), line(schema)));
     let listed = schema["enum"].as_array().into_iter().flatten().filter_map(Value::as_str);
@@ -245,7 +250,7 @@ fn line(schema: &Value) -> String {
     schema["description"].as_str().unwrap_or_default().to_owned()
 }
 
-/// What a slider shows: the limits, or, where they are far or there are none, about five times what is usual.
+/// Returns the range of a slider: the limits, or about five times the default where limits are far away or missing.
 fn range(about: &About, value: f64) -> (f64, f64) {
     let usual = about.without.filter(|usual| *usual != 0.0).unwrap_or(value).abs().max(0.2);
     let unit = 10.0_f64.powf((5.0 * usual).log10().floor());

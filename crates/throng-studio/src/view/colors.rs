@@ -1,35 +1,35 @@
-//! What the colour of an agent says.
+//! Colouring of agents.
 
-use crate::play::Shown;
+use crate::play::RunMoment;
 use throng_draw::{ColorBy, Look, Style, Theme, palette};
 use throng_scene::Group;
 
-/// What the colour of an agent says.
+/// The quantity that colours an agent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Coloring {
-    /// Its group.
+    /// The group.
     #[default]
     Group,
-    /// How fast it is.
+    /// The speed.
     Speed,
-    /// Where it goes.
+    /// The goal.
     Goal,
-    /// How high it flies.
+    /// The altitude.
     Altitude,
-    /// How many there are within a metre and a half, over the area.
+    /// The number of agents within 1.5 m, divided by that area.
     Density,
-    /// The local model that it avoids others by.
+    /// The local model of the group.
     Model,
-    /// How long it has still to go on a straight line.
+    /// The remaining time to the goal on a straight line.
     TimeToGoal,
 }
 
 impl Coloring {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 7] =
         [Self::Group, Self::Speed, Self::Goal, Self::Altitude, Self::Density, Self::Model, Self::TimeToGoal];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Group => "group",
@@ -44,8 +44,8 @@ impl Coloring {
 }
 
 impl Coloring {
-    /// The colours as pictures have them, of a scene as it is shown now.
-    pub fn style(self, shown: &Shown, theme: &Theme) -> Style {
+    /// Returns the style of pictures with these colours, for the displayed scene.
+    pub fn style(self, shown: &RunMoment, theme: &Theme) -> Style {
         let said = Style::said(&shown.scene);
         Style {
             color_by: match self {
@@ -65,16 +65,16 @@ impl Coloring {
         }
     }
 
-    /// The colours of agents at the moment that is shown.
-    pub(super) fn look(self, shown: &Shown, theme: &Theme) -> Look {
+    /// Returns the colours of the agents at the displayed moment.
+    pub(super) fn look(self, shown: &RunMoment, theme: &Theme) -> Look {
         let mut look = Look::new(&shown.setting, &self.style(shown, theme), &shown.first);
         look.see(&shown.frame);
         look
     }
 }
 
-/// The number of each group's model among those that the scene has, and what those are called.
-pub(super) fn models(shown: &Shown) -> (Vec<usize>, Vec<String>) {
+/// Returns the index of each group's model among the models of the scene, and the names of these models.
+pub(super) fn models(shown: &RunMoment) -> (Vec<usize>, Vec<String>) {
     let mut known: Vec<String> = Vec::new();
     let number = |group: &Group| {
         let name = group.local_model().name();

@@ -1,36 +1,36 @@
-//! Agents and their trails as geometry, made anew when the state is.
+//! Geometry of agents and trails. It is rebuilt for each new state.
 
 use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
-use crate::play::Shown;
+use crate::play::RunMoment;
 use crate::settings::Settings;
 use std::sync::Arc;
 use throng_draw::{Look, Trails};
 use throng_record::Frame;
 
-/// Points of a trail are this far apart, in radii of a body; of more agents than so many, farther.
+/// The spacing of trail points, in radii of a body. It grows in proportion beyond `MANY` agents.
 const SPACING: f64 = 0.6;
 const MANY: f64 = 5000.0;
-/// Of more agents than this no trails are drawn.
+/// Beyond this number of agents no trails are drawn.
 const MOST_TRAILS: usize = 20_000;
 
-/// The agents as they were drawn last.
+/// The agents as drawn last.
 #[derive(Default)]
 pub struct Crowd {
     trails: Trails,
     of: Option<(Arc<Frame>, Settings, u64, bool)>,
-    /// How far everybody has gone, metres, by number, and when.
+    /// The distance that each agent has moved, metres, by number.
     ways: Vec<(u32, f32)>,
     layers: [Arc<Geometry>; 2],
     key: Vec<Row>,
 }
 
 impl Crowd {
-    /// Trails, and agents; as for a plan, or for space.
+    /// Returns the geometry of trails and of agents, for a plan or for a view in space.
     pub fn layers(
         &mut self,
-        shown: &Shown,
+        shown: &RunMoment,
         settings: &Settings,
         plan: bool,
         look: &dyn Fn() -> Look,
@@ -52,12 +52,12 @@ impl Crowd {
         self.layers.clone()
     }
 
-    /// What the colours of agents say.
+    /// Returns the key of the agents' colours.
     pub fn key(&self) -> &[Row] {
         &self.key
     }
 
-    fn trails(&mut self, shown: &Shown, settings: &Settings, look: &Look) -> Geometry {
+    fn trails(&mut self, shown: &RunMoment, settings: &Settings, look: &Look) -> Geometry {
         let mut ribbons = Geometry::default();
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
@@ -77,14 +77,14 @@ impl Crowd {
         ribbons
     }
 
-    fn agents(&mut self, shown: &Shown, settings: &Settings, plan: bool, look: &Look) -> Geometry {
+    fn agents(&mut self, shown: &RunMoment, settings: &Settings, plan: bool, look: &Look) -> Geometry {
         let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
         let origin = shown.setting.origin;
         let mut agents = Geometry { deep: !plan, ..Geometry::default() };
         agents.discs.reserve(shown.frame.bodies.len());
         let mut gone = std::mem::take(&mut self.ways).into_iter().peekable();
         for (from, body) in pairs(shown) {
-            // both are by number
+            // both lists are sorted by number
             while gone.next_if(|(number, _)| *number < body.number).is_some() {}
             let before = gone.next_if(|(number, _)| *number == body.number).map_or(0.0, |(_, way)| way);
             let coat = look.coat(body);
@@ -98,14 +98,14 @@ impl Crowd {
             let last = from.position.distance(body.position) as f32;
             let way = if new { before + last } else { before };
             self.ways.push((body.number, way));
-            // not all at once
+            // the phase depends on the number, so that agents do not move in unison
             let own = 2.4 * body.number as f32;
             let phase = |time: f64, way: f32| own + shape.phase(time as f32, way, body.radius);
             let phases = [phase(shown.before.time, way - last), phase(shown.frame.time, way)];
             agents.figures[shape as usize].push(Figure::new(from, body, phases, coat.fill, origin));
         }
         if shown.setting.in_space {
-            // from above, who is higher hides who is lower
+            // from above, higher agents cover lower ones
             agents.discs.sort_by(|a, b| a.altitude().total_cmp(&b.altitude()));
         }
         agents

@@ -1,22 +1,22 @@
-//! Cameras: where the eye is, what moves it, and how it gets there.
+//! Cameras: their position, their control, and their smooth motion.
 
 use super::mode::Mode;
 use glam::{DVec2, DVec3, Vec2};
 use throng_draw::{Camera, Followed, Following, Lens, Projector, Sight, Viewpoint, WorldBox};
 
-/// The angle between the top and the bottom of a picture in perspective, radians.
+/// The vertical field of view in perspective, radians.
 const FIELD_OF_VIEW: f64 = 0.66;
-/// From where an orbit begins: so far round from +x, and above the ground.
+/// The first orbit: azimuth from +x and elevation above the ground, radians.
 const AZIMUTH: f64 = -2.0;
 const ELEVATION: f64 = 0.6;
-/// How near and how far an eye goes.
+/// The least and the greatest distance of the camera, metres.
 const DISTANCES: (f64, f64) = (0.5, 20_000.0);
-/// Points of the screen a metre takes, least and most.
+/// The least and the greatest scale, points of the screen per metre.
 const SCALES: (f64, f64) = (0.005, 5_000.0);
-/// Radians that a point of the screen turns an orbit.
+/// Rotation of an orbit per point of the screen, radians.
 const TURN: f64 = 0.006;
 
-/// An eye: what it is told to look at, and where it is on its way there.
+/// A camera with its target pose and its current pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
     mode: Mode,
@@ -26,11 +26,11 @@ pub struct Eye {
     azimuth: f64,
     elevation: f64,
     distance: f64,
-    /// Distance to who is followed, in radii.
+    /// Distance to the followed agent, in radii of the agent.
     aside: f64,
     followed: Option<Followed>,
     shown: Sight,
-    /// How far everything reaches from its middle, metres.
+    /// Half the extent of the scene, metres.
     reach: f64,
 }
 
@@ -55,12 +55,12 @@ impl Default for Eye {
 }
 
 impl Eye {
-    /// How it looks at the world.
+    /// Returns the mode.
     pub fn mode(&self) -> Mode {
         self.mode
     }
 
-    /// Looks at the world another way; it gets there smoothly.
+    /// Sets the mode. The camera moves smoothly to the new pose.
     pub fn set_mode(&mut self, mode: Mode) {
         if self.mode == Mode::Plan && mode == Mode::Orbit {
             self.target = self.center.extend(self.target.z);
@@ -68,7 +68,7 @@ impl Eye {
         self.mode = mode;
     }
 
-    /// Sees all of a box `height` metres high on a picture of this size, points of the screen.
+    /// Fits a box of this height, metres, into a picture of this size, points of the screen.
     pub fn fit(&mut self, bounds: WorldBox, height: f64, size: Vec2) {
         let margin = Vec2::splat(28.0).min(size * 0.1);
         let camera = Camera::fit(bounds, margin, size - margin);
@@ -82,7 +82,7 @@ impl Eye {
         self.shown = self.wanted();
     }
 
-    /// Drags the world, or, `turning`, goes round it.
+    /// Moves the view, or rotates it if `turning`.
     pub fn drag(&mut self, by: Vec2, turning: bool, size: Vec2) {
         let by = by.as_dvec2();
         match self.mode {
@@ -101,7 +101,7 @@ impl Eye {
         self.arrive();
     }
 
-    /// Lets the ground turn clockwise on the picture, by radians; a plan stays as it is.
+    /// Rotates the ground clockwise on the picture, radians. A plan does not rotate.
     pub fn turn(&mut self, by: f64) {
         if self.mode != Mode::Plan {
             self.azimuth += by;
@@ -109,7 +109,7 @@ impl Eye {
         }
     }
 
-    /// Comes nearer by a factor; from straight above what is at the pixel `at` stays there.
+    /// Zooms by a factor. In a plan, the ground at the pixel `at` stays there.
     pub fn zoom(&mut self, at: Vec2, factor: f64, size: Vec2) {
         match self.mode {
             Mode::Plan => {
@@ -123,20 +123,20 @@ impl Eye {
         self.arrive();
     }
 
-    /// Lets `seconds` pass beside who is followed.
+    /// Advances the smooth motion by `seconds`.
     pub fn settle(&mut self, followed: Option<Followed>, seconds: f64) {
         self.followed = followed.or(self.followed);
         self.shown.approach(self.wanted(), seconds);
     }
 
-    /// Whether it is still on its way.
+    /// Whether the camera is still moving.
     pub fn moves(&self) -> bool {
         let wanted = self.wanted();
         let off = self.shown.eye.distance(wanted.eye) + self.shown.target.distance(wanted.target);
         self.mode != Mode::Plan && off > 1e-3 * wanted.eye.distance(wanted.target)
     }
 
-    /// What the hand moves is there at once.
+    /// Input of the user takes effect without smoothing.
     fn arrive(&mut self) {
         if !self.mode.follows() {
             self.shown = self.wanted();
@@ -159,7 +159,8 @@ impl Eye {
         Camera { center: self.center, anchor: size * 0.5, scale: self.scale }
     }
 
-    /// From where a film in perspective sees what is seen now; it goes with the agent `number` where the eye follows.
+    /// Returns the viewpoint of a recording in perspective that starts with the current view. It follows the agent
+    /// `number` if the camera follows an agent.
     pub fn viewpoint(&self, number: Option<u32>) -> Viewpoint {
         let follow = self.mode.chase().zip(number);
         Viewpoint {
@@ -171,13 +172,13 @@ impl Eye {
         }
     }
 
-    /// The part of the ground that is seen from straight above in a view of this size, points of the screen.
+    /// Returns the part of the ground that is visible in a plan of this size, points of the screen.
     pub fn seen(&self, size: Vec2) -> WorldBox {
         let half = size.as_dvec2() * 0.5 / self.scale;
         WorldBox { min: self.center - half, max: self.center + half }
     }
 
-    /// From the world to a picture of this size, points of the screen.
+    /// Returns the projection from the world to a picture of this size, points of the screen.
     pub fn projector(&self, size: Vec2) -> Projector {
         match self.mode {
             Mode::Plan => Projector::Plan(self.plan(size)),
@@ -189,7 +190,7 @@ impl Eye {
     }
 }
 
-/// The point of the ground that a pixel shows; `None` above the horizon.
+/// Returns the point on the ground at a pixel, `None` above the horizon.
 pub fn ground(projector: &Projector, pixel: Vec2) -> Option<DVec2> {
     match projector {
         Projector::Plan(camera) => Some(camera.point(pixel)),
@@ -239,14 +240,14 @@ mod tests {
     #[test]
     fn the_ground_turns_with_the_fingers() {
         let mut eye = eye(Mode::Orbit);
-        // from all but straight above
+        // looks almost straight down
         eye.drag(Vec2::new(0.0, 1000.0), true, SIZE);
         let middle = SIZE * 0.5;
         let pixel = middle + Vec2::new(100.0, 0.0);
         let held = ground(&eye.projector(SIZE), pixel).unwrap();
         eye.turn(0.5);
         let turned = eye.projector(SIZE).pixel(held.extend(0.0)).unwrap() - middle;
-        // y goes down
+        // y points down
         assert!((turned - Vec2::from_angle(0.5) * 100.0).length() < 8.0, "{turned}");
     }
 
@@ -262,13 +263,13 @@ mod tests {
     }
 
     #[test]
-    fn an_eye_comes_to_whom_it_follows() {
+    fn a_camera_reaches_the_agent_it_follows() {
         let followed = Followed { center: DVec3::new(5.0, 5.0, 0.0), forward: DVec3::X, radius: 0.3 };
         for mode in Mode::ALL.into_iter().filter(|mode| mode.follows()) {
             let mut eye = eye(mode);
             (0..300).for_each(|_| eye.settle(Some(followed), 0.02));
             assert!(!eye.moves(), "{mode:?}");
-            // with its own eyes it sees not itself, but what is ahead
+            // the point of view shows what is ahead of the agent, not the agent
             let ahead = if mode == Mode::PointOfView { followed.forward * 20.0 * followed.radius } else { DVec3::ZERO };
             let seen = eye.projector(SIZE).pixel(followed.center + ahead).unwrap();
             assert!(seen.distance(SIZE * 0.5) < 220.0, "{mode:?}: {seen}");

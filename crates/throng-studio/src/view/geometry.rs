@@ -1,11 +1,11 @@
-//! What is drawn: areas, discs and lines, relative to the world's origin, as they are handed to the graphics processor.
+//! Geometry relative to the world's origin, in the layout of the graphics buffers: areas, discs, lines and figures.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2, Vec3};
 use throng_draw::{Coat, Color, Shape};
 use throng_record::Body;
 
-/// Red, green, blue and opacity, not multiplied in.
+/// Red, green, blue and opacity, not premultiplied.
 type Paint = [u8; 4];
 
 /// A corner of a triangle.
@@ -16,26 +16,26 @@ pub struct Corner {
     color: Paint,
 }
 
-/// A line, as wide on the screen everywhere.
+/// A line of constant width on the screen.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Line {
     from: Vec3,
     to: Vec3,
     color: Paint,
-    /// Width, and length of dashes and gaps (0: none), points of the screen.
+    /// Width, and length of dashes and gaps (0: no dashes), points of the screen.
     stroke: Vec2,
 }
 
 #[cfg(test)]
 impl Line {
-    /// From where, and to where.
+    /// Returns the start and the end.
     pub fn ends(&self) -> [Vec3; 2] {
         [self.from, self.to]
     }
 }
 
-/// A body that lies level, on its way from one state to the next.
+/// A horizontal body, interpolated between two states.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Disc {
@@ -43,31 +43,31 @@ pub struct Disc {
     now: [f32; 4],
     /// Radius, half extents of the core, and 0.
     body: [f32; 4],
-    /// Width of the rim, points of the screen (negative: part of the radius); least radius, points; opacity of the notch;
-    /// 1: only its shadow is seen.
+    /// Width of the rim, points of the screen (negative: share of the radius); least radius, points; opacity of the
+    /// notch; 1: draws only the shadow.
     look: [f32; 4],
     fill: Paint,
     rim: Paint,
 }
 
-/// An agent as a shape, on its way from one state to the next.
+/// An agent drawn as a shape, interpolated between two states.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Figure {
-    /// Where, and how far its movement has come.
+    /// Position, and phase of the motion.
     before: [f32; 4],
     now: [f32; 4],
-    /// Where it faces now, and its radius.
+    /// Current forward direction, and radius.
     body: [f32; 4],
-    /// Where its head is; its least radius, points of the screen.
+    /// Up direction; least radius, points of the screen.
     look: [f32; 4],
     fill: Paint,
-    /// Where it faced before.
+    /// Previous forward direction.
     turn: [f32; 4],
 }
 
 impl Figure {
-    /// An agent on its way from `before` to `now`; `phases` are how far its movement had and has come.
+    /// Creates the figure of an agent between two states. `phases` are the phases of its motion in both states.
     pub fn new(before: &Body, now: &Body, phases: [f32; 2], fill: Color, origin: DVec2) -> Self {
         let ahead =
             |body: &Body| body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
@@ -83,13 +83,13 @@ impl Figure {
     }
 }
 
-/// The least radius a shape is drawn with, points of the screen.
+/// The least drawn radius of a shape, points of the screen.
 const LEAST_FIGURE: f32 = 2.2;
-/// The least radius an agent is drawn with, points of the screen.
+/// The least drawn radius of a disc, points of the screen.
 const LEAST_RADIUS: f32 = 1.5;
 
 impl Disc {
-    /// An agent on its way from `before` to `now`.
+    /// Creates the disc of an agent between two states.
     pub fn agent(before: &Body, now: &Body, coat: Coat, origin: DVec2) -> Self {
         let stranded = now.status == throng::Status::Stranded;
         Self {
@@ -102,26 +102,26 @@ impl Disc {
         }
     }
 
-    /// The shadow of an agent.
+    /// Creates the shadow of an agent.
     pub fn shadow(before: &Body, now: &Body, coat: Coat, origin: DVec2) -> Self {
         let disc = Self::agent(before, now, coat, origin);
         let [rim, least, notch, _] = disc.look;
         Self { look: [rim, least, notch, 1.0], ..disc }
     }
 
-    /// A ring round an agent.
+    /// Creates a ring around an agent.
     pub fn round_agent(before: &Body, now: &Body, color: Color, origin: DVec2) -> Self {
         let disc = Self::agent(before, now, Coat { fill: color.alpha(0.0), rim: color }, origin);
         let [radius, along, across, rest] = disc.body;
         Self { body: [1.35 * radius, along, across, rest], look: [1.8, 6.0, 0.0, 0.0], ..disc }
     }
 
-    /// How high it is.
+    /// Returns the altitude.
     pub fn altitude(&self) -> f32 {
         self.now[2]
     }
 
-    /// A disc with a rim of this width and of at least this radius, points of the screen.
+    /// Creates a disc with a rim of this width and at least this radius, points of the screen.
     pub fn round(center: Vec3, radius: f32, fill: Color, rim: (f32, Color), least: f32) -> Self {
         let at = center.extend(0.0).to_array();
         let (width, rim) = rim;
@@ -138,7 +138,7 @@ fn paint(color: Color) -> Paint {
     [color.r, color.g, color.b, color.a]
 }
 
-/// Where a picture lies: the corners with the least and the greatest coordinates.
+/// The corners of a picture with the least and the greatest coordinates.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Tile {
@@ -148,17 +148,17 @@ pub struct Tile {
 
 /// A picture on the ground.
 #[derive(Clone, Debug)]
-pub struct Picture {
-    /// Where it lies.
+pub struct GroundPicture {
+    /// The position.
     pub tile: Tile,
-    /// Pixels along x, and along y.
+    /// Pixels along x and along y.
     pub size: [usize; 2],
-    /// Row by row from the corner with the least coordinates; opacity multiplied in.
+    /// Rows from the corner with the least coordinates, with premultiplied opacity.
     pub pixels: Vec<Paint>,
 }
 
-impl Picture {
-    /// A picture between two corners of the ground, relative to the world's origin.
+impl GroundPicture {
+    /// Creates a picture between two corners on the ground, relative to the world's origin.
     pub fn new([low, high]: [DVec2; 2], size: [usize; 2], pixels: impl Iterator<Item = Color>) -> Self {
         let [from, to] = [low, high].map(|corner| corner.as_vec2().extend(0.0));
         let multiplied = |color: Color| {
@@ -169,25 +169,25 @@ impl Picture {
     }
 }
 
-/// What one layer of a picture holds: a picture, over it areas, over them discs, over them lines.
+/// The content of a layer. Areas cover the picture, discs cover areas, lines cover discs.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {
-    /// What lies on the ground below the rest.
-    pub picture: Option<Picture>,
+    /// The picture on the ground.
+    pub picture: Option<GroundPicture>,
     /// Triangles, three corners each.
     pub areas: Vec<Corner>,
-    /// Bodies and round things.
+    /// Bodies and circles.
     pub discs: Vec<Disc>,
     /// Lines.
     pub lines: Vec<Line>,
-    /// Agents that are no discs, by [`Shape`].
+    /// Agents drawn as shapes, by [`Shape`].
     pub figures: [Vec<Figure>; Shape::ALL.len()],
-    /// Whether things hide what is behind them; else what is drawn later lies over what was drawn before.
+    /// Whether the depth test applies. Otherwise later items cover earlier ones.
     pub deep: bool,
 }
 
 impl Geometry {
-    /// How large it is.
+    /// Returns the size of the buffers in bytes.
     pub fn bytes(&self) -> usize {
         let figures: usize = self.figures.iter().map(|figures| size_of_val(figures.as_slice())).sum();
         let picture = self.picture.as_ref().map_or(0, |picture| size_of_val(picture.pixels.as_slice()));
@@ -195,7 +195,7 @@ impl Geometry {
         plain + size_of_val(self.lines.as_slice()) + figures
     }
 
-    /// Adds a polygon with holes on the ground: rings of corners, the outer one first.
+    /// Adds a polygon with holes on the ground. The first ring is the outer one.
     pub fn area(&mut self, rings: &[Vec<DVec2>], origin: DVec2, color: Color) {
         self.area_at(rings, origin, 0.0, color);
     }
@@ -228,7 +228,7 @@ impl Geometry {
         }
     }
 
-    /// Adds a level ribbon through points: where, half the width there, metres, and the colour.
+    /// Adds a horizontal ribbon through points: position, half width in metres, and colour.
     pub fn ribbon(&mut self, ends: &[(Vec3, f32, Color)]) {
         let sides = |k: usize| {
             let (at, half, color) = ends[k];
@@ -253,19 +253,19 @@ impl Geometry {
     }
 }
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy, Debug)]
 pub struct Stroke {
-    /// Points of the screen.
+    /// Width, points of the screen.
     pub width: f32,
-    /// Its colour.
+    /// Colour.
     pub color: Color,
-    /// Length of dashes and gaps, points of the screen; 0 for none.
+    /// Length of dashes and gaps, points of the screen. 0 for a solid line.
     pub dash: f32,
 }
 
 impl Stroke {
-    /// Without dashes.
+    /// Creates a solid stroke.
     pub fn plain(width: f32, color: Color) -> Self {
         Self { width, color, dash: 0.0 }
     }

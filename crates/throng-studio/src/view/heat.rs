@@ -1,31 +1,31 @@
-//! Density and speed of the crowd, as colour on the ground.
+//! Heat maps of density and speed on the ground.
 
-use super::geometry::{Geometry, Picture};
+use super::derived::Derived;
+use super::geometry::{Geometry, GroundPicture};
 use super::kernel::{Raster, Sums};
-use super::made::Made;
-use crate::play::Shown;
+use crate::play::RunMoment;
 use eframe::egui::Context;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use throng_draw::{Color, ramp};
 
-/// What the colour of the ground says of the crowd.
+/// The quantity of a heat map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Heat {
-    /// Nothing.
+    /// No heat map.
     #[default]
     None,
-    /// How dense it is.
+    /// Density of the crowd.
     Density,
-    /// How fast it is.
+    /// Speed of the crowd.
     Speed,
 }
 
 impl Heat {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 3] = [Self::None, Self::Density, Self::Speed];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -34,49 +34,51 @@ impl Heat {
         }
     }
 
-    /// The colour of a part of the most, 0 to 1: of a speed as that of agents; a dense crowd is farthest from the ground's own.
+    /// Returns the colour of a share of the maximum, 0 to 1. Speeds have the colours of agents. High density has the
+    /// strongest contrast to the ground.
     pub fn color(self, part: f32, dark: bool) -> Color {
         ramp(if self == Self::Density && !dark { 1.0 - part } else { part })
     }
 }
 
-/// How heat is seen.
+/// The settings of a heat map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heating {
-    /// What is seen.
+    /// The quantity.
     pub heat: Heat,
-    /// Over how many seconds it is the mean; 0: what is now.
+    /// The averaging window, seconds. 0 for the current state only.
     pub window: f32,
-    /// The most that colours tell apart: agents a square metre, or m/s.
+    /// The maximum of the colour scale: agents per square metre, or m/s.
     pub most: f32,
     /// Whether the ground is dark.
     pub dark: bool,
 }
 
-/// The colours stand for so many states in a window at most.
+/// The most states averaged in a window.
 const STATES: f64 = 32.0;
-/// How opaque they are where there are people.
+/// The opacity where agents are.
 const OPACITY: f32 = 0.78;
-/// The density at which they have got there for the most part, agents a square metre: alone one is 0.3 where it stands.
+/// The density at which the opacity reaches 63 % of its maximum, agents per square metre. A single agent has 0.3 at its
+/// position.
 const FAINT: f32 = 0.12;
 
-/// The colours of the ground as they were drawn last.
+/// The heat map as drawn last.
 #[derive(Default)]
 pub struct HeatMap {
     run: u64,
     past: VecDeque<Arc<Sums>>,
-    made: Made<(u64, u64, Heating), Sheet>,
+    made: Derived<(u64, u64, Heating), HeatSheet>,
 }
 
-/// What is made beside the window.
-struct Sheet {
+/// The result of the background computation.
+struct HeatSheet {
     sums: Arc<Sums>,
     layer: Arc<Geometry>,
 }
 
 impl HeatMap {
-    /// The colours of a moment; those of the last one until they are there.
-    pub fn layer(&mut self, shown: &Shown, heating: Heating, ctx: &Context) -> Arc<Geometry> {
+    /// Returns the heat map of a moment. While it is computed, returns the previous one.
+    pub fn layer(&mut self, shown: &RunMoment, heating: Heating, ctx: &Context) -> Arc<Geometry> {
         if heating.heat == Heat::None || self.run != shown.run {
             *self = Self { run: shown.run, ..Self::default() };
         }
@@ -93,9 +95,9 @@ impl HeatMap {
             all.retain(|other| (since..frame.time).contains(&other.time));
             all.push(&sums);
             let corners = raster.corners().map(|corner| corner - origin);
-            let picture = Picture::new(corners, raster.size(), colors(&all, heating).into_iter());
+            let picture = GroundPicture::new(corners, raster.size(), colors(&all, heating).into_iter());
             let layer = Arc::new(Geometry { picture: Some(picture), ..Geometry::default() });
-            Sheet { sums, layer }
+            HeatSheet { sums, layer }
         };
         let Some(sheet) = self.made.of((shown.run, shown.step, heating), ctx, make) else { return Arc::default() };
         self.remember(&sheet.sums, f64::from(heating.window));
@@ -104,7 +106,7 @@ impl HeatMap {
 
     fn remember(&mut self, sums: &Arc<Sums>, window: f64) {
         let now = sums.time;
-        // the run may have gone back
+        // drops later states, because the run may have gone back
         self.past.retain(|other| (now - window..=now).contains(&other.time));
         if self.past.back().is_none_or(|last| now >= last.time + window / STATES && now > last.time) {
             self.past.push_back(sums.clone());
@@ -112,7 +114,7 @@ impl HeatMap {
     }
 }
 
-/// The colour of each cell, in the mean over some moments.
+/// Returns the colour of each cell, averaged over several moments.
 fn colors(moments: &[&Sums], heating: Heating) -> Vec<Color> {
     let Heating { heat, most, dark, .. } = heating;
     let mean = |k: usize| {
@@ -142,7 +144,7 @@ mod tests {
         let [density] = colors(&[&one, &two], heating(Heat::Density, 4.0))[..] else { panic!() };
         let [speed] = colors(&[&one, &two], heating(Heat::Speed, 2.0))[..] else { panic!() };
         assert_eq!(density.alpha(1.0), ramp(2.0 / 4.0));
-        // three quarters of those who were there went at 1 m/s
+        // three of four agent-moments have 1 m/s
         assert_eq!(speed.alpha(1.0), ramp(1.25 / 2.0));
         assert_eq!(colors(&[&sums(0.0, 0.0, 0.0)], heating(Heat::Speed, 2.0))[0].a, 0);
     }

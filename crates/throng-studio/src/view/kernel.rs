@@ -1,22 +1,23 @@
-//! Density and speed of a crowd at every place of the ground, by a Gaussian kernel: Johansson, Helbing, Al-Abideen and Al-Bosta, From
-//! crowd dynamics to crowd safety: a video-based analysis, Advances in Complex Systems 11 (2008).
+//! Density and speed of a crowd at every position, by a Gaussian kernel: Johansson, Helbing, Al-Abideen and Al-Bosta,
+//! From crowd dynamics to crowd safety: a video-based analysis, Advances in Complex Systems 11 (2008).
 //!
-//! The density at a place is the sum of f(d) over all agents, d from it, with f(d) = exp(-d² / R²) / (π R²), whose integral over the ground
-//! is 1: the density's integral is the number of agents. The speed there is the mean of their speeds with the weights f(d).
+//! The density at a position is the sum of f(d) over all agents at distance d, with f(d) = exp(-d² / R²) / (π R²). The
+//! integral of f over the ground is 1, so the integral of the density is the number of agents. The speed at a position
+//! is the mean of the agents' speeds with the weights f(d).
 
 use glam::DVec2;
 use throng_draw::WorldBox;
 
-/// R, metres: that of the paper.
+/// The kernel radius R of the paper, metres.
 pub const REACH: f64 = 1.0;
-/// What is farther than this is left out, in R: 1e-4 of the kernel.
+/// The cut-off of the kernel, in R. The kernel is 1e-4 of its peak there.
 const END: f64 = 3.0;
-/// Cells at most.
+/// The most cells.
 const MOST: f64 = 65_536.0;
-/// Width of the cells, at least, metres.
+/// The least width of a cell, metres.
 const FINEST: f64 = 0.2;
 
-/// Square cells on the ground, counted from the corner with the least coordinates, row by row.
+/// Square cells on the ground, in rows from the corner with the least coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Raster {
     low: DVec2,
@@ -26,40 +27,40 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Cells on a box and on what is near it.
+    /// Creates cells over a box and a margin of the kernel's cut-off around it.
     pub fn over(bounds: WorldBox) -> Self {
         let low = bounds.min - END * REACH;
         let size = (bounds.max - bounds.min + 2.0 * END * REACH).max(DVec2::splat(FINEST));
         let cell = (size.element_product() / MOST).sqrt().max(FINEST);
-        // a strip that is long and narrow has a cell across at least
+        // a long narrow strip has at least one cell across
         let [columns, rows] = (size / cell).ceil().to_array().map(|count| (count as usize).clamp(1, MOST as usize));
         Self { low, cell, columns, rows }
     }
 
-    /// How many cells there are along x, and along y.
+    /// Returns the number of cells along x and along y.
     pub fn size(&self) -> [usize; 2] {
         [self.columns, self.rows]
     }
 
-    /// The corners of all of them together, world coordinates.
+    /// Returns the corners of the raster, world coordinates.
     pub fn corners(&self) -> [DVec2; 2] {
         [self.low, self.low + DVec2::new(self.columns as f64, self.rows as f64) * self.cell]
     }
 }
 
-/// A crowd on a raster at one moment.
+/// The kernel sums of a crowd at one moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sums {
-    /// When, seconds.
+    /// The time, seconds.
     pub time: f64,
-    /// The density in the middle of each cell, agents a square metre.
+    /// The density at the centre of each cell, agents per square metre.
     pub densities: Vec<f32>,
-    /// The same, each agent counted as often as its speed says, m/s.
+    /// The density weighted by speed, agents per square metre times m/s.
     pub flows: Vec<f32>,
 }
 
 impl Sums {
-    /// Of agents: where, and how fast, m/s.
+    /// Computes the sums of agents, given by position and speed, m/s.
     pub fn of(raster: &Raster, time: f64, agents: impl Iterator<Item = (DVec2, f32)>) -> Self {
         let count = raster.columns * raster.rows;
         let mut sums = Self { time, densities: vec![0.0; count], flows: vec![0.0; count] };
@@ -82,10 +83,11 @@ impl Sums {
     }
 }
 
-/// What an agent at a place, in cells, adds to the cells along one axis: which, and how much. Two axes multiply to the kernel.
+/// Computes the weights of an agent along one axis. `at` is in cells. Returns the range of cells. The kernel is the
+/// product of the weights of both axes.
 fn weights(at: f64, raster: &Raster, count: usize, weights: &mut Vec<f32>) -> std::ops::Range<usize> {
     let reach = REACH / raster.cell;
-    // a cast takes what is below zero to zero
+    // the cast saturates negative values to zero
     let first = (at - END * reach).floor() as usize;
     let last = ((at + END * reach).ceil().max(0.0) as usize).min(count);
     let peak = 1.0 / (std::f64::consts::PI.sqrt() * REACH);
@@ -103,7 +105,7 @@ mod tests {
         WorldBox { min: DVec2::new(-1803.0, 40.0), max: DVec2::new(-1795.0, 52.0) }
     }
 
-    /// The definition, at one place.
+    /// Computes density and speed at one position by the definition.
     fn brute(agents: &[(DVec2, f32)], place: DVec2) -> [f64; 2] {
         let kernel = |at: DVec2| (-place.distance_squared(at)).exp() / std::f64::consts::PI;
         let density = agents.iter().map(|&(at, _)| kernel(at)).sum();
@@ -122,7 +124,7 @@ mod tests {
         for k in (0..sums.densities.len()).step_by(17) {
             let middle = low + DVec2::new((k % columns) as f64 + 0.5, (k / columns) as f64 + 0.5) * cell;
             let [density, speed] = brute(&agents, middle);
-            // what lies beyond the end of the kernel, of all 90
+            // the truncated tail of the kernel, of all 90 agents
             assert!((f64::from(sums.densities[k]) - density).abs() < 90.0 * 4e-5, "{middle}: {density}");
             if density > 0.1 {
                 assert!((f64::from(sums.flows[k] / sums.densities[k]) - speed).abs() < 0.01, "{middle}: {speed}");

@@ -1,36 +1,36 @@
-//! What colours and lines in the view say.
+//! The content of the key of colours and lines.
 
 use super::colors::models;
 use super::heat::Heat;
 use super::layers::Ground;
 use super::streams::Streams;
-use super::{Coloring, View};
-use crate::play::Shown;
+use super::{Coloring, ViewOptions};
+use crate::play::RunMoment;
 use crate::settings::Settings;
 use throng_draw::{Annotation, Annotations, Color, FlowStyle, Look, Theme, palette, ramp};
 
-/// More rows than this of one kind are not told.
+/// The most rows of one kind.
 const MOST: usize = 8;
 
-/// What a row of the key is about.
+/// The symbol of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sign {
     /// Agents of one colour.
     Spot(Color),
-    /// Agents whose colour goes from little to much.
+    /// Agents on a colour scale.
     Ramp,
-    /// Ground whose colour does, on dark ground or on light.
+    /// Ground on the colour scale of a heat map. `true` on dark ground.
     Heat(Heat, bool),
-    /// Ground whose colour does with the speed of a field, on dark ground or on light.
+    /// Ground on the colour scale of the speed of a field. `true` on dark ground.
     Tone(bool),
-    /// Lines, dashed or not.
+    /// A line. `true` if dashed.
     Line(Color, bool),
-    /// Words alone.
+    /// Text only.
     None,
 }
 
 impl Sign {
-    /// The colour of a part of the most, 0 to 1, of what goes from little to much.
+    /// Returns the colour of a share of the maximum, 0 to 1, of a colour scale.
     pub fn color(self, part: f32) -> Option<Color> {
         match self {
             Self::Ramp => Some(ramp(part)),
@@ -44,11 +44,11 @@ impl Sign {
 /// A row of the key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What it is about.
+    /// The symbol.
     pub sign: Sign,
-    /// What that says; of what goes from little to much, what it is and its unit.
+    /// The meaning. For a colour scale, the quantity and its unit.
     pub says: String,
-    /// The most that colours tell apart.
+    /// The maximum of a colour scale.
     pub most: f32,
 }
 
@@ -62,10 +62,10 @@ impl Row {
     }
 }
 
-/// What the colours of agents say.
-pub(super) fn of_agents(look: &Look, by: Coloring, shown: &Shown) -> Vec<Row> {
+/// Returns the rows of the agents' colours.
+pub(super) fn of_agents(look: &Look, by: Coloring, shown: &RunMoment) -> Vec<Row> {
     let spots = |all: Vec<(Color, String)>| {
-        // of one there is nothing to tell apart
+        // a single colour needs no key
         let told = if all.len() > 1 { all.len().min(MOST) } else { 0 };
         let more =
             (told < all.len() && told > 0).then(|| Row::new(Sign::None, format!("and {} more", all.len() - told)));
@@ -85,7 +85,7 @@ pub(super) fn of_agents(look: &Look, by: Coloring, shown: &Shown) -> Vec<Row> {
     }
 }
 
-/// What the colours of the ground say, and its lines.
+/// Returns the rows of the ground's colours and lines.
 fn of_ground(ground: &Ground, settings: &Settings, selected: bool) -> Vec<Row> {
     let (layers, theme) = (&settings.layers, settings.theme());
     let mut rows = Vec::new();
@@ -106,23 +106,23 @@ fn of_ground(ground: &Ground, settings: &Settings, selected: bool) -> Vec<Row> {
         }
     }
     if layers.paths && selected {
-        rows.push(Row::new(Sign::Line(theme.goal, false), "planned way"));
+        rows.push(Row::new(Sign::Line(theme.goal, false), "planned path"));
     }
     rows
 }
 
-/// What the lines beside the selected agent say.
-fn of_thoughts(shown: &Shown, settings: &Settings) -> Vec<Row> {
+/// Returns the rows of the annotations of the selected agent.
+fn of_thoughts(shown: &RunMoment, settings: &Settings) -> Vec<Row> {
     let annotations = Annotations { kinds: Annotation::ALL.to_vec(), agents: None };
     let theme = settings.theme();
-    // the view has trails of its own
+    // the view draws its own trails
     let kinds = annotations.in_frame(&shown.frame).filter(|kind| *kind != Annotation::Trails);
     kinds.map(|kind| Row::new(Sign::Line(kind.color(&theme), kind.is_dashed()), kind.says())).collect()
 }
 
-impl View {
-    /// What colours and lines say at a moment, in parts.
-    pub fn key(&self, shown: &Shown, settings: &Settings) -> [Vec<Row>; 3] {
+impl ViewOptions {
+    /// Returns the key of a moment, in sections.
+    pub fn key(&self, shown: &RunMoment, settings: &Settings) -> [Vec<Row>; 3] {
         let thoughts =
             if self.selected.is_some() && settings.annotations { of_thoughts(shown, settings) } else { vec![] };
         [self.crowd.key().to_vec(), of_ground(&self.ground, settings, self.selected.is_some()), thoughts]

@@ -1,10 +1,10 @@
-//! What can be laid on the ground, and what is there now.
+//! Layers on the ground.
 
 use super::geometry::Geometry;
 use super::heat::{Heat, HeatMap, Heating};
 use super::mesh::MeshMap;
 use super::streams::{Currents, StreamMap, Streams};
-use crate::play::Shown;
+use crate::play::RunMoment;
 use crate::settings::Settings;
 use eframe::egui::Context;
 use glam::Vec2;
@@ -12,27 +12,27 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use throng_draw::Projector;
 
-/// What people have chosen to see beside the crowd.
+/// The visible layers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Layers {
-    /// What the ground's colour says of the crowd.
+    /// The quantity of the heat map.
     pub heat: Heat,
-    /// Over how many seconds that is the mean; 0: what is now.
+    /// The averaging window of the heat map, seconds. 0 for the current state only.
     pub window: f32,
-    /// How the fields that lead groups are drawn.
+    /// How the fields of groups are drawn.
     pub streams: Streams,
-    /// Whether the ground's colour says how fast fields are.
+    /// Whether colours on the ground show the speed of fields.
     pub stream_speed: bool,
-    /// Which of the fields is seen; `None`: all.
+    /// The visible field. `None` for all fields.
     pub field: Option<usize>,
-    /// The triangles that ways are planned on.
+    /// Whether the navigation mesh is drawn.
     pub mesh: bool,
-    /// The way that the selected agent has planned.
+    /// Whether the planned path of the selected agent is drawn.
     pub paths: bool,
-    /// Shadows on the ground.
+    /// Whether shadows are drawn.
     pub shadows: bool,
-    /// What colours and lines say.
+    /// Whether the key is shown.
     pub key: bool,
 }
 
@@ -52,25 +52,26 @@ impl Default for Layers {
     }
 }
 
-/// The density at which one hardly moves any more, agents a square metre: colours tell no more apart.
+/// The maximum of the density scale, agents per square metre. Agents hardly move at this density.
 pub const DENSE: f32 = 4.0;
 
-/// What lies on the ground.
+/// The layers on the ground.
 #[derive(Default)]
 pub struct Ground {
     heat: HeatMap,
     streams: StreamMap,
     mesh: MeshMap,
-    /// The speed that is drawn as the fastest of the crowd and of the fields, m/s.
+    /// The maximum speeds of the colour scales of the crowd and of fields, m/s.
     walking: f32,
     flowing: Option<f32>,
 }
 
 impl Ground {
-    /// Heat, fields, and the navigation mesh, for the selected agent's body or else for the first one's, as far as they are wanted.
+    /// Returns the heat map, the fields and the navigation mesh, as far as they are visible. The mesh is that of the
+    /// selected agent's body, or of the first agent's.
     pub fn layers(
         &mut self,
-        shown: &Shown,
+        shown: &RunMoment,
         settings: &Settings,
         sight: (&Projector, Vec2),
         selected: Option<u32>,
@@ -95,12 +96,12 @@ impl Ground {
         [heat, streams, mesh]
     }
 
-    /// The most that the colours of a heat map tell apart: agents a square metre, or m/s.
+    /// Returns the maximum of the colour scale of a heat map: agents per square metre, or m/s.
     pub fn most(&self, heat: Heat) -> f32 {
         if heat == Heat::Speed { self.walking } else { DENSE }
     }
 
-    /// The speed that fields are drawn as fastest at, m/s, where some are seen.
+    /// Returns the maximum speed of the visible fields, m/s, if there are any.
     pub fn fastest(&self) -> Option<f32> {
         self.flowing
     }

@@ -1,22 +1,22 @@
-//! What agents are drawn as.
+//! The shapes that agents are drawn as.
 
-use throng_draw::{Form, Shape};
+use throng_draw::{AgentShape, Shape};
 use throng_record::Body;
 
-/// What agents are drawn as.
+/// The shapes that agents are drawn as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Marks {
-    /// As the scene says; else discs on a plan, and in space walkers as figures, who flies as a dart.
+    /// As the scene says. Otherwise discs in a plan; in space, walking agents as figures and flying agents as darts.
     #[default]
     Fitting,
-    /// All as discs.
+    /// Discs for all agents.
     Discs,
-    /// All as one shape.
+    /// One shape for all agents.
     All(Shape),
 }
 
 impl Marks {
-    /// All of them.
+    /// All choices.
     pub const ALL: [Self; 7] = [
         Self::Fitting,
         Self::Discs,
@@ -27,7 +27,7 @@ impl Marks {
         Self::All(Shape::Walker),
     ];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Fitting => "fitting",
@@ -36,31 +36,31 @@ impl Marks {
         }
     }
 
-    /// The shape of an agent; `None` for a disc.
-    pub fn shape(self, body: &Body, form: Form, plan: bool) -> Option<Shape> {
+    /// Returns the shape of an agent, `None` for a disc.
+    pub fn shape(self, body: &Body, form: AgentShape, plan: bool) -> Option<Shape> {
         match self {
             Self::Discs => None,
             Self::All(shape) => Some(shape),
-            Self::Fitting if form == Form::Insect => Some(Shape::Insect),
+            Self::Fitting if form == AgentShape::Insect => Some(Shape::Insect),
             Self::Fitting if body.basis.is_some() => Some(Shape::Vehicle),
             Self::Fitting if plan || body.radius > TALL || body.core != glam::Vec2::ZERO => None,
             Self::Fitting => Some(Shape::Walker),
         }
     }
 
-    /// What pictures draw an agent as, whose own form is this one.
-    pub fn form(self, body: &Body, own: Form, plan: bool) -> Form {
+    /// Returns the form in pictures of an agent with the form `own`.
+    pub fn form(self, body: &Body, own: AgentShape, plan: bool) -> AgentShape {
         match self.shape(body, own, plan) {
-            None => Form::Body,
-            Some(Shape::Insect) => Form::Insect,
-            // the same, drawn as who flies
-            Some(Shape::Vehicle) if body.basis.is_some() => Form::Body,
-            Some(shape) => Form::Shaped(shape),
+            None => AgentShape::Body,
+            Some(Shape::Insect) => AgentShape::Insect,
+            // pictures draw a flying agent as a dart already
+            Some(Shape::Vehicle) if body.basis.is_some() => AgentShape::Body,
+            Some(shape) => AgentShape::Shaped(shape),
         }
     }
 }
 
-/// People are no wider than this, metres.
+/// The largest radius of an agent that is drawn as a walking figure, metres.
 const TALL: f32 = 0.6;
 
 #[cfg(test)]
@@ -74,12 +74,12 @@ mod tests {
         let mut frame = Frame::default();
         moment::capture(&world, &mut frame);
         let body = frame.bodies[0];
-        assert_eq!(Marks::Fitting.form(&body, Form::Body, false), Form::Shaped(Shape::Walker));
-        assert_eq!(Marks::Fitting.form(&body, Form::Body, true), Form::Body);
-        assert_eq!(Marks::Fitting.form(&body, Form::Insect, true), Form::Insect);
-        assert_eq!(Marks::Discs.form(&body, Form::Insect, false), Form::Body);
+        assert_eq!(Marks::Fitting.form(&body, AgentShape::Body, false), AgentShape::Shaped(Shape::Walker));
+        assert_eq!(Marks::Fitting.form(&body, AgentShape::Body, true), AgentShape::Body);
+        assert_eq!(Marks::Fitting.form(&body, AgentShape::Insect, true), AgentShape::Insect);
+        assert_eq!(Marks::Discs.form(&body, AgentShape::Insect, false), AgentShape::Body);
         let wide = Body { radius: 2.0, ..body };
-        assert_eq!(Marks::Fitting.form(&wide, Form::Body, false), Form::Body);
-        assert_eq!(Marks::All(Shape::Bird).form(&wide, Form::Body, true), Form::Shaped(Shape::Bird));
+        assert_eq!(Marks::Fitting.form(&wide, AgentShape::Body, false), AgentShape::Body);
+        assert_eq!(Marks::All(Shape::Bird).form(&wide, AgentShape::Body, true), AgentShape::Shaped(Shape::Bird));
     }
 }

@@ -1,25 +1,25 @@
-//! The navigation mesh that ways are planned on, and the way of an agent.
+//! The navigation mesh of path planning, and the planned path of an agent.
 
+use super::derived::Derived;
 use super::geometry::{Disc, Geometry, Stroke};
-use super::made::Made;
-use crate::play::Shown;
+use crate::play::RunMoment;
 use eframe::egui::Context;
 use glam::Vec3;
 use std::sync::Arc;
 use throng::navigate::NavMesh;
-use throng::steer::Reason;
+use throng::steer::SteeringReason;
 use throng_draw::Theme;
 
-/// The mesh as it was drawn last.
+/// The mesh as drawn last.
 #[derive(Default)]
 pub struct MeshMap {
-    made: Made<(u64, u32, bool), Geometry>,
+    made: Derived<(u64, u32, bool), Geometry>,
 }
 
 impl MeshMap {
-    /// The triangles of the ground, for bodies of a radius: thin lines between them, stronger ones where it ends. Without walls
-    /// there are none: ways are straight.
-    pub fn layer(&mut self, shown: &Shown, radius: f32, theme: &Theme, dark: bool, ctx: &Context) -> Arc<Geometry> {
+    /// Returns the triangles of the mesh for bodies of a radius: thin inner edges and stronger boundary edges. Scenes
+    /// without walls have no mesh, because paths are straight.
+    pub fn layer(&mut self, shown: &RunMoment, radius: f32, theme: &Theme, dark: bool, ctx: &Context) -> Arc<Geometry> {
         let setting = shown.setting.clone();
         if setting.walkable.is_empty() && setting.obstacles.is_empty() {
             return Arc::default();
@@ -33,7 +33,7 @@ impl MeshMap {
     }
 }
 
-/// The edges of a mesh, each once.
+/// Returns the edges of a mesh, each once.
 fn lines(mesh: &NavMesh, origin: glam::DVec2, theme: &Theme) -> Geometry {
     let mut edges = Geometry::default();
     let inner = Stroke::plain(0.9, theme.text.alpha(0.30));
@@ -52,8 +52,8 @@ fn lines(mesh: &NavMesh, origin: glam::DVec2, theme: &Theme) -> Geometry {
     edges
 }
 
-/// The way that an agent has planned, as far as it has told it: a line by its corners to where it goes.
-pub fn way(shown: &Shown, number: u32, theme: &Theme) -> Geometry {
+/// Returns the planned path of an agent, as far as its trace has recorded it: a line through its corners to its goal.
+pub fn way(shown: &RunMoment, number: u32, theme: &Theme) -> Geometry {
     let mut way = Geometry::default();
     let accounts = &shown.frame.accounts;
     let found = accounts.binary_search_by_key(&number, |account| account.number).ok();
@@ -61,12 +61,15 @@ pub fn way(shown: &Shown, number: u32, theme: &Theme) -> Geometry {
     else {
         return way;
     };
-    let corners =
-        account.told.iter().filter_map(|told| if let Reason::Via(at) = told.reason { Some(at) } else { None });
+    let corners = account
+        .entries
+        .iter()
+        .filter_map(|told| if let SteeringReason::Via(at) = told.reason { Some(at) } else { None });
     let corners: Vec<Vec3> = corners.collect();
-    let aim = account.told.iter().find_map(|told| if let Reason::Aim(at) = told.reason { Some(at) } else { None });
+    let aim =
+        account.entries.iter().find_map(|told| if let SteeringReason::Aim(at) = told.reason { Some(at) } else { None });
     let begin = (body.position - shown.setting.origin).as_vec2().extend(body.altitude);
-    // where there are corners it is the first of them
+    // with corners, the aim equals the first corner
     let end = aim.filter(|_| corners.is_empty());
     let points: Vec<Vec3> = std::iter::once(begin).chain(corners).chain(end).collect();
     way.line(&points, false, Stroke::plain(2.0, theme.goal));
@@ -118,7 +121,7 @@ mod tests {
         let room = Walkable { outer: corners, holes: vec![hole] };
         let mesh = NavMesh::build(&[room], &[], 0.3, (DVec2::ZERO, DVec2::ZERO)).unwrap();
         let edges = lines(&mesh, DVec2::ZERO, &Theme::light()).lines.len();
-        // Euler: of a plane with one hole V - E + F = 0
+        // Euler: V - E + F = 0 for a plane mesh with one hole
         assert_eq!(edges, mesh.vertices().len() + mesh.triangles().len());
     }
 }

@@ -1,7 +1,8 @@
-//! The view: the world as it is now, through an eye that people move.
+//! The view: the world through a camera that the user controls.
 
 mod colors;
 mod crowd;
+mod derived;
 mod eye;
 mod geometry;
 mod gl;
@@ -9,7 +10,6 @@ mod heat;
 mod kernel;
 mod key;
 mod layers;
-mod made;
 mod marks;
 mod mesh;
 mod mode;
@@ -28,7 +28,7 @@ pub use mode::Mode;
 pub use moment::between;
 pub use streams::Streams;
 
-use crate::play::Shown;
+use crate::play::RunMoment;
 use crate::settings::Settings;
 use crowd::Crowd;
 use eframe::egui::{self, InputState, PointerButton, Rect, Response, Sense, Ui};
@@ -40,37 +40,37 @@ use moment::{interpolated, nearest, pair};
 use std::sync::{Arc, Mutex, PoisonError};
 use throng_draw::{Annotation, Annotations, Color, Followed, Projection, Projector, Style, Theme};
 
-/// How high the air is that flocks are seen in, at least, metres.
+/// The least height of the box around flocks, metres.
 const HEADROOM: f64 = 1.8;
 
-/// What can be seen, and how.
+/// A view of the world.
 #[derive(Default)]
-pub struct View {
-    /// Where one looks from.
+pub struct ViewOptions {
+    /// The camera.
     pub eye: Eye,
-    /// Whether the first button of the mouse does something else than to move the eye and to select.
+    /// Whether a tool uses the primary mouse button, instead of moving the camera and selecting.
     pub lent: bool,
-    /// The agent that is selected, by number.
+    /// The number of the selected agent.
     pub selected: Option<u32>,
-    /// Who is selected in the first scene, and how it is looked at, where the scene's own way is not meant.
+    /// The agent selected at first, and the first camera, if they differ from those of the scene.
     pub at_first: (Option<u32>, Option<Mode>),
     hovered: Option<u32>,
-    /// The scene that the eye was fitted to.
+    /// The scene that the camera was fitted to.
     fitted: Option<Arc<str>>,
     scenery: Option<Scenery>,
     ground: Ground,
     crowd: Crowd,
-    /// What was drawn last.
+    /// The layers drawn last.
     layers: Vec<Arc<Geometry>>,
-    /// Bytes of those of them that had changed.
+    /// The bytes of the layers that changed in the last frame.
     handed_over: usize,
     canvas: Shared,
 }
 
-/// Canvas, or why there is none: made where OpenGL is at hand.
+/// The canvas, or the error that prevented it. It is created when OpenGL is available.
 type Shared = Arc<Mutex<Option<Result<Canvas, String>>>>;
 
-/// What does not change in a run.
+/// The geometry that is constant during a run.
 struct Scenery {
     run: u64,
     dark: bool,
@@ -79,9 +79,9 @@ struct Scenery {
     solids: Arc<Geometry>,
 }
 
-impl View {
-    /// Shows a moment in all of the room there is, and lets people move the eye and select an agent.
-    pub fn ui(&mut self, ui: &mut Ui, shown: &Shown, settings: &Settings) -> Response {
+impl ViewOptions {
+    /// Shows a moment in the available space. Handles input that moves the camera or selects an agent.
+    pub fn ui(&mut self, ui: &mut Ui, shown: &RunMoment, settings: &Settings) -> Response {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         let size = Vec2::new(rect.width(), rect.height()).max(Vec2::ONE);
         if self.fitted.as_ref() != Some(&shown.name) {
@@ -92,7 +92,7 @@ impl View {
         let body = self.selected.and_then(|number| between(shown, number, share));
         self.eye.settle(body.as_ref().map(Followed::from), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
-        // a finger that has tapped is there no more
+        // a lifted finger has no hover position
         let pointer = response
             .hover_pos()
             .or(response.interact_pointer_pos())
@@ -111,25 +111,26 @@ impl View {
         response
     }
 
-    /// Sees everything again.
-    pub fn fit(&mut self, shown: &Shown, size: Vec2) {
+    /// Fits the whole scene into the view.
+    pub fn fit(&mut self, shown: &RunMoment, size: Vec2) {
         let tops = shown.first.bodies.iter().map(|body| f64::from(body.altitude + body.radius));
         let height = tops.fold(HEADROOM, f64::max);
         self.eye.fit(shown.bounds, if shown.setting.in_space { height } else { 0.0 }, size);
     }
 
-    /// What the ground shows, as it was drawn last.
+    /// Returns the layers on the ground, as drawn last.
     pub fn ground(&self) -> &Ground {
         &self.ground
     }
 
-    /// Bytes that the last moment handed over to the graphics processor: those of layers that had changed.
+    /// Returns the bytes uploaded in the last frame: those of the layers that changed.
     pub fn handed_over(&self) -> usize {
         self.handed_over
     }
 
-    /// What a film looks like that shows what this view shows, where it is so many points of the screen large.
-    pub fn style(&self, shown: &Shown, settings: &Settings, size: Vec2) -> Style {
+    /// Returns the style of a recording that looks like this view. `size` is the size of the view, points of the
+    /// screen.
+    pub fn style(&self, shown: &RunMoment, settings: &Settings, size: Vec2) -> Style {
         let (plan, selected) = (self.eye.mode() == Mode::Plan, self.selected);
         let coloring = settings.coloring.style(shown, &settings.theme());
         let form = |group: usize| {
@@ -153,12 +154,12 @@ impl View {
         }
     }
 
-    /// Sees everything again, at the next moment.
+    /// Fits the whole scene into the view in the next frame.
     pub fn refit(&mut self) {
         self.fitted = None;
     }
 
-    fn open(&mut self, shown: &Shown, size: Vec2) {
+    fn open(&mut self, shown: &RunMoment, size: Vec2) {
         self.fitted = Some(shown.name.clone());
         let (selected, mode) = std::mem::take(&mut self.at_first);
         self.selected = selected;
@@ -171,7 +172,8 @@ impl View {
         self.fit(shown, size);
     }
 
-    /// Changes as another view has: its eye, and who is selected in it. Who is followed goes another way in each.
+    /// Follows the changes of another view: its camera and its selection. A camera that follows an agent is not copied,
+    /// because the agents of both runs move differently.
     pub fn goes_with(&mut self, before: (Eye, Option<u32>), now: (Eye, Option<u32>)) {
         if before.1 != now.1 {
             self.selected = now.1;
@@ -183,14 +185,14 @@ impl View {
     }
 
     /// Selects the agent after the selected one.
-    pub fn select_next(&mut self, shown: &Shown) {
+    pub fn select_next(&mut self, shown: &RunMoment) {
         let bodies = &shown.frame.bodies;
         let after = self.selected.map_or(0, |number| bodies.partition_point(|body| body.number <= number));
         self.selected = bodies.get(after).or(bodies.first()).map(|body| body.number);
     }
 
     fn handle(&mut self, ui: &Ui, response: &Response, rect: Rect, size: Vec2) {
-        // two fingers take the ground along, whatever one of them would do
+        // two fingers always move the camera
         if let Some(touch) = ui.input(InputState::multi_touch).filter(|touch| rect.contains(touch.center_pos)) {
             let (by, at) = (touch.translation_delta, touch.center_pos - rect.min);
             self.eye.drag(Vec2::new(by.x, by.y), false, size);
@@ -213,7 +215,15 @@ impl View {
         }
     }
 
-    fn paint(&mut self, ui: &Ui, rect: Rect, shown: &Shown, settings: &Settings, projector: &Projector, share: f32) {
+    fn paint(
+        &mut self,
+        ui: &Ui,
+        rect: Rect,
+        shown: &RunMoment,
+        settings: &Settings,
+        projector: &Projector,
+        share: f32,
+    ) {
         let theme = settings.theme();
         let base = if shown.setting.walkable.is_empty() { theme.ground } else { theme.outside };
         let painter = ui.painter_at(rect);
@@ -253,7 +263,7 @@ impl View {
         }
     }
 
-    fn scenery(&mut self, shown: &Shown, settings: &Settings, theme: &Theme) -> &Scenery {
+    fn scenery(&mut self, shown: &RunMoment, settings: &Settings, theme: &Theme) -> &Scenery {
         let (run, dark) = (shown.run, settings.dark);
         if self.scenery.as_ref().is_some_and(|scenery| (scenery.run, scenery.dark) != (run, dark)) {
             self.scenery = None;
@@ -267,8 +277,8 @@ impl View {
         })
     }
 
-    /// Rings round who is selected and who is pointed at, and the way of who is selected.
-    fn marked(&self, shown: &Shown, settings: &Settings, theme: &Theme) -> Geometry {
+    /// Returns rings around the selected and the hovered agent, and the path of the selected agent.
+    fn marked(&self, shown: &RunMoment, settings: &Settings, theme: &Theme) -> Geometry {
         let way = self.selected.filter(|_| settings.layers.paths).map(|number| mesh::way(shown, number, theme));
         let mut marks = way.unwrap_or_default();
         for (number, opacity) in [(self.hovered, 0.45), (self.selected, 0.95)] {
@@ -278,7 +288,7 @@ impl View {
         marks
     }
 
-    /// Gives back what the graphics processor holds.
+    /// Frees the resources of the graphics processor.
     pub fn destroy(&mut self, gl: &glow::Context) {
         if let Some(Ok(canvas)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).take() {
             canvas.destroy(gl);
@@ -286,7 +296,7 @@ impl View {
     }
 }
 
-/// Draws layers with a canvas, which is made first where there is none.
+/// Draws layers with a canvas. Creates the canvas first if there is none.
 fn draw(canvas: &Shared, gl: &glow::Context, layers: &[Arc<Geometry>], lighting: &Lighting) {
     let mut slot = canvas.lock().unwrap_or_else(PoisonError::into_inner);
     let result = match slot.get_or_insert_with(|| Canvas::new(gl)) {
@@ -298,8 +308,8 @@ fn draw(canvas: &Shared, gl: &glow::Context, layers: &[Arc<Geometry>], lighting:
     }
 }
 
-/// From the world to clip coordinates, for the shaders.
-fn lighting(projector: &Projector, size: Vec2, unit: f32, shown: &Shown) -> Lighting {
+/// Returns the uniforms of the shaders for a projection.
+fn lighting(projector: &Projector, size: Vec2, unit: f32, shown: &RunMoment) -> Lighting {
     let clip = projector.clip(shown.setting.origin.extend(0.0), size).as_mat4();
     let (focal, near) = match projector {
         Projector::Plan(camera) => (camera.scale, 0.0),

@@ -1,30 +1,30 @@
-//! Ways of looking at the world.
+//! Camera modes.
 
 use throng_draw::Chase;
 
-/// How the world is looked at.
+/// A camera mode.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Mode {
-    /// From straight above, true to scale.
+    /// From straight above, to scale.
     #[default]
     Plan,
-    /// From a point that goes round what it looks at.
+    /// From a point on a sphere around the target.
     Orbit,
-    /// Behind the selected agent, drawn along at a fixed distance.
+    /// Behind the selected agent, at a fixed distance.
     Distance,
-    /// At a fixed place beside the selected agent: it turns with it.
+    /// At a fixed offset in the frame of the selected agent.
     Offset,
-    /// With the eyes of the selected agent.
+    /// From the position of the selected agent, in its direction.
     PointOfView,
     /// From above the selected agent.
     Down,
 }
 
 impl Mode {
-    /// All of them, in the order in which `c` goes through them.
+    /// All modes, in the order in which the key C selects them.
     pub const ALL: [Self; 6] = [Self::Plan, Self::Orbit, Self::Distance, Self::Offset, Self::PointOfView, Self::Down];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Plan => "plan",
@@ -36,7 +36,7 @@ impl Mode {
         }
     }
 
-    /// How it goes with an agent; `None` where it looks at no one.
+    /// Returns how the camera follows an agent, `None` if it follows none.
     pub fn chase(self) -> Option<Chase> {
         match self {
             Self::Plan | Self::Orbit => None,
@@ -47,12 +47,12 @@ impl Mode {
         }
     }
 
-    /// Whether it looks at an agent.
+    /// Whether the camera follows an agent.
     pub fn follows(self) -> bool {
         self.chase().is_some()
     }
 
-    /// The next one.
+    /// Returns the next mode.
     pub fn next(self) -> Self {
         let now = Self::ALL.iter().position(|&mode| mode == self).unwrap_or_default();
         Self::ALL[(now + 1) % Self::ALL.len()]
@@ -62,7 +62,7 @@ impl Mode {
 impl std::str::FromStr for Mode {
     type Err = String;
 
-    /// What it is called.
+    /// Parses a label, with `-` for spaces.
     fn from_str(name: &str) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|mode| mode.label() == name.replace('-', " "));
         found.ok_or_else(|| {

@@ -1,22 +1,22 @@
-//! What stays where it is: the ground, obstacles, paths, goals; and the grid on the ground.
+//! Static geometry: the ground, obstacles, paths and goals; and the grid.
 
 use super::geometry::{Disc, Geometry, Stroke};
-use crate::play::Shown;
+use crate::play::RunMoment;
 use glam::{DVec2, Vec2, Vec3};
 use throng::Obstacle;
 use throng_draw::{Color, Projector, Theme, points_to_go};
 use throng_record::{Frame, Setting};
 use throng_scene::Scene;
 
-/// More goals than this step back.
+/// Beyond this number, goals are drawn fainter.
 const MANY_GOALS: usize = 40;
-/// How high obstacles are for an eye in space, metres, and corners of round ones.
+/// The height of obstacles in a view in space, metres, and the number of corners of round obstacles.
 const HEIGHT: f32 = 1.2;
 const ROUND: usize = 40;
-/// Points of the screen between the lines of the grid, at least.
+/// The least spacing of grid lines, points of the screen.
 const CELL: f64 = 36.0;
 
-/// The ground.
+/// Returns the ground.
 pub fn floor(setting: &Setting, theme: &Theme) -> Geometry {
     let mut floor = Geometry::default();
     for area in &setting.walkable {
@@ -29,7 +29,7 @@ pub fn floor(setting: &Setting, theme: &Theme) -> Geometry {
     floor
 }
 
-/// What stands on it, and where people go.
+/// Returns obstacles, paths and goals.
 pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> Geometry {
     let mut place = Geometry::default();
     let local = |point: DVec2| (point - setting.origin).as_vec2().extend(0.0);
@@ -74,7 +74,7 @@ pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> 
     place
 }
 
-/// Obstacles as high as people look over: prisms, walls and holes of the ground, for an eye in space.
+/// Returns obstacles in space: prisms, walls and holes of the ground. Their height is below eye level.
 pub fn solids(setting: &Setting, theme: &Theme) -> Geometry {
     let mut solids = Geometry { deep: true, ..Geometry::default() };
     let holes = setting.walkable.iter().flat_map(|area| &area.holes);
@@ -93,13 +93,13 @@ pub fn solids(setting: &Setting, theme: &Theme) -> Geometry {
     solids
 }
 
-/// What stands over a ring of corners, or, not closed, over a line.
+/// Adds the walls over a ring of corners, or over a line if not `closed`.
 fn prism(corners: &[DVec2], closed: bool, origin: DVec2, theme: &Theme, solids: &mut Geometry) {
     let local = |point: DVec2, z: f32| (point - origin).as_vec2().extend(z);
     let sides = if closed { corners.len() } else { corners.len().saturating_sub(1) };
     for k in 0..sides {
         let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
-        // lighter on one side than on the other, whichever way round the corners are
+        // shading by direction, independent of the order of the corners
         let light = (b - a).perp().normalize_or_zero().dot(DVec2::new(0.6, 0.8)).abs() as f32;
         let color = theme.obstacle.mix(theme.edge, 0.25 + 0.45 * light);
         solids.facet(&[local(a, 0.0), local(b, 0.0), local(b, HEIGHT), local(a, HEIGHT)], color);
@@ -125,7 +125,7 @@ fn goals(setting: &Setting, theme: &Theme, first: &Frame, place: &mut Geometry) 
     }
 }
 
-/// The distance of the lines of a grid where a metre takes so many points of the screen: 1, 2 or 5 of a power of ten.
+/// Returns the cell size of the grid for a scale, points of the screen per metre: 1, 2 or 5 times a power of ten.
 pub fn cell(scale: f64) -> f64 {
     let least = CELL / scale;
     let power = 10f64.powf(least.log10().floor());
@@ -133,8 +133,8 @@ pub fn cell(scale: f64) -> f64 {
     steps.filter(|&step| step >= least).fold(10.0 * power, f64::min)
 }
 
-/// The grid on the ground that is seen.
-pub fn grid_seen(projector: &Projector, size: Vec2, shown: &Shown, theme: &Theme) -> Geometry {
+/// Returns the visible grid on the ground.
+pub fn grid_seen(projector: &Projector, size: Vec2, shown: &RunMoment, theme: &Theme) -> Geometry {
     let color = theme.edge.alpha(0.28);
     let origin = shown.setting.origin;
     match projector {
@@ -152,12 +152,12 @@ pub fn grid_seen(projector: &Projector, size: Vec2, shown: &Shown, theme: &Theme
     }
 }
 
-/// Lines `cell` apart, from one corner to another, every fifth a little stronger; relative to `origin`.
+/// Returns grid lines at a spacing of `cell` between two corners, relative to `origin`. Every fifth line is stronger.
 pub fn grid([low, high]: [DVec2; 2], cell: f64, origin: DVec2, color: Color) -> Geometry {
     let mut grid = Geometry::default();
     let (from, to) = ((low / cell).ceil(), (high / cell).floor());
     let mut lines = |from: f64, to: f64, ends: &dyn Fn(f64) -> [DVec2; 2]| {
-        // a grid is there to be seen: of more lines than this none would be
+        // bounds the number of lines; a denser grid would not be legible
         for k in 0..=((to - from).clamp(0.0, 400.0) as i64) {
             let at = from + k as f64;
             let strength = if at.rem_euclid(5.0) == 0.0 { 1.0 } else { 0.45 };

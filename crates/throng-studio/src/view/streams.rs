@@ -1,30 +1,32 @@
-//! The fields that lead groups, on the ground: the lines and arrows of pictures.
+//! The fields of groups on the ground, as lines and arrows.
 
-use super::geometry::{Disc, Geometry, Picture, Stroke};
-use super::made::Made;
-use crate::play::Shown;
+use super::derived::Derived;
+use super::geometry::{Disc, Geometry, GroundPicture, Stroke};
+use crate::play::RunMoment;
 use eframe::egui::Context;
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
-use throng_draw::{Camera, Color, FlowLayer, FlowMarks, FlowStyle, Image, Mark, Projector, Style, Theme, WorldBox};
+use throng_draw::{
+    Camera, Color, FlowLayer, FlowMarks, FlowStyle, Image, Primitive, Projector, Style, Theme, WorldBox,
+};
 
-/// How fields are drawn.
+/// The drawing of fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Streams {
-    /// Not at all.
+    /// Not drawn.
     #[default]
     None,
-    /// As arrows on an even grid.
+    /// Arrows on a regular grid.
     Arrows,
-    /// As streamlines.
+    /// Streamlines.
     Lines,
 }
 
 impl Streams {
-    /// All of them.
+    /// All choices.
     pub const ALL: [Self; 3] = [Self::None, Self::Arrows, Self::Lines];
 
-    /// What it is called.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -34,41 +36,41 @@ impl Streams {
     }
 }
 
-/// What is seen of fields.
+/// The settings of the drawn fields.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Currents {
-    /// How they are drawn.
+    /// The drawing of the fields.
     pub streams: Streams,
-    /// Whether the ground's colour says how fast they are.
+    /// Whether colours on the ground show the speed.
     pub speed: bool,
-    /// Which one is seen; `None`: all.
+    /// The visible field. `None` for all fields.
     pub only: Option<usize>,
     /// The colours.
     pub theme: Theme,
 }
 
-/// Pixels of the longer side of what is drawn.
+/// The longer side of the drawing, pixels.
 const SIDE: f64 = 1000.0;
-/// Fields that change are drawn anew so many times a second.
+/// The rate at which fields that change are redrawn, per second.
 const RATE: f64 = 4.0;
 
-/// Fields as they were drawn last.
+/// The fields as drawn last.
 #[derive(Default)]
 pub struct StreamMap {
-    made: Made<(u64, u64, WorldBox, Currents), Sheet>,
+    made: Derived<(u64, u64, WorldBox, Currents), StreamSheet>,
 }
 
-/// What is made beside the window.
-struct Sheet {
+/// The result of the background computation.
+struct StreamSheet {
     layer: Arc<Geometry>,
     fastest: Option<f32>,
 }
 
 impl StreamMap {
-    /// The fields of a moment on the ground that is seen, and the speed that is drawn as the fastest, m/s.
+    /// Returns the fields of a moment on the visible ground, and the maximum of their colour scale, m/s.
     pub fn layer(
         &mut self,
-        shown: &Shown,
+        shown: &RunMoment,
         currents: &Currents,
         (projector, size): (&Projector, Vec2),
         ctx: &Context,
@@ -89,7 +91,7 @@ impl StreamMap {
                 throng_record::Setting { flows: flows.map(|(_, flow)| flow.clone()).collect(), ..(*setting).clone() };
             let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, turn as f64 / RATE);
             let layer = marks.as_ref().map(|marks| Arc::new(geometry(marks, setting.origin)));
-            Sheet { layer: layer.unwrap_or_default(), fastest: marks.and_then(|marks| marks.fastest) }
+            StreamSheet { layer: layer.unwrap_or_default(), fastest: marks.and_then(|marks| marks.fastest) }
         };
         let sheet = self.made.of((shown.run, turn, seen, currents.clone()), ctx, make);
         sheet.map(|sheet| (sheet.layer.clone(), sheet.fastest)).unwrap_or_default()
@@ -109,20 +111,20 @@ fn style(currents: &Currents, seen: WorldBox) -> Style {
     Style { width, height, flow, view: Some(seen), legend: false, theme: currents.theme.clone(), ..Style::default() }
 }
 
-/// The ground that is looked at, in steps: of a plan what is seen and a little more, that it need not be drawn anew whenever the eye
-/// moves; in space all of the place.
+/// Returns the ground to draw fields on, rounded to steps. A plan draws a margin around the visible part, so that small
+/// camera motions need no redraw. A view in space draws the whole scene.
 fn seen(projector: &Projector, size: Vec2, bounds: WorldBox) -> WorldBox {
     let Projector::Plan(camera) = projector else { return bounds };
     let [low, high] = [camera.point(Vec2::new(0.0, size.y)), camera.point(Vec2::new(size.x, 0.0))];
     let step = 2f64.powf((high - low).max_element().max(1e-3).log2().floor() - 2.0);
     let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
-    // fields have no end: round the place some of them is enough
+    // fields are unbounded, so they are drawn in a margin around the scene only
     let room = 0.25 * (bounds.max - bounds.min).max_element().max(1.0);
     let [near, far] = [low.max(bounds.min - room), high.min(bounds.max + room)];
     if near.cmplt(far).all() { WorldBox { min: near, max: far } } else { bounds }
 }
 
-/// Shapes of a picture as geometry on the ground.
+/// Converts the primitives of a picture to geometry on the ground.
 fn geometry(marks: &FlowMarks, origin: DVec2) -> Geometry {
     let camera = &marks.camera;
     let point = |pixel: Vec2| camera.point(pixel);
@@ -130,32 +132,32 @@ fn geometry(marks: &FlowMarks, origin: DVec2) -> Geometry {
     let mut ground = Geometry::default();
     for mark in &marks.marks {
         match mark {
-            Mark::Area { rings, fill } => {
+            Primitive::Area { rings, fill } => {
                 let rings: Vec<Vec<DVec2>> =
                     rings.iter().map(|ring| ring.iter().map(|&at| point(at)).collect()).collect();
                 ground.area(&rings, origin, *fill);
             }
-            Mark::Line { points, closed, stroke } => {
+            Primitive::Line { points, closed, stroke } => {
                 let points: Vec<_> = points.iter().map(|&at| local(at)).collect();
                 ground.line(&points, *closed, Stroke::plain(stroke.width, stroke.color));
             }
-            Mark::Disc { center, radius, fill } => {
+            Primitive::Disc { center, radius, fill } => {
                 let radius = f64::from(*radius) / camera.scale;
                 ground.discs.push(Disc::round(local(*center), radius as f32, *fill, (0.0, *fill), 0.0));
             }
-            Mark::Pixels(image) => ground.picture = Some(picture(image, camera, origin)),
+            Primitive::Pixels(image) => ground.picture = Some(picture(image, camera, origin)),
             _ => {}
         }
     }
     ground
 }
 
-fn picture(image: &Image, camera: &Camera, origin: DVec2) -> Picture {
+fn picture(image: &Image, camera: &Camera, origin: DVec2) -> GroundPicture {
     let size = [image.width(), image.height()].map(|side| side as usize);
     let corners = [Vec2::new(0.0, size[1] as f32), Vec2::new(size[0] as f32, 0.0)];
     let rows = image.data().chunks_exact(4 * size[0].max(1)).rev();
     let pixels = rows.flat_map(|row| row.chunks_exact(4)).map(|c| Color { r: c[0], g: c[1], b: c[2], a: c[3] });
-    Picture::new(corners.map(|corner| camera.point(corner) - origin), size, pixels)
+    GroundPicture::new(corners.map(|corner| camera.point(corner) - origin), size, pixels)
 }
 
 #[cfg(test)]
@@ -177,7 +179,7 @@ mod tests {
             let drawn = seen(&Projector::Plan(camera(shift)), SIZE, bounds());
             let [low, high] = [Vec2::new(0.0, SIZE.y), Vec2::new(SIZE.x, 0.0)].map(|at| camera(shift).point(at));
             assert!(drawn.min.cmple(low.max(bounds().min)).all() && drawn.max.cmpge(high.min(bounds().max)).all());
-            // of hundred small moves few draw it anew
+            // few of a hundred small motions redraw the fields
             let moves =
                 (0..100).map(|k| seen(&Projector::Plan(camera(shift + f64::from(k) * 0.5 / scale)), SIZE, bounds()));
             let mut boxes: Vec<WorldBox> = moves.collect();
@@ -189,7 +191,7 @@ mod tests {
     #[test]
     fn the_ground_is_fast_where_the_field_is() {
         let origin = DVec2::new(-1800.0, 8.0);
-        // faster to the north and to the east
+        // the speed increases to the north and to the east
         let field = |place: Vec3, _: f64| Vec3::X * (1.0 + 0.05 * place.x + 0.1 * place.y);
         let setting = Setting { flows: vec![Flow::of(Arc::new(field))], origin, ..Setting::default() };
         let theme = Theme::light();
@@ -199,7 +201,7 @@ mod tests {
         let picture = ground.picture.as_ref().unwrap();
         let [width, height] = picture.size;
         let red = |x: usize, y: usize| picture.pixels[y * width + x][0];
-        // tones darken from the ground's own
+        // tones become darker than the ground with speed
         assert!(red(width / 2, height - 2) < red(width / 2, 1) && red(width - 2, height / 2) < red(1, height / 2));
         assert!(ground.areas.len() > 300 && ground.bytes() > 4 * width * height);
     }

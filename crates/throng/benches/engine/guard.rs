@@ -1,4 +1,4 @@
-//! The guard in a packed crowd, everybody pushed at random. An item is an agent.
+//! The guard in a packed crowd with random pushes. An item is an agent.
 
 use crate::scenes::Dice;
 use divan::Bencher;
@@ -6,15 +6,15 @@ use divan::counter::ItemsCount;
 use glam::{DVec2, Vec2};
 use std::iter::repeat_n;
 use throng::agent::Column;
-use throng::guard::{Bodies, Contacts, Guard, Pose, Solids};
+use throng::guard::{BodyPose, Contacts, Guard, GuardedBodies, Solids};
 use throng::perceive::Grid;
 use throng::space::Walls;
 
-/// Bodies of 0.2 m in rows like bricks, a gap of 2 % between them, where each would go in a sub-step of 1/120 s, and what
-/// the guard needs to know of them.
+/// Bodies of 0.2 m in rows like bricks with gaps of 2 %, their targets in a sub-step of 1/120 s, and the other columns
+/// of the guard.
 struct Packed {
     positions: Vec<Vec2>,
-    targets: Vec<Pose>,
+    targets: Vec<BodyPose>,
     numbers: Vec<u32>,
     headings: Vec<f32>,
     altitudes: Column<f32>,
@@ -28,15 +28,16 @@ struct Packed {
 
 impl Packed {
     fn new(count: usize) -> Self {
-        let mut dice = Dice(5);
+        let mut rng = Dice(5);
         let side = (count as f64).sqrt() as usize;
         let place = |k: usize| {
             let (x, y) = (k % side, k / side);
             DVec2::new(x as f64 + 0.5 * (y % 2) as f64, y as f64 * 0.75_f64.sqrt()) * (0.4 * 1.02)
         };
         let positions: Vec<Vec2> = (0..count).map(|k| place(k).as_vec2()).collect();
-        let mut push = || (DVec2::from_angle(dice.between(0.0, 6.3)) * dice.between(0.0, 1.3 / 120.0)).as_vec2();
-        let targets = positions.iter().map(|&at| Pose { position: at + push(), altitude: 0.0, heading: 0.0 }).collect();
+        let mut push = || (DVec2::from_angle(rng.between(0.0, 6.3)) * rng.between(0.0, 1.3 / 120.0)).as_vec2();
+        let targets =
+            positions.iter().map(|&at| BodyPose { position: at + push(), altitude: 0.0, heading: 0.0 }).collect();
         let numbers: Vec<u32> = (0..count as u32).collect();
         let mut grid = Grid::default();
         grid.rebuild(&positions, &numbers, 1.0);
@@ -55,8 +56,8 @@ impl Packed {
         }
     }
 
-    fn bodies(&self) -> Bodies<'_> {
-        Bodies {
+    fn bodies(&self) -> GuardedBodies<'_> {
+        GuardedBodies {
             positions: &self.positions,
             altitudes: &self.altitudes,
             headings: &self.headings,

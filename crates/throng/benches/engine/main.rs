@@ -1,4 +1,4 @@
-//! How long the engine takes: whole steps, and each stage alone. Figures and how they are made: `docs/benches.md`.
+//! Timings of the engine: whole steps, and each stage alone. Figures and method: `docs/benches.md`.
 
 mod avoid;
 mod guard;

@@ -1,10 +1,10 @@
-//! Meshes and paths on floors of many rooms. An item is a room that a mesh is made of, or a path.
+//! Meshes and paths on floors of many rooms. An item is a room of a mesh, or a path.
 
 use crate::scenes::{Dice, floor, on_floor};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::DVec2;
-use throng::navigate::{NavMesh, Search};
+use throng::navigate::{NavMesh, PathSearch};
 
 fn mesh(side: u32) -> NavMesh {
     let (ground, obstacles) = floor(side);
@@ -19,13 +19,13 @@ fn build_rooms_squared(bencher: Bencher, side: u32) {
         .bench_local(|| NavMesh::build(&ground, &obstacles, 0.2, (DVec2::ZERO, DVec2::ZERO)));
 }
 
-/// Between places drawn from all over the floor.
+/// Between random places of the floor.
 #[divan::bench(args = [3, 10, 30], sample_count = 10, sample_size = 1)]
 fn paths_through_rooms_squared(bencher: Bencher, side: u32) {
-    let (mesh, mut search, mut dice) = (mesh(side), Search::new(), Dice(11));
+    let (mesh, mut search, mut rng) = (mesh(side), PathSearch::new(), Dice(11));
     let mut ends = Vec::new();
     while ends.len() < 100 {
-        let (from, to) = (on_floor(side, &mut dice), on_floor(side, &mut dice));
+        let (from, to) = (on_floor(side, &mut rng), on_floor(side, &mut rng));
         if mesh.path(&mut search, from, to).is_ok() {
             ends.push((from, to));
         }
@@ -35,21 +35,21 @@ fn paths_through_rooms_squared(bencher: Bencher, side: u32) {
         .bench_local(|| ends.iter().filter_map(|&(from, to)| mesh.path(&mut search, from, to).ok()).count());
 }
 
-/// From places all over the floor to one.
+/// From random places of the floor to one place.
 #[divan::bench(args = [3, 10, 30], sample_count = 10, sample_size = 1)]
 fn paths_to_one_place_in_rooms_squared(bencher: Bencher, side: u32) {
-    let (mesh, mut dice) = (mesh(side), Dice(11));
-    let from: Vec<DVec2> = (0..500).map(|_| on_floor(side, &mut dice)).collect();
-    let to = on_floor(side, &mut dice);
+    let (mesh, mut rng) = (mesh(side), Dice(11));
+    let from: Vec<DVec2> = (0..500).map(|_| on_floor(side, &mut rng)).collect();
+    let to = on_floor(side, &mut rng);
     bencher.counter(ItemsCount::new(from.len())).bench_local(|| mesh.paths(&from, to));
 }
 
 /// Whether two places some metres apart see each other.
 #[divan::bench(args = [3, 30])]
 fn sights_in_rooms_squared(bencher: Bencher, side: u32) {
-    let (mesh, mut dice) = (mesh(side), Dice(12));
+    let (mesh, mut rng) = (mesh(side), Dice(12));
     let mut place = || loop {
-        let at = on_floor(side, &mut dice);
+        let at = on_floor(side, &mut rng);
         if mesh.locate(at).is_some() {
             return at;
         }

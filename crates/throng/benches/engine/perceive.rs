@@ -1,4 +1,4 @@
-//! The grid: building it, and the ten nearest of everybody. An item is a point.
+//! The grid: building it, and the ten nearest neighbours of all points. An item is a point.
 
 use crate::scenes::points;
 use divan::Bencher;

@@ -1,9 +1,9 @@
-//! What is measured: crowds that never end, so that every step is like the one before, and floors of rooms.
+//! The workloads: crowds that never end, so that all steps are alike, and floors of rooms.
 
 use glam::{DVec2, Vec2};
 use throng::{Agent, Goal, Journey, JourneyId, Obstacle, Settings, Stop, Walkable, World};
 
-/// A small generator of numbers that look random (splitmix64).
+/// A small random number generator (splitmix64).
 pub struct Dice(pub u64);
 
 impl Dice {
@@ -20,26 +20,27 @@ impl Dice {
     }
 }
 
-/// Places on a loose grid, so many to the square metre, round the origin; none two nearer than 0.43 m at 2 per m2.
+/// Returns places on a jittered grid round the origin, with a density per square metre; at 2 per m2 no two are nearer
+/// than 0.43 m.
 pub fn crowd(count: usize, density: f64) -> Vec<DVec2> {
-    let mut dice = Dice(7);
+    let mut rng = Dice(7);
     let spacing = density.sqrt().recip();
     let side = (count as f64).sqrt().ceil();
     let place = |k: usize| DVec2::new(k as f64 % side, (k as f64 / side).floor()) - 0.5 * (side - 1.0);
-    (0..count).map(|k| (place(k) + dice.point(DVec2::splat(-0.19), DVec2::splat(0.19))) * spacing).collect()
+    (0..count).map(|k| (place(k) + rng.point(DVec2::splat(-0.19), DVec2::splat(0.19))) * spacing).collect()
 }
 
-/// The same in `f32`, with numbers.
+/// Returns the same places in `f32`, with numbers.
 pub fn points(count: usize, density: f64) -> (Vec<Vec2>, Vec<u32>) {
     (crowd(count, density).iter().map(|p| p.as_vec2()).collect(), (0..count as u32).collect())
 }
 
-/// A world in steps of 1/60 s, divided as it chooses.
+/// Returns a world with steps of 1/60 s and automatic sub-steps.
 fn world() -> World {
     World::new(Settings { step: 1.0 / 60.0, ..Settings::default() }).expect("these are valid")
 }
 
-/// A round without end through goals.
+/// Adds a journey through goals that repeats.
 fn round(world: &mut World, goals: impl IntoIterator<Item = Goal>) -> JourneyId {
     let stops = goals.into_iter().map(|goal| Stop { goal: world.add_goal(goal).expect("a valid goal"), wait: 0.0 });
     let stops = stops.collect();
@@ -50,12 +51,12 @@ fn point(at: DVec2) -> Goal {
     Goal::Point { at, tolerance: 0.5 }
 }
 
-/// People in the open who go to and fro, each between two places of their own.
+/// Returns agents in the open that go to and fro, each between two random places.
 pub fn open(count: usize, density: f64) -> World {
-    let (mut world, mut dice) = (world(), Dice(8));
+    let (mut world, mut rng) = (world(), Dice(8));
     let half = DVec2::splat(0.5 * (count as f64 / density).sqrt());
     for position in crowd(count, density) {
-        let goals = [0, 1].map(|_| point(dice.point(-half, half)));
+        let goals = [0, 1].map(|_| point(rng.point(-half, half)));
         let journey = round(&mut world, goals);
         world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
     }
@@ -63,7 +64,8 @@ pub fn open(count: usize, density: f64) -> World {
     world
 }
 
-/// People on a ring, 0.65 m apart, who all go to the opposite side and back: measured as they meet in the middle.
+/// Returns agents on a ring, 0.65 m apart, that all go to the opposite side and back: measured while they meet in the
+/// middle.
 pub fn ring(count: usize) -> World {
     let mut world = world();
     let radius = 0.65 * count as f64 / std::f64::consts::TAU;
@@ -76,9 +78,9 @@ pub fn ring(count: usize) -> World {
     world
 }
 
-/// A corridor of 60 by 6 m with two streams of 200.
+/// Returns a corridor of 60 by 6 m with two streams of 200 agents.
 pub fn corridor() -> World {
-    let (mut world, mut dice) = (world(), Dice(9));
+    let (mut world, mut rng) = (world(), Dice(9));
     let end = |x: f64| {
         let corners = [(x - 1.5, -3.0), (x + 1.5, -3.0), (x + 1.5, 3.0), (x - 1.5, 3.0)];
         Goal::Area { corners: corners.map(DVec2::from).to_vec() }
@@ -89,7 +91,7 @@ pub fn corridor() -> World {
         let journey = round(&mut world, [end(28.0 * side), end(-28.0 * side)]);
         for k in 0..200 {
             let at = DVec2::new(-side * (3.0 + 0.68 * f64::from(k / 8)), 0.7 * f64::from(k % 8) - 2.45);
-            let position = at + dice.point(DVec2::splat(-0.1), DVec2::splat(0.1));
+            let position = at + rng.point(DVec2::splat(-0.1), DVec2::splat(0.1));
             world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
         }
     }
@@ -103,19 +105,19 @@ fn settle(world: &mut World, seconds: f64) {
     }
 }
 
-/// A floor of `side` by `side` rooms, 5 by 4 m, with a door to every neighbour but one in five, and a desk and a pillar
-/// in each.
+/// Returns a floor of `side` by `side` rooms, 5 by 4 m, with doors in four of five walls between rooms, and a desk and
+/// a pillar in each room.
 pub fn floor(side: u32) -> (Vec<Walkable>, Vec<Obstacle>) {
-    let mut dice = Dice(u64::from(side));
+    let mut rng = Dice(u64::from(side));
     let (size, room) = (f64::from(side), DVec2::new(5.0, 4.0));
     let outer = [(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)].map(|p| DVec2::from(p) * room).to_vec();
     let mut obstacles = Vec::new();
-    let mut wall = |from: DVec2, to: DVec2, dice: &mut Dice| {
+    let mut wall = |from: DVec2, to: DVec2, rng: &mut Dice| {
         let along = (to - from).normalize();
-        if dice.between(0.0, 1.0) < 0.2 {
+        if rng.between(0.0, 1.0) < 0.2 {
             obstacles.push(Obstacle::Wall { points: vec![from, to] });
         } else {
-            let door = from + along * dice.between(0.3, from.distance(to) - 1.3);
+            let door = from + along * rng.between(0.3, from.distance(to) - 1.3);
             obstacles.push(Obstacle::Wall { points: vec![from, door] });
             obstacles.push(Obstacle::Wall { points: vec![door + along, to] });
         }
@@ -123,22 +125,22 @@ pub fn floor(side: u32) -> (Vec<Walkable>, Vec<Obstacle>) {
     for (x, y) in (0..side).flat_map(|x| (0..side).map(move |y| (f64::from(x), f64::from(y)))) {
         let corner = |dx: f64, dy: f64| DVec2::new(x + dx, y + dy) * room;
         if x + 1.0 < size {
-            wall(corner(1.0, 0.0), corner(1.0, 1.0), &mut dice);
+            wall(corner(1.0, 0.0), corner(1.0, 1.0), &mut rng);
         }
         if y + 1.0 < size {
-            wall(corner(0.0, 1.0), corner(1.0, 1.0), &mut dice);
+            wall(corner(0.0, 1.0), corner(1.0, 1.0), &mut rng);
         }
     }
     for (x, y) in (0..side).flat_map(|x| (0..side).map(move |y| (f64::from(x), f64::from(y)))) {
-        let inside = |dice: &mut Dice| (DVec2::new(x, y) + dice.point(DVec2::splat(0.3), DVec2::splat(0.7))) * room;
+        let inside = |rng: &mut Dice| (DVec2::new(x, y) + rng.point(DVec2::splat(0.3), DVec2::splat(0.7))) * room;
         let desk = DVec2::new(1.6, 0.8);
-        obstacles.push(Obstacle::rectangle(inside(&mut dice), desk, dice.between(0.0, 3.0)));
-        obstacles.push(Obstacle::Circle { center: inside(&mut dice), radius: 0.25 });
+        obstacles.push(Obstacle::rectangle(inside(&mut rng), desk, rng.between(0.0, 3.0)));
+        obstacles.push(Obstacle::Circle { center: inside(&mut rng), radius: 0.25 });
     }
     (vec![Walkable { outer, holes: vec![] }], obstacles)
 }
 
-/// A place on a floor.
-pub fn on_floor(side: u32, dice: &mut Dice) -> DVec2 {
-    dice.point(DVec2::splat(0.3), DVec2::new(5.0, 4.0) * f64::from(side) - 0.3)
+/// Returns a random place on a floor.
+pub fn on_floor(side: u32, rng: &mut Dice) -> DVec2 {
+    rng.point(DVec2::splat(0.3), DVec2::new(5.0, 4.0) * f64::from(side) - 0.3)
 }

@@ -1,4 +1,4 @@
-//! Whole steps of the world, everything in it. An item is an agent moved by one sub-step.
+//! Whole steps of the world, with all stages. An item is an agent moved by one sub-step.
 
 use crate::scenes;
 use divan::Bencher;

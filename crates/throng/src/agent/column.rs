@@ -1,22 +1,22 @@
-//! A fact about all agents: kept once while it is the same for everybody.
+//! A property of all agents, stored once while it is the same for all.
 
 use super::{Cycles, GroupId, JourneyId, ScriptId};
-use crate::lanes::from_side_by_side;
 use crate::motion::{Attitude, Basis};
+use crate::simd::from_side_by_side;
 use fearless_simd::prelude::*;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::ops::{Index, Range};
 
-/// What a [`Column`] can hold.
-pub trait Value: Copy {
-    /// Whether two are the same to the bit: then either can stand for the other.
+/// A type that a [`Column`] can hold.
+pub trait ColumnValue: Copy {
+    /// Whether two values are the same to the bit, so that either can stand for the other.
     fn same(self, other: Self) -> bool;
 }
 
 macro_rules! value {
     ($($type:ty: |$value:ident| $bits:expr,)*) => {
-        $(impl Value for $type {
+        $(impl ColumnValue for $type {
             #[inline]
             fn same(self, other: Self) -> bool {
                 let bits = |$value: Self| $bits;
@@ -29,20 +29,22 @@ macro_rules! value {
 value! {
     bool: |value| value,
     u32: |value| value,
+    u64: |value| value,
     f32: |value| value.to_bits(),
     f64: |value| value.to_bits(),
     Vec2: |value| [value.x.to_bits(), value.y.to_bits()],
     GroupId: |value| value,
     JourneyId: |value| value,
     Option<ScriptId>: |value| value,
+    Option<Vec3>: |value| value.map(|v| v.to_array().map(f32::to_bits)),
     Attitude: |value| {
         let Basis { forward, side, up } = value.basis;
         [forward, side, up, value.acceleration, value.curvature].map(|v| v.to_array().map(f32::to_bits))
     },
 }
 
-/// A value for every row. While all are the same to the bit it holds one, whatever the number of rows; reading a row
-/// takes no branch either way.
+/// A value for every row. While all values are the same to the bit it holds one value, whatever the number of rows.
+/// Reading a row takes no branch in either case.
 ///
 /// ```
 /// use throng::agent::Column;
@@ -52,15 +54,15 @@ value! {
 /// assert_eq!((radii[6], radii[7], radii.uniform(), radii.values().len()), (0.2, 0.3, None, 1000));
 /// ```
 #[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(try_from = "Saved<T>", into = "Saved<T>")]
-#[serde(bound(serialize = "T: Value + Serialize", deserialize = "T: Value + Deserialize<'de>"))]
+#[serde(try_from = "SavedColumn<T>", into = "SavedColumn<T>")]
+#[serde(bound(serialize = "T: ColumnValue + Serialize", deserialize = "T: ColumnValue + Deserialize<'de>"))]
 pub struct Column<T> {
-    /// One value if `mask` is 0, else one a row.
+    /// One value if `mask` is 0, otherwise one for each row.
     values: Vec<T>,
-    /// What of a row is an index into `values`: nothing, or all of it.
+    /// Mask of a row that gives its index into `values`: no bits, or all.
     mask: usize,
     len: usize,
-    /// Rows there will be, as far as known.
+    /// Expected number of rows.
     room: usize,
 }
 
@@ -71,7 +73,7 @@ impl<T> Default for Column<T> {
 }
 
 impl<T> Column<T> {
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         self.len
     }
@@ -81,39 +83,40 @@ impl<T> Column<T> {
         self.len == 0
     }
 
-    /// The values that occur: one for all rows, or one a row. What concerns any of them, or the greatest, needs no look
-    /// at every row.
+    /// Returns the values that occur: one for all rows, or one for each row. A test of all values, or their maximum,
+    /// needs no loop over rows.
     #[inline]
     pub fn values(&self) -> &[T] {
         &self.values
     }
 }
 
-impl<T: Value> Column<T> {
-    /// The value of every row, if it is known to be the same. None for no rows.
+impl<T: ColumnValue> Column<T> {
+    /// Returns the value of all rows, if it is known to be the same; `None` without rows.
     #[inline]
     pub fn uniform(&self) -> Option<T> {
         if self.mask == 0 { self.values.first().copied() } else { None }
     }
 
-    /// The values of all rows.
+    /// Returns the values of all rows.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = T> + '_ {
         (0..self.len).map(|row| self[row])
     }
 
-    /// The values that occur, to change: one of all rows at once, or one a row.
+    /// Returns the values that occur, mutable: one for all rows, or one for each row.
     pub fn values_mut(&mut self) -> &mut [T] {
         &mut self.values
     }
 
-    /// Becomes what `f` makes of the values of another, in the memory it has. It must make the same of the same.
-    pub fn map_from<U: Value>(&mut self, other: &Column<U>, f: impl FnMut(U) -> T) {
+    /// Sets the values to those of another column under `f`, in the memory it has. `f` must map equal values to equal
+    /// values.
+    pub fn map_from<U: ColumnValue>(&mut self, other: &Column<U>, f: impl FnMut(U) -> T) {
         self.values.clear();
         self.values.extend(other.values.iter().copied().map(f));
         (self.mask, self.len, self.room) = (other.mask, other.len, other.room);
     }
 
-    /// Makes room for more rows.
+    /// Reserves memory for more rows.
     pub fn reserve(&mut self, additional: usize) {
         self.room = self.len + additional;
         if self.mask != 0 {
@@ -151,7 +154,7 @@ impl<T: Value> Column<T> {
         self.values[row] = value;
     }
 
-    /// The values of all rows, to change one by one.
+    /// Returns the values of all rows, mutable, one for each row.
     pub(crate) fn rows_mut(&mut self) -> &mut [T] {
         if self.mask == 0 && self.len > 1 {
             self.spread();
@@ -159,10 +162,10 @@ impl<T: Value> Column<T> {
         &mut self.values
     }
 
-    /// Exchanges the values of all rows for others.
+    /// Exchanges the values of all rows for other values.
     ///
     /// # Panics
-    /// If there are more or fewer.
+    /// If the number of values differs from the number of rows.
     pub(crate) fn exchange(&mut self, values: &mut Vec<T>) {
         assert_eq!(values.len(), self.len, "a value for every row");
         self.rows_mut();
@@ -184,7 +187,7 @@ impl<T: Value> Column<T> {
         }
     }
 
-    /// Moves rows along cycles. Notices if all have become the same.
+    /// Moves rows along cycles. Stores the value once if all rows have become the same.
     pub(crate) fn permute(&mut self, cycles: &Cycles) {
         if self.mask != 0 && self.all_same() {
             self.values.truncate(1);
@@ -195,7 +198,7 @@ impl<T: Value> Column<T> {
         }
     }
 
-    /// Gives every row a value of its own.
+    /// Stores a separate value for each row.
     #[cold]
     fn spread(&mut self) {
         let value = self.values[0];
@@ -210,7 +213,7 @@ impl<T: Value> Column<T> {
 }
 
 impl Column<f32> {
-    /// The values of rows side by side, at most a vector, a lane a row.
+    /// Returns the values of consecutive rows as a SIMD vector, at most as many as its width.
     #[inline(always)]
     pub(crate) fn lanes<S: Simd>(&self, simd: S, rows: Range<usize>) -> S::f32s {
         match self.uniform() {
@@ -219,9 +222,9 @@ impl Column<f32> {
         }
     }
 
-    /// The values of some rows, at most a vector, a lane a row.
+    /// Returns the values of some rows as a SIMD vector, at most as many as its width.
     #[inline(always)]
-    pub(crate) fn lanes_of<S: Simd>(&self, simd: S, rows: &[u32]) -> S::f32s {
+    pub(crate) fn simd_of<S: Simd>(&self, simd: S, rows: &[u32]) -> S::f32s {
         match self.uniform() {
             Some(value) => S::f32s::splat(simd, value),
             None => S::f32s::from_fn(simd, |lane| rows.get(lane).map_or(0.0, |&row| self.values[row as usize])),
@@ -229,7 +232,7 @@ impl Column<f32> {
     }
 }
 
-impl<T: Value> Index<usize> for Column<T> {
+impl<T: ColumnValue> Index<usize> for Column<T> {
     type Output = T;
 
     #[inline]
@@ -239,13 +242,13 @@ impl<T: Value> Index<usize> for Column<T> {
     }
 }
 
-impl<T: Value + PartialEq> PartialEq for Column<T> {
+impl<T: ColumnValue + PartialEq> PartialEq for Column<T> {
     fn eq(&self, other: &Self) -> bool {
         self.iter().eq(other.iter())
     }
 }
 
-impl<T: Value> FromIterator<T> for Column<T> {
+impl<T: ColumnValue> FromIterator<T> for Column<T> {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         let mut column = Self::default();
         values.into_iter().for_each(|value| column.push(value));
@@ -253,14 +256,14 @@ impl<T: Value> FromIterator<T> for Column<T> {
     }
 }
 
-/// A column in a file: one value where all are the same, whether or not that was known.
+/// A column in a file: one value if all are the same, whether or not that was known.
 #[derive(Serialize, Deserialize)]
-struct Saved<T> {
+struct SavedColumn<T> {
     len: usize,
     values: Vec<T>,
 }
 
-impl<T: Value> From<Column<T>> for Saved<T> {
+impl<T: ColumnValue> From<Column<T>> for SavedColumn<T> {
     fn from(mut column: Column<T>) -> Self {
         if column.all_same() {
             column.values.truncate(1);
@@ -269,10 +272,10 @@ impl<T: Value> From<Column<T>> for Saved<T> {
     }
 }
 
-impl<T: Value> TryFrom<Saved<T>> for Column<T> {
+impl<T: ColumnValue> TryFrom<SavedColumn<T>> for Column<T> {
     type Error = String;
 
-    fn try_from(Saved { len, values }: Saved<T>) -> Result<Self, String> {
+    fn try_from(SavedColumn { len, values }: SavedColumn<T>) -> Result<Self, String> {
         let mask = match values.len() {
             1 if len > 0 => 0,
             count if count == len => usize::MAX,
@@ -288,7 +291,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[derive(Clone, Copy, Debug)]
-    enum Change {
+    enum ColumnChange {
         Push(f32),
         Set(usize, f32),
         SetAll(f32),
@@ -298,20 +301,21 @@ mod tests {
         SaveAndLoad,
     }
 
-    /// Few values, that columns become and stay uniform; two that are equal, but not the same.
+    /// Few different values, so that columns become and stay uniform; two of them are equal, but not the same to the
+    /// bit.
     fn value() -> impl Strategy<Value = f32> {
         prop_oneof![6 => Just(0.0f32), 1 => Just(-0.0f32), 2 => Just(1.5f32)]
     }
 
-    fn change() -> impl Strategy<Value = Change> {
+    fn change() -> impl Strategy<Value = ColumnChange> {
         prop_oneof![
-            4 => value().prop_map(Change::Push),
-            4 => (any::<usize>(), value()).prop_map(|(row, value)| Change::Set(row, value)),
-            1 => value().prop_map(Change::SetAll),
-            2 => any::<usize>().prop_map(Change::Remove),
-            1 => (0usize..9).prop_map(Change::Reserve),
-            1 => any::<usize>().prop_map(Change::Rotate),
-            1 => Just(Change::SaveAndLoad),
+            4 => value().prop_map(ColumnChange::Push),
+            4 => (any::<usize>(), value()).prop_map(|(row, value)| ColumnChange::Set(row, value)),
+            1 => value().prop_map(ColumnChange::SetAll),
+            2 => any::<usize>().prop_map(ColumnChange::Remove),
+            1 => (0usize..9).prop_map(ColumnChange::Reserve),
+            1 => any::<usize>().prop_map(ColumnChange::Rotate),
+            1 => Just(ColumnChange::SaveAndLoad),
         ]
     }
 
@@ -327,26 +331,26 @@ mod tests {
             let (mut column, mut plain, mut negative) = (Column::default(), Vec::new(), Column::default());
             for change in changes {
                 match change {
-                    Change::Push(value) => {
+                    ColumnChange::Push(value) => {
                         column.push(value);
                         plain.push(value);
                     }
-                    Change::Set(row, value) if !plain.is_empty() => {
+                    ColumnChange::Set(row, value) if !plain.is_empty() => {
                         let row = row % plain.len();
                         column.set(row, value);
                         plain[row] = value;
                     }
-                    Change::SetAll(value) => {
+                    ColumnChange::SetAll(value) => {
                         column.values_mut().fill(value);
                         plain.fill(value);
                     }
-                    Change::Remove(row) if !plain.is_empty() => {
+                    ColumnChange::Remove(row) if !plain.is_empty() => {
                         let row = row % plain.len();
                         column.swap_remove(row);
                         plain.swap_remove(row);
                     }
-                    Change::Reserve(rows) => column.reserve(rows),
-                    Change::Rotate(by) => {
+                    ColumnChange::Reserve(rows) => column.reserve(rows),
+                    ColumnChange::Rotate(by) => {
                         let mut order: Vec<u32> = (0..plain.len() as u32).collect();
                         let by = by % plain.len().max(1);
                         order.rotate_left(by);
@@ -357,13 +361,13 @@ mod tests {
                         let same = plain.iter().all(|value: &f32| value.same(plain[0]));
                         prop_assert!(column.uniform().is_some() == (same && !plain.is_empty()));
                     }
-                    Change::SaveAndLoad => {
+                    ColumnChange::SaveAndLoad => {
                         let bytes = postcard::to_stdvec(&column).unwrap();
                         let fresh: Column<f32> = plain.iter().copied().collect();
                         prop_assert_eq!(&bytes, &postcard::to_stdvec(&fresh).unwrap());
                         column = postcard::from_bytes(&bytes).unwrap();
                     }
-                    Change::Set(..) | Change::Remove(_) => {}
+                    ColumnChange::Set(..) | ColumnChange::Remove(_) => {}
                 }
                 prop_assert_eq!(column.len(), plain.len());
                 prop_assert_eq!(bits(column.iter()), bits(plain.iter().copied()));
@@ -388,13 +392,13 @@ mod tests {
         column.set(3, 0.5);
         assert!(column.values.capacity() < 10, "{} values", column.values.capacity());
         column.push(0.25);
-        assert_eq!(column.values.capacity(), 2000, "as much as was to come, and no more");
+        assert_eq!(column.values.capacity(), 2000, "exactly the reserved number");
     }
 
     #[test]
     fn a_saved_column_of_the_wrong_length_is_refused() {
         for (len, values) in [(3, vec![1.0f32, 2.0]), (0, vec![1.0]), (2, vec![])] {
-            let bytes = postcard::to_stdvec(&Saved { len, values }).unwrap();
+            let bytes = postcard::to_stdvec(&SavedColumn { len, values }).unwrap();
             assert!(postcard::from_bytes::<Column<f32>>(&bytes).is_err(), "{len} rows");
         }
     }

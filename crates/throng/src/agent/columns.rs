@@ -1,9 +1,9 @@
-//! The agents' state: a column a fact, a row an agent.
+//! The state of the agents: a column for each property, a row for each agent.
 
-use super::{Agent, Column, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status, Value};
+use super::{Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status};
 use crate::motion::Attitude;
-use crate::navigate::Travel;
-use glam::{DVec2, Vec2};
+use crate::navigate::RouteProgress;
+use glam::{DVec2, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
 trait Permute {
@@ -22,7 +22,7 @@ impl Permute for Memory {
     }
 }
 
-impl<T: Value> Permute for Column<T> {
+impl<T: ColumnValue> Permute for Column<T> {
     fn permute(&mut self, cycles: &Cycles) {
         self.permute(cycles);
     }
@@ -30,8 +30,8 @@ impl<T: Value> Permute for Column<T> {
 
 macro_rules! columns {
     ($($(#[$meta:meta])* $name:ident: $type:ty,)*) => {
-        /// The agents' state. All columns have the same length; rows are in no particular order and change from step to
-        /// step: whoever is to be known again is known by number or id.
+        /// The state of the agents. All columns have the same length. Rows are in no particular order, and the order
+        /// changes from step to step: identify an agent by its number or id.
         #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
         pub struct Columns {
             $($(#[$meta])* pub $name: $type,)*
@@ -43,7 +43,7 @@ macro_rules! columns {
                 $(self.$name.swap_remove(row);)*
             }
 
-            /// Makes room for more agents.
+            /// Reserves memory for more agents.
             pub(crate) fn reserve(&mut self, additional: usize) {
                 $(self.$name.reserve(additional);)*
             }
@@ -53,7 +53,7 @@ macro_rules! columns {
                 $(Permute::permute(&mut self.$name, cycles);)*
             }
 
-            /// Whether all columns are of one length.
+            /// Whether all columns have the same length.
             pub(crate) fn is_whole(&self) -> bool {
                 [$(self.$name.len()),*].iter().all(|&len| len == self.len()) && self.memory.is_whole()
             }
@@ -64,43 +64,44 @@ macro_rules! columns {
 columns! {
     /// Slot of the agent's [`AgentId`](super::AgentId).
     slot: Vec<u32>,
-    /// The agent's own number: ties, random draws and hashes go by it.
+    /// Number of the agent. Ties, random draws and hashes depend on it.
     number: Vec<u32>,
     /// Centre, metres from the world's origin.
     position: Vec<Vec2>,
-    /// Height of the centre above the ground, metres; 0 for those who walk.
+    /// Height of the centre above the ground, metres; 0 for agents that walk.
     altitude: Column<f32>,
-    /// Velocity along the ground: the motion of the last sub-step, before positions were rounded.
+    /// Velocity along the ground: the motion in the last sub-step, before positions were rounded.
     velocity: Vec<Vec2>,
-    /// Velocity upwards.
-    climb: Column<f32>,
+    /// Vertical velocity.
+    vertical_velocity: Column<f32>,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: Vec<f32>,
-    /// How those who steer hold themselves.
+    /// Attitude of agents that steer.
     attitude: Column<Attitude>,
-    /// What the behaviours of those who steer remember.
+    /// Memory of the behaviours of agents that steer.
     memory: Memory,
-    /// Radians a second that the body turned in the last sub-step; 0 for discs, whose turning touches nobody.
+    /// Angular velocity of the body in the last sub-step, radians a second. It is 0 for discs: their rotation does not
+    /// affect contacts.
     spin: Column<f32>,
     /// Radius of the body, or of its rounding.
     radius: Column<f32>,
     /// Half extents of the core of the body; zero for discs.
     core: Column<Vec2>,
-    /// Speed it walks at when nothing hinders it.
+    /// Speed at which it walks when nothing hinders it.
     preferred_speed: Column<f32>,
-    /// Speed it never exceeds.
+    /// Maximum speed.
     max_speed: Column<f32>,
-    /// Greatest change of velocity a second.
+    /// Maximum acceleration.
     max_acceleration: Column<f32>,
-    /// Greatest change of heading a second.
+    /// Maximum turn rate.
     max_turn_rate: Column<f32>,
     /// Time gap to the agent ahead, seconds.
     time_gap: Column<f32>,
-    /// How far beside the way it chose it may get while it turns.
+    /// Distance by which it may deviate from its chosen path while it turns.
     tracking_error: Column<f32>,
     /// Right of way.
     priority: Column<f32>,
-    /// How much the field of its group has to say.
+    /// Factor on the ratio with which the field of its group governs it.
     governed: Column<f32>,
     /// Layers it is on.
     layers: Column<u32>,
@@ -112,30 +113,34 @@ columns! {
     journey: Column<JourneyId>,
     /// The script it follows.
     script: Column<Option<ScriptId>>,
-    /// What it is doing, as others see it in this step.
+    /// Status of its trip, as its neighbours read it in this step.
     status: Vec<Status>,
-    /// How its journey goes.
-    travel: Vec<Travel>,
-    /// When it last got on, and what hinders it since.
+    /// The preferred velocity that the program gives, if it does.
+    commanded: Column<Option<Vec3>>,
+    /// Numbers for the program's own use.
+    user_data: Column<u64>,
+    /// Progress of its journey.
+    travel: Vec<RouteProgress>,
+    /// When it last made progress, and what has hindered it since.
     progress_mark: Vec<ProgressMark>,
-    /// Time it entered, seconds.
+    /// Time at which it entered, seconds.
     entered: Column<f64>,
-    /// Time it first came to the end of its journey; infinite before.
+    /// Time at which it first reached the end of its journey; infinite before.
     arrived: Column<f64>,
-    /// Seconds it has been on its way.
+    /// Seconds for which it has walked.
     on_way: Column<f64>,
-    /// Metres walked or flown.
+    /// Distance walked or flown, metres.
     walked: Vec<f64>,
-    /// Radians its heading has turned, either way.
+    /// Sum of the turns of its heading, either way, radians.
     turned: Vec<f64>,
-    /// Radians the direction of its motion has turned, either way.
+    /// Sum of the turns of its direction of motion, either way, radians.
     course_turned: Vec<f64>,
-    /// Metres of the shortest way of the legs begun so far.
+    /// Length of the shortest path of the legs begun so far, metres.
     shortest: Vec<f64>,
 }
 
 impl Columns {
-    /// Number of agents.
+    /// Returns the number of agents.
     pub fn len(&self) -> usize {
         self.position.len()
     }
@@ -145,19 +150,24 @@ impl Columns {
         self.position.is_empty()
     }
 
-    /// Whether anybody is off the ground.
-    pub fn anybody_flies(&self) -> bool {
+    /// Whether any agent is above the ground.
+    pub fn any_flies(&self) -> bool {
         self.altitude.values().iter().any(|&altitude| altitude != 0.0)
     }
 
-    /// Whether everybody is a disc.
+    /// Whether all agents are discs.
     pub fn all_discs(&self) -> bool {
         self.core.values().iter().all(|&core| core == Vec2::ZERO)
     }
 
-    /// How fast an agent is, in space.
+    /// Returns the speed of an agent, in space.
     pub fn speed(&self, row: usize) -> f32 {
-        self.velocity[row].extend(self.climb[row]).length()
+        self.velocity_in_space(row).length()
+    }
+
+    /// Returns the velocity of an agent, in space.
+    pub(crate) fn velocity_in_space(&self, row: usize) -> Vec3 {
+        self.velocity[row].extend(self.vertical_velocity[row])
     }
 
     pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {
@@ -166,7 +176,7 @@ impl Columns {
         self.position.push((agent.position - origin).as_vec2());
         self.altitude.push(agent.altitude);
         self.velocity.push(agent.velocity);
-        self.climb.push(0.0);
+        self.vertical_velocity.push(0.0);
         self.heading.push(heading);
         self.attitude.push(Attitude::default());
         self.memory.push();
@@ -187,7 +197,9 @@ impl Columns {
         self.journey.push(agent.journey);
         self.script.push(agent.script);
         self.status.push(Status::Walking);
-        self.travel.push(Travel::default());
+        self.commanded.push(None);
+        self.user_data.push(agent.user_data);
+        self.travel.push(RouteProgress::default());
         self.progress_mark.push(ProgressMark::default());
         self.entered.push(now);
         self.arrived.push(f64::INFINITY);
@@ -198,7 +210,7 @@ impl Columns {
         self.shortest.push(0.0);
     }
 
-    /// Whether everybody avoids everybody else.
+    /// Whether every agent avoids every other agent.
     pub(crate) fn all_avoid(&self) -> bool {
         let common = |all: &[u32]| all.iter().fold(u32::MAX, |common, each| common & each);
         common(self.avoids.values()) & common(self.layers.values()) != 0

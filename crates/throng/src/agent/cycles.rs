@@ -1,18 +1,18 @@
-//! Moving rows to other rows, in place.
+//! Permutation of rows in place.
 
-/// A permutation as its cycles: where each row of a cycle takes what the next one has.
+/// A permutation as its cycles: each row of a cycle takes the content of the next one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cycles {
-    /// The rows of the cycles of more than one, cycle by cycle.
+    /// The rows of the cycles of more than one row, cycle by cycle.
     rows: Vec<u32>,
-    /// Where each cycle ends.
+    /// End of each cycle.
     ends: Vec<u32>,
-    /// Who has been in a cycle, a bit each.
+    /// Rows that have been found in a cycle, one bit each.
     seen: Vec<u64>,
 }
 
 impl Cycles {
-    /// Those by which what was in row `order[k]` comes to row `k`.
+    /// Finds the cycles that move the content of row `order[k]` to row `k`.
     pub fn find(&mut self, order: &[u32]) {
         let Self { rows, ends, seen } = self;
         rows.clear();
@@ -34,12 +34,12 @@ impl Cycles {
         }
     }
 
-    /// Moves what is in the rows.
+    /// Moves the contents of the rows.
     pub fn turn<T>(&self, all: &mut [T]) {
         self.swaps(|a, b| all.swap(a, b));
     }
 
-    /// Calls `swap` for pairs of rows that, swapped one after the other, move all.
+    /// Calls `swap` for pairs of rows. The swaps, one after the other, make the permutation.
     pub fn swaps(&self, mut swap: impl FnMut(usize, usize)) {
         let mut start = 0;
         for &end in &self.ends {

@@ -1,8 +1,8 @@
-//! Typed names. They stay valid while what they name exists, whatever is added or removed around it.
+//! Typed ids. An id stays valid while its object exists, whatever is added or removed.
 
 use serde::{Deserialize, Serialize};
 
-/// Names one agent. A removed agent's id names nobody, ever again.
+/// The id of an agent. The id of a removed agent is never used again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct AgentId {
     pub(crate) slot: u32,
@@ -16,7 +16,7 @@ macro_rules! index_id {
         pub struct $name(pub(crate) u32);
 
         impl $name {
-            /// Position in the world's table of these, in the order they were added.
+            /// Returns the index of the object in the world, in the order in which objects were added.
             pub fn index(self) -> usize {
                 self.0 as usize
             }
@@ -25,32 +25,32 @@ macro_rules! index_id {
 }
 
 index_id!(
-    /// Names a [`Group`](crate::Group).
+    /// The id of a [`Group`](crate::Group).
     GroupId
 );
 index_id!(
-    /// Names a [`Goal`](crate::Goal).
+    /// The id of a [`Goal`](crate::Goal).
     GoalId
 );
 index_id!(
-    /// Names a [`Journey`](crate::Journey).
+    /// The id of a [`Journey`](crate::Journey).
     JourneyId
 );
 index_id!(
-    /// Names an [`Obstacle`](crate::Obstacle).
+    /// The id of an [`Obstacle`](crate::Obstacle).
     ObstacleId
 );
 index_id!(
-    /// Names a [`Script`](crate::Script).
+    /// The id of a [`Script`](crate::Script).
     ScriptId
 );
 
 impl GroupId {
-    /// The group every world has from the start.
+    /// The group that every world has from the start.
     pub const DEFAULT: Self = Self(0);
 }
 
 impl JourneyId {
-    /// The journey without stops: stay where you are. Every world has it.
+    /// The journey without stops, on which agents stay where they are. Every world has it.
     pub const STAY: Self = Self(0);
 }

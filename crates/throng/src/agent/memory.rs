@@ -1,20 +1,20 @@
-//! Words of memory, as many for every row.
+//! Memory of behaviours: the same number of words for every row.
 
 use super::Cycles;
-use crate::parallel::Lists;
+use crate::parallel::RowLists;
 use serde::{Deserialize, Serialize};
 
-/// As many words of memory for every row; none take no room. What behaviours remember of agents.
+/// The memory of the agents' behaviours: the same number of words for every row, possibly 0.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Memory {
     all: Vec<f32>,
-    /// Words of a row.
+    /// Words for each row.
     each: usize,
     rows: usize,
 }
 
 impl Memory {
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn len(&self) -> usize {
         self.rows
     }
@@ -24,17 +24,17 @@ impl Memory {
         self.rows == 0
     }
 
-    /// Those of a row.
+    /// Returns the words of a row.
     pub fn of(&self, row: usize) -> &[f32] {
         &self.all[row * self.each..(row + 1) * self.each]
     }
 
-    /// Whether there are as many as the rows need.
+    /// Whether the number of words matches the number of rows.
     pub(crate) fn is_whole(&self) -> bool {
         self.all.len() == self.rows * self.each
     }
 
-    /// Makes room for at least so many in each row; those that are new are zero.
+    /// Widens each row to at least this number of words. New words are zero.
     pub(crate) fn widen(&mut self, each: usize) {
         if each > self.each {
             let mut wide = vec![0.0; self.rows * each];
@@ -45,7 +45,7 @@ impl Memory {
         }
     }
 
-    /// Makes those of a row zero.
+    /// Sets the words of a row to zero.
     pub(crate) fn forget(&mut self, row: usize) {
         self.all[row * self.each..(row + 1) * self.each].fill(0.0);
     }
@@ -56,7 +56,7 @@ impl Memory {
         self.all.resize(self.rows * self.each, 0.0);
     }
 
-    /// Makes room for more rows.
+    /// Reserves memory for more rows.
     pub(crate) fn reserve(&mut self, additional: usize) {
         self.all.reserve(additional * self.each);
     }
@@ -69,15 +69,15 @@ impl Memory {
         self.all.truncate(last);
     }
 
-    /// Moves every row.
+    /// Moves rows along cycles.
     pub(crate) fn permute(&mut self, cycles: &Cycles) {
         let Self { all, each, .. } = self;
         cycles.swaps(|a, b| (0..*each).for_each(|word| all.swap(a * *each + word, b * *each + word)));
     }
 
-    /// All of them, to be written.
-    pub(crate) fn lists(&mut self) -> Lists<'_, f32> {
-        Lists { all: &mut self.all, stride: self.each }
+    /// Returns the words of all rows, mutable.
+    pub(crate) fn lists(&mut self) -> RowLists<'_, f32> {
+        RowLists { all: &mut self.all, stride: self.each }
     }
 }
 

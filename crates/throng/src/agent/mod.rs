@@ -1,7 +1,8 @@
-//! Agents: what is known of each, and how they are named.
+//! Agents: their properties and ids.
 //!
-//! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent); inside the world the same
-//! facts live as [columns](Columns). [`Group`] holds what many agents share: the local model and its reach.
+//! [`Agent`] describes one agent for [`World::add_agent`](crate::World::add_agent). The world stores the same
+//! properties as [columns](Columns). [`Group`] holds the properties that many agents share, such as the local model and
+//! the neighbour distance.
 
 mod body;
 mod column;
@@ -11,80 +12,135 @@ mod group;
 mod hindrance;
 mod id;
 mod memory;
-mod trip;
+mod statistics;
 
 pub use body::Body;
-pub use column::{Column, Value};
+pub use column::{Column, ColumnValue};
 pub use columns::Columns;
 pub(crate) use cycles::Cycles;
 pub use group::Group;
 pub use hindrance::{Hindered, Hindrance, ProgressMark};
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use memory::Memory;
-pub use trip::Trip;
+pub use statistics::TripStatistics;
 
-use crate::Error;
+use crate::navigate::Goal;
+use crate::{Error, Position};
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
 
-/// One agent, as handed to [`World::add_agent`](crate::World::add_agent).
+/// The description of an agent, for [`World::add_agent`](crate::World::add_agent).
 ///
 /// Lengths are metres, times seconds, angles radians.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Agent {
     /// Centre of the body, world coordinates.
     pub position: DVec2,
-    /// Height of the centre above the ground; more than 0 for those who fly. Limit: 0 to 20000.
+    /// Height of the centre above the ground; more than 0 for agents that fly. Limit: 0 to 20000.
     pub altitude: f32,
     /// Velocity at the start, along the ground.
     pub velocity: Vec2,
     /// Direction of the body, counter-clockwise from +x; `None`: towards the first goal.
     pub heading: Option<f32>,
-    /// The group whose model and reach it uses.
+    /// The group it belongs to.
     pub group: GroupId,
-    /// Where it goes.
+    /// The journey that it follows.
     pub journey: JourneyId,
-    /// A script that it follows instead of a journey: it moves whatever its group's model says, and no faster than
-    /// `max_speed`.
+    /// A script that it follows instead of a journey. It moves regardless of the local model of its group, and no
+    /// faster than `max_speed`.
     pub script: Option<ScriptId>,
-    /// Radius of the body, or of its rounding if it is no disc ([`Body`]). Limit: 0.001 to 1000.
+    /// Radius of the body, or of its rounding if it is not a disc ([`Body`]). Limit: 0.001 to 1000.
     pub radius: f32,
-    /// Half extents of the core of the body ([`Body`]), along and across the heading; zero for a disc. Limit: 0 to 1000.
+    /// Half extents of the core of the body ([`Body`]), along and across the heading; zero for a disc. Limit: 0 to
+    /// 1000.
     pub core: Vec2,
-    /// Speed it walks at when nothing hinders it. Limit: >= 0.
+    /// Speed at which it walks when nothing hinders it. Limit: >= 0.
     pub preferred_speed: f32,
-    /// Speed it never exceeds. Limit: >= preferred_speed.
+    /// Maximum speed. Limit: >= preferred_speed.
     pub max_speed: f32,
-    /// Greatest change of velocity a second; infinite for none. Limit: > 0.
+    /// Maximum acceleration; infinite for no limit. Limit: > 0.
     pub max_acceleration: f32,
-    /// Greatest change of heading a second; infinite for none. The ends of a body that is no disc turn no faster than
-    /// `preferred_speed` besides. Limit: > 0.
+    /// Maximum turn rate; infinite for no limit. The ends of a body that is not a disc also turn no faster than
+    /// `preferred_speed`. Limit: > 0.
     pub max_turn_rate: f32,
-    /// Time gap, seconds: an agent that looks ahead walks no faster than the gap to the agent ahead divided by it. People in
-    /// single file need 0.36 m and 1.06 s of their speed each (Seyfried et al. 2005); bodies 0.26 m deep are as far apart with
-    /// 1.15 s at 1 m/s. Limit: 0.05 to 10.
+    /// Time gap, seconds. An agent that looks ahead walks no faster than the gap to the agent ahead divided by the time
+    /// gap. People in single file need 0.36 m each, plus 1.06 s times their speed (Seyfried et al. 2005). Bodies 0.26 m
+    /// deep keep the same distance with 1.15 s at 1 m/s. Limit: 0.05 to 10.
     pub time_gap: f32,
-    /// How far beside the straight way to what it chose the body may get while it turns, metres; 0 for one that moves
-    /// in any direction at once, as people do. More is a robot on two wheels (Alonso-Mora et al. 2010), which needs a
-    /// finite `max_turn_rate`; it and all others take it to be larger by so much. Limit: 0 to 10.
+    /// Distance by which the body may deviate from the straight path of its chosen velocity while it turns, metres. 0
+    /// for an agent that can move in any direction at once, as people can. More for a two-wheeled robot (Alonso-Mora et
+    /// al. 2010), which needs a finite `max_turn_rate`. The agent and its neighbours treat its body as larger by this
+    /// distance. Limit: 0 to 10.
     pub tracking_error: f32,
-    /// Right of way: of two agents the one with the lower priority does more of the avoiding. Equal shares by
-    /// default; a difference of 1 leaves all of it to the other.
+    /// Right of way: of two agents, the agent with the lower priority takes the larger avoidance share. Equal
+    /// priorities mean equal shares. With a difference of 1 the other agent takes all of it.
     pub priority: f32,
-    /// How much the field of its group has to say: the group's ratio is multiplied by it. Limit: 0 to 1.
+    /// Factor on the ratio with which the field of its group governs it. Limit: 0 to 1.
     pub governed: f32,
-    /// The layers this agent is on, a bit each.
+    /// The layers that this agent is on, one bit each.
     pub layers: u32,
-    /// The layers this agent avoids, a bit each.
+    /// The layers that this agent avoids, one bit each.
     pub avoids: u32,
-    /// A name for the agent that is its own: ties are broken, random numbers drawn and states hashed by it, so
-    /// that a world does not depend on the order in which agents are added. `None`: the next free number. Limit:
-    /// less than 4294967295.
+    /// Number of the agent. Ties, random numbers and hashes depend on it, so that a world does not depend on the order
+    /// in which agents are added. `None`: the next free number. Limit: less than 4294967295.
     pub number: Option<u32>,
+    /// A single goal in place of the journey; `None`: the journey counts. A copy of an agent with such a goal has it too.
+    pub goal: Option<Goal>,
+    /// A number for the program's own use, such as an index into its tables. The engine does not read it.
+    pub user_data: u64,
 }
 
 impl Agent {
-    /// Whether a world can have it, wherever it is.
+    /// A pedestrian of the usual size and speed at a place.
+    ///
+    /// ```
+    /// use throng::Agent;
+    /// let agent = Agent::at([2.0, 3.0]).goal([9.0, 3.0]).radius(0.2).speed(1.4).user_data(7);
+    /// assert!(agent.position.x == 2.0 && agent.preferred_speed == 1.4 && agent.goal.is_some());
+    /// ```
+    pub fn at(place: impl Into<Position>) -> Self {
+        let Position(place) = place.into();
+        Self { position: place.truncate(), altitude: place.z as f32, ..Self::default() }
+    }
+
+    /// Sends the agent to a single goal: a place, or a [`Goal`].
+    #[must_use]
+    pub fn goal(self, goal: impl Into<Goal>) -> Self {
+        Self { goal: Some(goal.into()), ..self }
+    }
+
+    /// Puts the agent into a group.
+    #[must_use]
+    pub fn group(self, group: GroupId) -> Self {
+        Self { group, ..self }
+    }
+
+    /// Sets the radius of the body, metres.
+    #[must_use]
+    pub fn radius(self, radius: f32) -> Self {
+        Self { radius, ..self }
+    }
+
+    /// Sets the preferred speed, m/s, and a top speed that exceeds it as the [default](Self::default) top speed does.
+    #[must_use]
+    pub fn speed(self, speed: f32) -> Self {
+        let usual = Self::default();
+        Self { preferred_speed: speed, max_speed: speed * (usual.max_speed / usual.preferred_speed), ..self }
+    }
+
+    /// Sets the heading at the start, radians counter-clockwise from +x.
+    #[must_use]
+    pub fn heading(self, heading: f32) -> Self {
+        Self { heading: Some(heading), ..self }
+    }
+
+    /// Sets the number for the program's own use.
+    #[must_use]
+    pub fn user_data(self, user_data: u64) -> Self {
+        Self { user_data, ..self }
+    }
+
+    /// Checks whether the agent is valid at any position.
     pub(crate) fn check(&self) -> Result<(), Error> {
         Error::unless_finite("velocity", f64::from(self.velocity.x + self.velocity.y))?;
         Error::unless_finite("heading", f64::from(self.heading.unwrap_or(0.0)))?;
@@ -113,7 +169,7 @@ impl Agent {
 }
 
 impl Default for Agent {
-    /// A pedestrian of the field's usual size and speed, standing at the origin.
+    /// A pedestrian of typical size and speed, standing at the origin.
     fn default() -> Self {
         Self {
             position: DVec2::ZERO,
@@ -136,20 +192,22 @@ impl Default for Agent {
             layers: 1,
             avoids: u32::MAX,
             number: None,
+            goal: None,
+            user_data: 0,
         }
     }
 }
 
-/// What an agent is doing.
+/// The status of an agent's trip.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Status {
-    /// On its way.
+    /// Walking to its next stop.
     #[default]
     Walking,
     /// Waiting at a stop of its journey.
     Waiting,
     /// At the end of its journey.
     Arrived,
-    /// Its goal cannot be reached; it stands.
+    /// Standing, because its goal cannot be reached.
     Stranded,
 }

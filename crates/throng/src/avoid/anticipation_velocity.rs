@@ -1,22 +1,22 @@
 //! The anticipation velocity model: Xu, Chraibi, Seyfried, Anticipation in a velocity-based model for pedestrian
 //! dynamics, Transportation Research Part C 133, 2021, with the walls of JuPedSim's `AnticipationVelocityModel`.
 //!
-//! As the [collision-free speed model](super::CollisionFreeSpeed) a direction, and a speed along it from the gap ahead.
-//! The direction anticipates:
+//! Like the [collision-free speed model](super::CollisionFreeSpeed), the model chooses a direction, and a speed along
+//! it from the gap ahead. The direction anticipates:
 //!
 //! - Neighbours in front of the preferred or of the present direction count (eq. 1).
-//! - Each pushes across the preferred direction `e0`, away from the side on which it will be after the anticipation time
-//!   `ta` (eq. 5), with the strength `A (1 + (1 - e0 . ej) / 2) exp(-max(0, gap - c ta) / B)` (eq. 3, 4), `ej` the
-//!   neighbour's direction and `c` the speed at which both approach.
+//! - Each pushes the agent across the preferred direction `e0`, away from the side on which the neighbour will be after
+//!   the anticipation time `ta` (eq. 5). The strength is `A (1 + (1 - e0 . ej) / 2) exp(-max(0, gap - c ta) / B)` (eq.
+//!   3, 4), with `ej` the neighbour's direction and `c` the speed at which the two approach.
 //! - The direction relaxes towards the sum within the reaction time (eq. 7).
-//! - Along walls within `wall_buffer` the direction glides.
+//! - Walls within `wall_buffer` deflect the direction so that the agent glides along them.
 //!
-//! Faults: discs arch at doors up to 1.3 m wide; a neighbour that changes sides in the prediction turns the push over at
-//! once.
+//! Known faults: discs form arches at doors up to 1.3 m wide. If a neighbour changes sides in the prediction, the push
+//! changes sign at once.
 
 use super::collision_free_speed::{optimal_speed, speed_limit};
 use super::separation::exponential;
-use super::{Cause, LocalModel, Neighbour, Reason, View, Workspace};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 
@@ -28,25 +28,27 @@ use glam::Vec2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnticipationVelocity {
-    /// Seconds that an agent stays behind the neighbour ahead: its speed is the gap over this, the paper's T. Limit: > 0.
+    /// Time gap to the neighbour ahead, seconds: the speed is the gap divided by it. The paper's T. Limit: > 0.
     pub time_gap: f32,
     /// How far ahead positions are predicted, seconds, the paper's t^a. Limit: >= 0.
     pub anticipation_time: f32,
-    /// Seconds in which the direction makes up all but 1/e of a change, the paper's tau. Limit: > 0.
+    /// Time constant, seconds, with which the direction approaches the new one (all but 1/e of a change). The paper's
+    /// tau. Limit: > 0.
     pub reaction_time: f32,
-    /// How much a neighbour at contact that walks the same way turns the direction, the preferred direction being 1; the
-    /// paper's k. One that comes the other way turns it twice as much. Limit: >= 0.
+    /// How much a neighbour at contact that walks the same way turns the direction, relative to the preferred direction
+    /// of length 1. The paper's k. A neighbour that comes the other way turns it twice as much. Limit: >= 0.
     pub strength: f32,
-    /// Metres of predicted gap in which that falls to 1/e, the paper's D. Limit: > 0.
+    /// Predicted gap, metres, over which `strength` falls to 1/e, the paper's D. Limit: > 0.
     pub range: f32,
     /// Gap to a wall, metres, within which an agent does not walk towards it. Limit: >= 0.
     pub wall_buffer: f32,
-    /// How strongly such an agent turns away from the wall, the component along it being 1 at most. Limit: >= 0.
+    /// How strongly such an agent turns away from the wall, relative to a component along the wall of at most 1. Limit:
+    /// >= 0.
     pub wall_pushout: f32,
 }
 
 impl Default for AnticipationVelocity {
-    /// JuPedSim's.
+    /// The values of JuPedSim.
     fn default() -> Self {
         Self {
             time_gap: 1.06,
@@ -60,11 +62,11 @@ impl Default for AnticipationVelocity {
     }
 }
 
-/// Speed from which the velocity, and not the heading, is the present direction, m/s.
+/// Least speed, m/s, at which the velocity defines the present direction. Below it the heading does.
 const WALKING: f32 = 0.05;
 
 impl LocalModel for AnticipationVelocity {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         let direction = self.direction(view);
         let gap = view.headway(direction).map_or(f32::INFINITY, |(_, gap)| gap);
         self.glide(view, direction) * optimal_speed(view, gap, self.time_gap)
@@ -74,8 +76,9 @@ impl LocalModel for AnticipationVelocity {
         true
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
-        let mut reasons: Vec<Reason> = self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect();
+    fn explain(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec<AvoidanceReason> {
+        let mut reasons: Vec<AvoidanceReason> =
+            self.pushes(view).map(|(cause, push)| AvoidanceReason::Push(cause, push)).collect();
         reasons.extend(speed_limit(view, self.direction(view), self.time_gap));
         reasons
     }
@@ -96,13 +99,13 @@ impl LocalModel for AnticipationVelocity {
 }
 
 impl AnticipationVelocity {
-    /// What each neighbour adds to the direction.
-    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+    /// Returns what each neighbour adds to the direction.
+    fn pushes(&self, view: &AvoidanceInput<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
         let (ahead, present) = (view.preferred.normalize_or_zero(), present(view));
         view.others().filter_map(move |(cause, other)| Some((cause, self.push(view, &other, ahead, present)?)))
     }
 
-    fn push(&self, view: &View<'_>, other: &Neighbour, ahead: Vec2, present: Vec2) -> Option<Vec2> {
+    fn push(&self, view: &AvoidanceInput<'_>, other: &AvoidanceNeighbour, ahead: Vec2, present: Vec2) -> Option<Vec2> {
         let (distance, away) = other.separation();
         if ahead.dot(away) > 0.0 && present.dot(away) > 0.0 {
             return None;
@@ -117,8 +120,8 @@ impl AnticipationVelocity {
         Some(side * exponential(strength, gap, self.range))
     }
 
-    /// The new direction, walls left aside.
-    fn direction(&self, view: &View<'_>) -> Vec2 {
+    /// Returns the new direction, without regard to walls.
+    fn direction(&self, view: &AvoidanceInput<'_>) -> Vec2 {
         let (ahead, present) = (view.preferred.normalize_or_zero(), present(view));
         let wanted = (ahead + self.pushes(view).map(|(_, push)| push).sum::<Vec2>()).normalize_or(ahead);
         if ahead.dot(wanted) * ahead.dot(present) < 0.0 {
@@ -128,8 +131,8 @@ impl AnticipationVelocity {
         present.lerp(wanted, part).normalize_or(wanted)
     }
 
-    /// The direction, turned along the walls that are near.
-    fn glide(&self, view: &View<'_>, direction: Vec2) -> Vec2 {
+    /// Returns the direction, turned along the walls that are near.
+    fn glide(&self, view: &AvoidanceInput<'_>, direction: Vec2) -> Vec2 {
         let near = view.walls().filter(|&(_, distance, _)| distance <= view.radius + self.wall_buffer);
         let gliding = near.fold(direction, |direction, (_, _, away)| {
             let towards = -direction.dot(away);
@@ -139,8 +142,8 @@ impl AnticipationVelocity {
     }
 }
 
-/// The direction that the agent walks or faces.
-fn present(view: &View<'_>) -> Vec2 {
+/// Returns the direction in which the agent walks or, below [`WALKING`], faces.
+fn present(view: &AvoidanceInput<'_>) -> Vec2 {
     let speed = view.velocity.length();
     if speed >= WALKING {
         return view.velocity / speed;

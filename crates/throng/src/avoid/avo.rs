@@ -1,12 +1,12 @@
 //! Acceleration-velocity obstacles: van den Berg, Snape, Guy, Manocha, Reciprocal collision avoidance with
 //! acceleration-velocity obstacles, ICRA 2011.
 //!
-//! A body does not have a new velocity at once, it comes to it: v(t) = new - exp(-t / delay) (new - v). The new relative
-//! velocities that lead to a collision at a time t are a disc, and those within the time horizon the union of
-//! such discs. As in [`Orca`](super::Orca) the smallest change out of it (here: out of its convex hull) is shared, and
-//! leaves a half-plane. What the model answers is where the body's velocity is after the step.
+//! A body does not reach a new velocity at once but approaches it: v(t) = new - exp(-t / delay) (new - v). The new
+//! relative velocities that lead to a collision at a time t are a disc. Those that lead to a collision within the time
+//! horizon are the union of such discs. As in [`Orca`](super::Orca), the smallest change out of the union (here: out of
+//! its convex hull) is shared and gives a half-plane. The model returns the velocity that the body has after the step.
 
-use super::{Line, LocalModel, Neighbour, Reason, View, Workspace, orca};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, HalfPlane, LocalModel, Workspace, orca};
 use crate::Error;
 use glam::Vec2;
 
@@ -22,7 +22,8 @@ pub struct Avo {
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
     pub time_horizon_obstacles: f32,
-    /// Seconds in which a body makes up all but a third of the way to its new velocity. Limit: > 0, at most 10.
+    /// Time constant, seconds, with which a body approaches its new velocity (all but 1/e of the change). Limit: > 0,
+    /// at most 10.
     pub delay: f32,
 }
 
@@ -33,7 +34,7 @@ impl Default for Avo {
 }
 
 impl LocalModel for Avo {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         let hard = self.permit(view, workspace);
         let Workspace { lines, fallback, .. } = workspace;
         let new = orca::optimum(lines, hard, view.max_speed, view.preferred, fallback);
@@ -44,7 +45,7 @@ impl LocalModel for Avo {
         true
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         self.permit(view, workspace);
         workspace.permissions()
     }
@@ -61,7 +62,7 @@ impl LocalModel for Avo {
 }
 
 impl Avo {
-    fn permit(&self, view: &View<'_>, workspace: &mut Workspace) -> usize {
+    fn permit(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> usize {
         workspace.permit(view, view.radius, self.time_horizon_obstacles);
         let lines = &mut workspace.lines;
         let hard = lines.len();
@@ -70,34 +71,34 @@ impl Avo {
     }
 }
 
-/// Moments at which the obstacle is looked at.
+/// Number of times at which the obstacle is sampled.
 const MOMENTS: usize = 24;
 const LANES: usize = 8;
-/// Directions in which the way out is sought, before it is refined.
+/// Number of directions sampled for the smallest change, before refinement.
 const DIRECTIONS: usize = 16;
 
-/// The half-plane of new velocities that one neighbour leaves to an agent of the given velocity, both of which come to
-/// their new velocities with this delay, seconds.
-pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f32) -> Line {
-    let Neighbour { offset, radii, .. } = *other;
-    // of bodies that are no discs the delay is left aside
+/// Returns the half-plane of new velocities that one neighbour permits to an agent of the given velocity. Both approach
+/// their new velocities with the time constant `delay`, seconds.
+pub fn line(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, delay: f32, step: f32) -> HalfPlane {
+    let AvoidanceNeighbour { offset, radii, .. } = *other;
+    // for bodies that are not discs the delay is ignored
     if other.touches() || !other.outline.is_point() {
         return orca::line(velocity, other, horizon, step);
     }
     let relative = velocity - other.velocity;
-    // columns: several moments are looked at at a time
+    // columns, so that several times are evaluated together
     let (mut x, mut y, mut radius) = ([0.0; MOMENTS], [0.0; MOMENTS], [0.0; MOMENTS]);
     for i in 0..MOMENTS {
-        // closer together where discs change fast
+        // samples are denser where the discs change fast
         let part = (i + 1) as f32 / MOMENTS as f32;
         let time = horizon * part * part;
         let lag = delay * (libm::expf(-time / delay) - 1.0);
-        // faster than ten thousand times the distance in a second nobody is, and nothing is precise
+        // a speed above ten thousand times the distance per second is out of range, and not precise
         let reach = (time + lag).max(1e-4);
         let center = (offset + relative * lag) / reach;
         (x[i], y[i], radius[i]) = (center.x, center.y, radii / reach);
     }
-    // how far it is out of all discs in a direction
+    // distance out of all discs in a direction
     let out = |normal: Vec2| {
         let reach: [f32; MOMENTS] = std::array::from_fn(|i| x[i] * normal.x + y[i] * normal.y + radius[i]);
         let mut farthest = [f32::NEG_INFINITY; LANES];
@@ -121,7 +122,7 @@ pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f
             best = (angle, change);
         }
     }
-    // the least lies between the neighbours of the best: narrow it down
+    // the minimum lies between the neighbours of the best direction
     let mut width = around;
     for _ in 0..10 {
         width *= 0.5;
@@ -134,5 +135,5 @@ pub fn line(velocity: Vec2, other: &Neighbour, horizon: f32, delay: f32, step: f
     }
     let normal = direction(best.0);
     let part = if best.1 > 0.0 { other.share } else { other.room };
-    Line { point: velocity + normal * (best.1 * part), direction: Vec2::new(normal.y, -normal.x) }
+    HalfPlane { point: velocity + normal * (best.1 * part), direction: Vec2::new(normal.y, -normal.x) }
 }

@@ -1,18 +1,18 @@
-//! The velocity closest to the preferred one outside all forbidden regions, by looking at every place where it can lie:
-//! Guy et al., ClearPath: highly parallel collision avoidance for multi-agent simulation, SCA 2009, section 4.
+//! The velocity closest to the preferred one outside all forbidden regions, found among all candidate optima: Guy et
+//! al., ClearPath: highly parallel collision avoidance for multi-agent simulation, SCA 2009, section 4.
 //!
-//! The free velocities are bounded by pieces of lines and circles: legs of cones, their rounded tips, lines, and the
-//! circle of greatest speed. The closest free one is the preferred velocity itself, or the nearest point of a piece, or
-//! where two pieces cross. VO, HRVO and ClearPath's own model share this search.
+//! The boundary of the free velocities consists of pieces of lines and circles: legs of cones, their rounded tips,
+//! lines, and the circle of greatest speed. The closest free velocity is the preferred velocity itself, the nearest
+//! point of a piece, or a crossing of two pieces. VO, HRVO and ClearPath's own model share this search.
 
-use super::{Cause, Forbidden, LocalModel, Piece, Reason, View, Workspace};
+use super::{AvoidanceInput, AvoidanceReason, BoundaryPiece, Cause, Forbidden, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 
-/// ClearPath: reciprocal velocity obstacles that end at a time horizon (the paper's FVO), solved exactly.
+/// ClearPath: reciprocal velocity obstacles, truncated at a time horizon (the paper's FVO), solved exactly.
 ///
-/// It finds the gaps between neighbours that [`Orca`](super::Orca)'s half-planes hide; where nothing is free it lets
-/// go of the farthest neighbours first.
+/// It finds gaps between neighbours that the half-planes of [`Orca`](super::Orca) hide. Where no velocity is free it
+/// drops the constraints of the farthest neighbours first.
 ///
 /// ```
 /// use throng::avoid::ClearPath;
@@ -33,12 +33,12 @@ impl Default for ClearPath {
 }
 
 impl LocalModel for ClearPath {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         self.forbid(view, workspace);
         closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         self.forbid(view, workspace);
         workspace.reasons().collect()
     }
@@ -54,7 +54,7 @@ impl LocalModel for ClearPath {
 }
 
 impl ClearPath {
-    fn forbid(&self, view: &View<'_>, workspace: &mut Workspace) {
+    fn forbid(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) {
         workspace.forbid(view, self.time_horizon_obstacles, |other| {
             Forbidden::truncated(view.velocity, other, self.time_horizon, view.step)
         });
@@ -62,13 +62,13 @@ impl ClearPath {
 }
 
 impl Workspace {
-    /// Collects what walls, the body itself and neighbours forbid, the most important first; remembers what each comes
-    /// from.
+    /// Collects the velocities that walls, the body itself and neighbours forbid, the most important first, and the
+    /// cause of each.
     pub(super) fn forbid(
         &mut self,
-        view: &View<'_>,
+        view: &AvoidanceInput<'_>,
         wall_horizon: f32,
-        region: impl Fn(&super::Neighbour) -> Forbidden,
+        region: impl Fn(&super::AvoidanceNeighbour) -> Forbidden,
     ) {
         self.permit(view, view.radius, wall_horizon);
         self.forbidden.clear();
@@ -79,20 +79,21 @@ impl Workspace {
         }
     }
 
-    /// The regions collected, as reasons.
-    pub(super) fn reasons(&self) -> impl Iterator<Item = Reason> + '_ {
+    /// Returns the collected regions as reasons.
+    pub(super) fn reasons(&self) -> impl Iterator<Item = AvoidanceReason> + '_ {
         self.causes.iter().zip(&self.forbidden).map(|(&cause, &region)| match region {
-            Forbidden::RightOf(line) => Reason::Permits(cause, line),
-            region => Reason::Forbids(cause, region),
+            Forbidden::RightOf(line) => AvoidanceReason::Permits(cause, line),
+            region => AvoidanceReason::Forbids(cause, region),
         })
     }
 }
 
-/// How deep within a region counts as outside, m/s.
+/// Depth within a region that still counts as outside, m/s.
 const TOUCH: f32 = 1e-4;
 
-/// The velocity within `max_speed` closest to `preferred` that is in none of the regions. Where every one is in some,
-/// the one whose first region in the list comes last: put what matters most first.
+/// Returns the velocity within `max_speed` closest to `preferred` that is in none of the regions. If there is none,
+/// returns a velocity for which the first region in the list that contains it comes as late as possible. So the most
+/// important regions must come first.
 pub fn closest_outside(regions: &[Forbidden], max_speed: f32, preferred: Vec2) -> Vec2 {
     let preferred = preferred.clamp_length_max(max_speed);
     let mut best = Best { regions, max_speed, preferred, clear: 0, distance: f32::INFINITY, velocity: Vec2::ZERO };
@@ -103,9 +104,9 @@ pub fn closest_outside(regions: &[Forbidden], max_speed: f32, preferred: Vec2) -
     best.consider(Vec2::ZERO);
     let pieces = || regions.iter().flat_map(Forbidden::pieces);
     pieces().for_each(|piece| best.consider(piece.nearest(preferred)));
-    let fastest = Piece::Circle { center: Vec2::ZERO, radius: max_speed };
+    let fastest = BoundaryPiece::Circle { center: Vec2::ZERO, radius: max_speed };
     for (i, piece) in pieces().enumerate() {
-        // no crossing of it is nearer than its nearest point
+        // no crossing of a piece is nearer than its nearest point
         if best.is_beaten_by(piece.nearest(preferred)) {
             piece.crossings(&fastest).for_each(|v| best.consider(v));
             for other in pieces().take(i) {
@@ -116,14 +117,14 @@ pub fn closest_outside(regions: &[Forbidden], max_speed: f32, preferred: Vec2) -
     best.velocity
 }
 
-/// The best of the velocities looked at.
+/// The best velocity considered so far.
 struct Best<'a> {
     regions: &'a [Forbidden],
     max_speed: f32,
     preferred: Vec2,
-    /// How many regions it is out of, from the front of the list.
+    /// Number of regions, from the front of the list, that the velocity is out of.
     clear: usize,
-    /// Its distance from the preferred velocity, squared.
+    /// Squared distance from the preferred velocity.
     distance: f32,
     velocity: Vec2,
 }
@@ -133,7 +134,7 @@ impl Best<'_> {
         self.clear == self.regions.len()
     }
 
-    /// Whether `v` is better, if it is out of all regions.
+    /// Whether `v` is better, given that it is out of all regions.
     fn is_beaten_by(&self, v: Vec2) -> bool {
         !self.is_free() || v.distance_squared(self.preferred) < self.distance
     }

@@ -1,14 +1,14 @@
-//! When a body that keeps its velocity touches another, or a wall: the measure of all models that search velocities
-//! (MODELS 1.1, 1.2).
+//! Time to collision of a body that keeps its velocity, with another body or a wall. All models that search velocities
+//! use it (Fiorini, Shiller, IJRR 17(7), 1998; van den Berg, Lin, Manocha, Reciprocal velocity obstacles, ICRA 2008).
 
-use super::View;
-use crate::lanes::Vec2s;
+use super::AvoidanceInput;
+use crate::simd::Vec2s;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
-/// Seconds until a point that moves with `velocity` comes within `radii` of `offset`; infinite if it never does. Who is
-/// already within and comes nearer collides now.
+/// Returns the seconds until a point that moves with `velocity` comes within `radii` of `offset`; infinite if it never
+/// does. A point that is already within and comes nearer collides now.
 ///
 /// ```
 /// use throng::avoid::time_to_disc;
@@ -30,7 +30,7 @@ pub fn time_to_disc(offset: Vec2, velocity: Vec2, radii: f32) -> f32 {
     if discriminant < 0.0 { f32::INFINITY } else { gap / (approach + discriminant.sqrt()) }
 }
 
-/// As [`time_to_disc`], a lane a disc.
+/// [`time_to_disc`] for one disc per element of a SIMD vector.
 #[inline(always)]
 pub(crate) fn times_to_discs<S: Simd>(simd: S, offset: Vec2s<S>, velocity: Vec2s<S>, radii: S::f32s) -> S::f32s {
     let (zero, never) = (S::f32s::splat(simd, 0.0), S::f32s::splat(simd, f32::INFINITY));
@@ -42,8 +42,8 @@ pub(crate) fn times_to_discs<S: Simd>(simd: S, offset: Vec2s<S>, velocity: Vec2s
     approach.simd_le(zero).select(never, time)
 }
 
-/// Seconds until a point that moves with `velocity` comes within `radius` of the segment from `start` to `end`;
-/// infinite if it never does. Who is already within and comes nearer collides now.
+/// Returns the seconds until a point that moves with `velocity` comes within `radius` of the segment from `start` to
+/// `end`; infinite if it never does. A point that is already within and comes nearer collides now.
 pub fn time_to_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32) -> f32 {
     let along = end - start;
     let length = along.length();
@@ -51,7 +51,7 @@ pub fn time_to_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32) -> f
         return time_to_disc(start, velocity, radius);
     }
     let along = along / length;
-    // the side: distance of the line, and how fast it is approached
+    // distance from the line, and the speed of approach
     let distance = along.perp_dot(start);
     let approach = along.perp_dot(velocity) * distance.signum();
     let gap = distance.abs() - radius;
@@ -59,7 +59,7 @@ pub fn time_to_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32) -> f
         let ends = || time_to_disc(start, velocity, radius).min(time_to_disc(end, velocity, radius));
         return if gap > 0.0 { f32::INFINITY } else { ends() };
     }
-    // where it comes within the radius of the line: beyond an end, only that end is in the way
+    // where the point comes within the radius of the line: beyond an end, only that end counts
     let time = (gap / approach).max(0.0);
     match along.dot(velocity * time - start) {
         reached if reached < 0.0 => time_to_disc(start, velocity, radius),
@@ -68,8 +68,9 @@ pub fn time_to_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32) -> f
     }
 }
 
-impl View<'_> {
-    /// Seconds until a body of `radius` that keeps `velocity` touches a wall in view; infinite if it never does.
+impl AvoidanceInput<'_> {
+    /// Returns the seconds until a body of `radius` that keeps `velocity` touches a wall in view; infinite if it never
+    /// does.
     pub(super) fn time_to_walls(&self, velocity: Vec2, radius: f32) -> f32 {
         let edges = self.edges.iter().map(|near| time_to_segment(near.start, near.end, velocity, radius));
         let discs = self
@@ -83,8 +84,8 @@ impl View<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::{LANES, load, set};
-    use crate::perceive::Instructions;
+    use crate::perceive::SimdLevel;
+    use crate::simd::{LANES, load, set};
     use fearless_simd::dispatch;
     use proptest::prelude::*;
 
@@ -94,7 +95,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn discs_in_lanes_are_met_when_each_is(
+        fn simd_times_to_discs_equal_scalar_times(
             discs in prop::collection::vec((vector(4.0), vector(2.0), 0.0f32..2.0), LANES),
         ) {
             let (mut offsets, mut velocities, mut radii) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2], [0.0; LANES]);
@@ -103,7 +104,7 @@ mod tests {
                 set(&mut velocities, lane, velocity);
                 radii[lane] = radius;
             }
-            for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            for level in SimdLevel::ALL.into_iter().filter_map(SimdLevel::level) {
                 let times = dispatch!(level, simd => {
                     let (offset, velocity) = (Vec2s::load(simd, &offsets), Vec2s::load(simd, &velocities));
                     times_to_discs(simd, offset, velocity, load(simd, &radii)).as_slice().to_vec()

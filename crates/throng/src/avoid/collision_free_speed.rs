@@ -1,18 +1,18 @@
 //! The collision-free speed model: Tordeux, Chraibi, Seyfried, Collision-free speed model for pedestrian dynamics,
-//! Traffic and Granular Flow '15, 2016 (arXiv 1512.05597), as JuPedSim's `CollisionFreeSpeedModel` has it.
+//! Traffic and Granular Flow '15, 2016 (arXiv 1512.05597), as in JuPedSim's `CollisionFreeSpeedModel`.
 //!
-//! Of first order: a direction, and a speed along it.
+//! A first-order model: it chooses a direction, and a speed along it.
 //!
-//! - Direction: `e = normalise(e0 + sum A exp(-gap / B) n)` over neighbours and walls, `e0` the direction of the preferred
-//!   velocity, `n` the unit vector away from the other.
-//! - Speed: `v = clamp(s / T, 0, v0)`, `s` the gap to the nearest neighbour ahead within the width of both bodies.
+//! - Direction: `e = normalise(e0 + sum A exp(-gap / B) n)` over neighbours and walls, with `e0` the direction of the
+//!   preferred velocity and `n` the unit vector away from the neighbour or wall.
+//! - Speed: `v = clamp(s / T, 0, v0)`, with `s` the gap to the nearest neighbour ahead within the width of both bodies.
 //!
-//! In single file this is the fundamental diagram: density 1 / (2 r + v T). Faults: a neighbour abreast at contact counts
-//! as ahead, so doors narrower than two bodies arch; directions turn at once; two that meet come to a stop before they
-//! turn.
+//! In single file this gives the fundamental diagram: density 1 / (2 r + v T). Known faults: a neighbour abreast at
+//! contact counts as ahead, so bodies form arches at doors narrower than two bodies; directions change at once; two
+//! agents that meet stop before they turn.
 
 use super::separation::exponential;
-use super::{Cause, Line, LocalModel, Reason, View, Workspace};
+use super::{AvoidanceInput, AvoidanceReason, Cause, HalfPlane, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 
@@ -24,11 +24,12 @@ use glam::Vec2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CollisionFreeSpeed {
-    /// Seconds that an agent stays behind the neighbour ahead: its speed is the gap over this, the paper's T. Limit: > 0.
+    /// Time gap to the neighbour ahead, seconds: the speed is the gap divided by it. The paper's T. Limit: > 0.
     pub time_gap: f32,
-    /// How much a neighbour at contact turns the direction, the preferred direction being 1; the paper's a. Limit: >= 0.
+    /// How much a neighbour at contact turns the direction, relative to the preferred direction of length 1. The
+    /// paper's a. Limit: >= 0.
     pub strength: f32,
-    /// Metres of gap in which that falls to 1/e, the paper's D. Limit: > 0.
+    /// Gap, metres, over which `strength` falls to 1/e, the paper's D. Limit: > 0.
     pub range: f32,
     /// As `strength`, of walls. Limit: >= 0.
     pub strength_obstacles: f32,
@@ -37,21 +38,22 @@ pub struct CollisionFreeSpeed {
 }
 
 impl Default for CollisionFreeSpeed {
-    /// JuPedSim's.
+    /// The values of JuPedSim.
     fn default() -> Self {
         Self { time_gap: 1.0, strength: 8.0, range: 0.1, strength_obstacles: 5.0, range_obstacles: 0.02 }
     }
 }
 
 impl LocalModel for CollisionFreeSpeed {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         let direction = self.direction(view);
         let gap = view.headway(direction).map_or(f32::INFINITY, |(_, gap)| gap);
         direction * optimal_speed(view, gap, self.time_gap)
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
-        let mut reasons: Vec<Reason> = self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect();
+    fn explain(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec<AvoidanceReason> {
+        let mut reasons: Vec<AvoidanceReason> =
+            self.pushes(view).map(|(cause, push)| AvoidanceReason::Push(cause, push)).collect();
         reasons.extend(speed_limit(view, self.direction(view), self.time_gap));
         reasons
     }
@@ -69,12 +71,12 @@ impl LocalModel for CollisionFreeSpeed {
     }
 }
 
-/// Ranges of an exponential beyond which a wall is not looked at: there it has fallen to 5e-5.
+/// Number of ranges of an exponential beyond which a wall is ignored: there it has fallen to 5e-5.
 pub(super) const RANGES: f32 = 10.0;
 
 impl CollisionFreeSpeed {
-    /// What each neighbour and each wall adds to the direction.
-    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+    /// Returns what each neighbour and each wall adds to the direction.
+    fn pushes(&self, view: &AvoidanceInput<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
         let neighbours = view.others().map(|(cause, other)| {
             let (distance, away) = other.separation();
             let strength = 2.0 * other.share * self.strength;
@@ -86,20 +88,20 @@ impl CollisionFreeSpeed {
         neighbours.chain(walls)
     }
 
-    fn direction(&self, view: &View<'_>) -> Vec2 {
+    fn direction(&self, view: &AvoidanceInput<'_>) -> Vec2 {
         let ahead = view.preferred.normalize_or_zero();
         (ahead + self.pushes(view).map(|(_, push)| push).sum::<Vec2>()).normalize_or(ahead)
     }
 }
 
-/// The speed of an agent with this gap ahead, metres, and time gap, seconds.
-pub(super) fn optimal_speed(view: &View<'_>, gap: f32, time_gap: f32) -> f32 {
+/// Returns the speed of an agent for the gap ahead, metres, and the time gap, seconds.
+pub(super) fn optimal_speed(view: &AvoidanceInput<'_>, gap: f32, time_gap: f32) -> f32 {
     (gap / time_gap).clamp(0.0, view.preferred.length().min(view.max_speed))
 }
 
-/// The half-plane of velocities that the neighbour ahead leaves to an agent that walks along `direction`.
-pub(super) fn speed_limit(view: &View<'_>, direction: Vec2, time_gap: f32) -> Option<Reason> {
+/// Returns the half-plane of velocities that the neighbour ahead permits to an agent that walks along `direction`.
+pub(super) fn speed_limit(view: &AvoidanceInput<'_>, direction: Vec2, time_gap: f32) -> Option<AvoidanceReason> {
     let (cause, gap) = view.headway(direction)?;
     let point = direction * (gap / time_gap).max(0.0);
-    Some(Reason::Permits(cause, Line { point, direction: direction.perp() }))
+    Some(AvoidanceReason::Permits(cause, HalfPlane { point, direction: direction.perp() }))
 }

@@ -1,26 +1,25 @@
-//! The least of a differentiable function of a velocity, nearby: quasi-Newton steps (BFGS; Nocedal, Wright, Numerical
-//! optimization, 2006, algorithm 6.1), shortened until the value falls (Armijo) and lengthened while the function stays as
-//! steep (Wolfe).
+//! A local minimum of a differentiable function of a velocity: quasi-Newton steps (BFGS; Nocedal, Wright, Numerical
+//! optimization, 2006, algorithm 6.1), shortened until the value falls enough (Armijo) and lengthened while the
+//! function stays as steep (Wolfe).
 
 use glam::{Mat2, Vec2};
 
-/// Quasi-Newton steps, and halvings of each, at most.
-const STEPS: usize = 24;
-const HALVINGS: usize = 10;
-/// A step that would be less than this is not made, m/s.
+/// Maximum number of quasi-Newton steps.
+const STEPS: usize = 64;
+/// Least step, m/s. The search ends where no step of this length leads down.
 const EXACT: f32 = 1e-4;
-/// Longest step, m/s: beyond it the function may have other valleys.
+/// Longest step, m/s. Beyond it the function may have other minima.
 const LONGEST: f32 = 0.5;
-/// The part of the fall that the slope promises which must come true (Armijo).
+/// Fraction of the decrease predicted by the slope that a step must achieve (Armijo).
 const FALL: f32 = 1e-4;
-/// The part of the slope that must be gone after a step (Wolfe).
+/// Fraction of the slope that may be left after a step (Wolfe).
 const FLATTER: f32 = 0.5;
 
 /// A velocity, the value of the function there, and its gradient.
-type Place = (Vec2, f32, Vec2);
+type DescentPoint = (Vec2, f32, Vec2);
 
-/// Where the valley of `function` (value and gradient) in which `start` lies is lowest. `scale` is about the inverse of
-/// the second derivative.
+/// Returns the local minimum of `function` (value and gradient) reached from `start`. `scale` is approximately the
+/// inverse of the second derivative.
 pub(super) fn least(start: Vec2, scale: f32, function: impl Fn(Vec2) -> (f32, Vec2)) -> Vec2 {
     let visit = |at: Vec2| {
         let (value, gradient) = function(at);
@@ -36,9 +35,8 @@ pub(super) fn least(start: Vec2, scale: f32, function: impl Fn(Vec2) -> (f32, Ve
             step = -(inverse * gradient);
         }
         step = step.clamp_length_max(LONGEST);
-        let there = if step.length() > EXACT { along(here, step, visit) } else { None };
-        let Some(there) = there else {
-            // what was learnt of the curvature may be wrong: beyond a barrier it is
+        let Some(there) = along(here, step, visit) else {
+            // the estimate of the curvature may be wrong, as beyond a barrier
             if inverse == initial {
                 break;
             }
@@ -51,11 +49,15 @@ pub(super) fn least(start: Vec2, scale: f32, function: impl Fn(Vec2) -> (f32, Ve
     here.0
 }
 
-/// A place along a step where the function has fallen enough.
-fn along((at, value, gradient): Place, step: Vec2, visit: impl Fn(Vec2) -> Place) -> Option<Place> {
+/// Returns a point along a step at which the function has fallen enough.
+fn along(
+    (at, value, gradient): DescentPoint,
+    step: Vec2,
+    visit: impl Fn(Vec2) -> DescentPoint,
+) -> Option<DescentPoint> {
     let slope = step.dot(gradient);
     let mut part = 1.0;
-    for _ in 0..HALVINGS {
+    while step.length() * part > EXACT {
         let mut there = visit(at + step * part);
         if there.1 <= value + FALL * part * slope {
             while there.2.dot(step) < FLATTER * slope && step.length() * part * 2.0 <= LONGEST {
@@ -72,7 +74,8 @@ fn along((at, value, gradient): Place, step: Vec2, visit: impl Fn(Vec2) -> Place
     None
 }
 
-/// The inverse of the second derivative after a step and the change of the gradient in it, if the function is convex there.
+/// Returns the updated inverse of the second derivative after a step and the change of the gradient in it; `None` if
+/// the function is not convex there.
 fn updated(inverse: Mat2, step: Vec2, change: Vec2) -> Option<Mat2> {
     let along = step.dot(change);
     if along <= 1e-6 * step.length() * change.length() || along.is_nan() {

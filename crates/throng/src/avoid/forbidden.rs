@@ -1,9 +1,9 @@
-//! Regions of forbidden velocities, and the pieces of line and circle that bound them.
+//! Regions of forbidden velocities, and the pieces of lines and circles that bound them.
 
-use super::{Line, Neighbour, orca};
+use super::{AvoidanceNeighbour, HalfPlane, orca};
 use glam::Vec2;
 
-/// Velocities that are forbidden.
+/// A region of forbidden velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Forbidden {
     /// A cone.
@@ -15,10 +15,10 @@ pub enum Forbidden {
         /// Unit vector along its left leg.
         left: Vec2,
     },
-    /// A cone whose tip is cut off and rounded by a disc that touches both legs: what leads to a collision within a
-    /// time horizon.
+    /// A cone with its tip cut off and rounded by a disc that touches both legs: the velocities that lead to a
+    /// collision within a time horizon.
     Truncated {
-        /// The tip it would have.
+        /// The tip of the cone before truncation.
         apex: Vec2,
         /// Unit vector along its right leg.
         right: Vec2,
@@ -29,18 +29,19 @@ pub enum Forbidden {
         /// Radius of the disc.
         radius: f32,
     },
-    /// What is right of a line.
-    RightOf(Line),
+    /// The velocities to the right of a line.
+    RightOf(HalfPlane),
 }
 
 impl Forbidden {
-    /// The velocities that lead an agent to a collision with a neighbour within `horizon` seconds, if the agent does
-    /// its share of the avoiding and the neighbour the rest: with a share of 1 the velocity obstacle (Fiorini, Shiller
-    /// 1998), with less the reciprocal one (van den Berg, Lin, Manocha 2008), both cut off as in ClearPath. For a
-    /// neighbour that is too close there is no cone: a half-plane leads out; and so for one of two that are no discs: no
-    /// cone with a round tip is as narrow as what leads to a collision.
-    pub fn truncated(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -> Self {
-        let Neighbour { offset, radii, share, .. } = *other;
+    /// Returns the velocities that lead an agent to a collision with a neighbour within `horizon` seconds if the agent
+    /// does its share of the avoidance and the neighbour the rest. With a share of 1 that is the velocity obstacle
+    /// (Fiorini, Shiller 1998), with less the reciprocal velocity obstacle (van den Berg, Lin, Manocha 2008), both
+    /// truncated as in ClearPath. The result is a half-plane for a neighbour that is too close, because there is no
+    /// cone then, and if a body of the two is not a disc, because no cone with a round tip is as narrow as the
+    /// forbidden region.
+    pub fn truncated(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, step: f32) -> Self {
+        let AvoidanceNeighbour { offset, radii, share, .. } = *other;
         if other.touches() || !other.outline.is_point() {
             return Self::RightOf(orca::line(velocity, other, horizon, step));
         }
@@ -50,13 +51,13 @@ impl Forbidden {
         Self::Truncated { apex, right, left, center: apex + offset * scale, radius: radii * scale }
     }
 
-    /// How deep `v` lies within, at most zero outside. m/s
+    /// Returns how deep `v` lies within the region, m/s; at most zero outside.
     pub fn depth(&self, v: Vec2) -> f32 {
         let between = |apex: Vec2, right: Vec2, left: Vec2| right.perp_dot(v - apex).min((v - apex).perp_dot(left));
         match *self {
             Self::Cone { apex, right, left } => between(apex, right, left),
             Self::Truncated { apex, right, left, center, radius } => {
-                // before the line through the points where the disc touches the legs, the disc bounds it
+                // before the line through the points where the disc touches the legs, the disc is the boundary
                 let reach = (center - apex).dot(left);
                 let axis = right + left;
                 if (v - apex).dot(axis) < reach * left.dot(axis) {
@@ -69,21 +70,23 @@ impl Forbidden {
         }
     }
 
-    /// What bounds it; some pieces may lie partly within.
-    pub(super) fn pieces(&self) -> impl Iterator<Item = Piece> + use<> {
+    /// Returns the pieces of the boundary. Some pieces may lie partly inside the region.
+    pub(super) fn pieces(&self) -> impl Iterator<Item = BoundaryPiece> + use<> {
         let (first, second, third) = match *self {
-            Self::Cone { apex, right, left } => {
-                (Piece::Ray { from: apex, along: right }, Some(Piece::Ray { from: apex, along: left }), None)
-            }
+            Self::Cone { apex, right, left } => (
+                BoundaryPiece::Ray { from: apex, along: right },
+                Some(BoundaryPiece::Ray { from: apex, along: left }),
+                None,
+            ),
             Self::Truncated { apex, right, left, center, radius } => {
                 let reach = (center - apex).dot(left);
                 (
-                    Piece::Ray { from: apex + right * reach, along: right },
-                    Some(Piece::Ray { from: apex + left * reach, along: left }),
-                    Some(Piece::Circle { center, radius }),
+                    BoundaryPiece::Ray { from: apex + right * reach, along: right },
+                    Some(BoundaryPiece::Ray { from: apex + left * reach, along: left }),
+                    Some(BoundaryPiece::Circle { center, radius }),
                 )
             }
-            Self::RightOf(line) => (Piece::Line(line), None, None),
+            Self::RightOf(line) => (BoundaryPiece::Line(line), None, None),
         };
         [Some(first), second, third].into_iter().flatten()
     }
@@ -91,23 +94,23 @@ impl Forbidden {
 
 /// A piece of a boundary.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Piece {
-    Line(Line),
+pub(super) enum BoundaryPiece {
+    Line(HalfPlane),
     Ray { from: Vec2, along: Vec2 },
     Circle { center: Vec2, radius: f32 },
 }
 
-impl Piece {
-    /// Its point nearest to `v`.
+impl BoundaryPiece {
+    /// Returns the point of the piece nearest to `v`.
     pub fn nearest(&self, v: Vec2) -> Vec2 {
         match *self {
-            Self::Line(Line { point, direction }) => point + direction * (v - point).dot(direction),
+            Self::Line(HalfPlane { point, direction }) => point + direction * (v - point).dot(direction),
             Self::Ray { from, along } => from + along * (v - from).dot(along).max(0.0),
             Self::Circle { center, radius } => center + (v - center).normalize_or(Vec2::X) * radius,
         }
     }
 
-    /// Where it crosses another.
+    /// Returns the crossings with another piece.
     pub fn crossings(&self, other: &Self) -> impl Iterator<Item = Vec2> + use<> {
         let points = match (self.straight(), other.straight()) {
             (Some(one), Some(two)) => [crossing(one, two), None],
@@ -118,10 +121,10 @@ impl Piece {
         points.into_iter().flatten()
     }
 
-    /// A point of it, its direction, and how far back from the point it reaches.
+    /// Returns a point, the direction, and the least parameter along it from the point; `None` for a circle.
     fn straight(&self) -> Option<(Vec2, Vec2, f32)> {
         match *self {
-            Self::Line(Line { point, direction }) => Some((point, direction, f32::NEG_INFINITY)),
+            Self::Line(HalfPlane { point, direction }) => Some((point, direction, f32::NEG_INFINITY)),
             Self::Ray { from, along } => Some((from, along, 0.0)),
             Self::Circle { .. } => None,
         }
@@ -139,7 +142,7 @@ impl Piece {
         let from = point - center;
         let middle = -from.dot(along);
         let root = (middle * middle - from.length_squared() + radius * radius).sqrt();
-        // the root of a negative number is no number, and not greater than anything
+        // the root of a negative number is NaN, which is not greater than anything
         [middle - root, middle + root].map(|t| (t >= least).then(|| point + along * t))
     }
 
@@ -157,7 +160,7 @@ impl Piece {
     }
 }
 
-/// Where two straight pieces cross.
+/// Returns the crossing of two straight pieces.
 fn crossing(one: (Vec2, Vec2, f32), two: (Vec2, Vec2, f32)) -> Option<Vec2> {
     let (point, along, least) = one;
     let (origin, across, other_least) = two;

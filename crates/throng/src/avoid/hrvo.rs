@@ -1,11 +1,13 @@
 //! Hybrid reciprocal velocity obstacles: Snape, van den Berg, Guy, Manocha, The hybrid reciprocal velocity obstacle,
 //! IEEE Transactions on Robotics 27(4), 2011.
 //!
-//! Two who share the avoiding may still choose different sides. So the reciprocal velocity obstacle is widened on the
-//! side that the agent is not to pass, to the leg of the plain velocity obstacle: crossing over costs all of the
-//! avoiding. The velocity is found by [ClearPath](super::closest_outside).
+//! Two agents that share the avoidance may still choose different sides. So the reciprocal velocity obstacle is widened
+//! on the side on which the agent should not pass, up to the leg of the plain velocity obstacle: passing on that side
+//! costs all of the avoidance. The velocity is found by [ClearPath](super::closest_outside).
 
-use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside, orca};
+use super::{
+    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside, orca,
+};
 use crate::Error;
 use glam::Vec2;
 
@@ -17,8 +19,8 @@ use glam::Vec2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hrvo {
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0. There is no horizon for agents: a velocity
-    /// that ever leads to a collision is forbidden.
+    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0. There is no horizon for agents: a
+    /// velocity that leads to a collision at any time is forbidden.
     pub time_horizon_obstacles: f32,
 }
 
@@ -29,12 +31,12 @@ impl Default for Hrvo {
 }
 
 impl LocalModel for Hrvo {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         workspace.forbid(view, self.time_horizon_obstacles, |other| hybrid(view.velocity, other, view.step));
         closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         workspace.forbid(view, self.time_horizon_obstacles, |other| hybrid(view.velocity, other, view.step));
         workspace.reasons().collect()
     }
@@ -48,17 +50,18 @@ impl LocalModel for Hrvo {
     }
 }
 
-/// The hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity; a half-plane that leads
-/// out of those who are too close.
-pub fn hybrid(velocity: Vec2, other: &Neighbour, step: f32) -> Forbidden {
-    let Neighbour { offset, share, .. } = *other;
+/// Returns the hybrid reciprocal velocity obstacle of one neighbour for an agent of the given velocity. For a neighbour
+/// that is too close it is a half-plane that leads apart.
+pub fn hybrid(velocity: Vec2, other: &AvoidanceNeighbour, step: f32) -> Forbidden {
+    let AvoidanceNeighbour { offset, share, .. } = *other;
     if other.touches() {
         return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
     }
     let (left, right) = other.legs();
     let relative = velocity - other.velocity;
     let opening = right.perp_dot(left);
-    // where the leg of the reciprocal velocity obstacle on the side to pass meets the other leg of the plain one
+    // intersection of a leg of the reciprocal velocity obstacle, on the side to pass, and the other leg of the plain
+    // one
     let apex = if offset.perp_dot(relative) > 0.0 {
         right * ((1.0 - share) * relative.perp_dot(left) / opening)
     } else {

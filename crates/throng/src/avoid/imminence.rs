@@ -1,28 +1,28 @@
-//! How imminent a collision is: the inverse of the time to it, smooth where bodies graze, with its gradient (Karamouzas,
-//! Sohre, Narain, Guy, Implicit crowds, ACM Transactions on Graphics 36(4), 2017, section 4).
+//! Imminence of a collision: the inverse of the time to collision, smooth where bodies graze, with its gradient
+//! (Karamouzas, Sohre, Narain, Guy, Implicit crowds, ACM Transactions on Graphics 36(4), 2017, section 4).
 //!
-//! A body moves with a relative velocity `u` for a step, and then keeps it until the collision. The inverse time is 0
-//! where there is no collision, grows without bound towards contact, and is a differentiable function of `u`, unlike the
-//! time itself: beyond the relative velocities that touch within the part `grazing` of the radii it falls off linearly.
-//! The gradient is by `u` and includes what `u` does to the position after the step.
+//! A body moves with a relative velocity `u` for a step and then keeps it until the collision. The inverse time is 0 if
+//! there is no collision and grows without bound towards contact. Unlike the time itself it is a differentiable
+//! function of `u`: it falls off linearly outside the relative velocities that touch within the fraction `grazing` of
+//! the radii. The gradient is with respect to `u` and includes the effect of `u` on the position after the step.
 
 use glam::Vec2;
 
-/// A gap less than this part of the radii counts as one: what grows without bound at contact stays finite there.
+/// A gap less than this fraction of the radii is treated as that fraction. It keeps values finite at contact.
 pub(super) const LEAST_GAP: f32 = 0.025;
 
-/// Inverse time, 1/s, and its gradient by the relative velocity.
+/// Inverse time, 1/s, and its gradient with respect to the relative velocity.
 pub(super) type Imminence = (f32, Vec2);
 
-/// How imminent it is that a point with this relative velocity comes within `radii` of `offset`, after a step of `step`
-/// seconds.
+/// Returns the imminence of the event that a point with the relative velocity comes within `radii` of `offset`, after a
+/// step of `step` seconds.
 pub(super) fn of_disc(offset: Vec2, velocity: Vec2, radii: f32, step: f32, grazing: f32) -> Imminence {
     let least = radii * (1.0 + LEAST_GAP);
     let there = offset - velocity * step;
     let distance = there.length();
     let outward = if distance > 0.0 { there / distance } else { offset.normalize_or(Vec2::X) };
     let apart = distance >= least;
-    // in contact only the direction to the other counts
+    // in contact only the direction to the neighbour counts
     let (x, d) = if apart { (there, distance) } else { (outward * least, least) };
     let approach = x.dot(velocity);
     if approach <= 0.0 {
@@ -31,7 +31,7 @@ pub(super) fn of_disc(offset: Vec2, velocity: Vec2, radii: f32, step: f32, grazi
     let q = d * d - radii * radii;
     let (closing, across) = (approach / d, x.perp_dot(velocity));
     let cosine = (1.0 - grazing * grazing).sqrt();
-    // partial derivatives by the velocity and by the place
+    // partial derivatives with respect to the velocity and to the place
     let (rate, by_velocity, by_place);
     if q.sqrt() * across.abs() / d <= cosine * radii * closing {
         let speed_squared = velocity.length_squared();
@@ -59,7 +59,8 @@ pub(super) fn of_disc(offset: Vec2, velocity: Vec2, radii: f32, step: f32, grazi
     (rate, by_velocity - moved * step)
 }
 
-/// How imminent it is that a point with this velocity comes within `radius` of a segment, after a step of `step` seconds.
+/// Returns the imminence of the event that a point with the velocity comes within `radius` of a segment, after a step
+/// of `step` seconds.
 pub(super) fn of_segment(start: Vec2, end: Vec2, velocity: Vec2, radius: f32, step: f32, grazing: f32) -> Imminence {
     let [a, b] = [start, end].map(|corner| of_disc(corner, velocity, radius, step, grazing));
     let corners = if b.0 > a.0 { b } else { a };

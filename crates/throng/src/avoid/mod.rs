@@ -1,7 +1,7 @@
-//! What is safe: local models turn the preferred velocity into a new one.
+//! Collision avoidance: local models turn the preferred velocity into a new velocity.
 //!
-//! A model is one file implementing [`LocalModel`]. It sees one agent and what is near it, frozen at the start of
-//! the step, and answers with a velocity; it keeps no state. What it answers need not be safe: the
+//! A model is one file that implements [`LocalModel`]. Its input is one agent and the agent's surroundings, frozen at
+//! the start of the step. It returns a velocity and keeps no state. The velocity need not be safe: the
 //! [guard](crate::guard) makes it so.
 
 mod anticipation_velocity;
@@ -21,7 +21,7 @@ mod none;
 mod obstacle_lines;
 mod orca;
 mod orca_3d;
-mod orca_lanes;
+mod orca_simd;
 mod outline;
 mod power_law;
 mod rvo;
@@ -38,62 +38,64 @@ pub use clearpath::{ClearPath, closest_outside};
 pub(crate) use collision::times_to_discs;
 pub use collision::{time_to_disc, time_to_segment};
 pub use collision_free_speed::CollisionFreeSpeed;
-pub use explain::{Cause, Reason};
+pub use explain::{AvoidanceReason, Cause};
+use forbidden::BoundaryPiece;
 pub use forbidden::Forbidden;
-use forbidden::Piece;
-pub use half_plane::{Line, closest_velocity, least_violation};
-pub use half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
+pub use half_plane::{HalfPlane, closest_velocity, least_violation};
+pub use half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
 pub use moussaid::Moussaid2009;
-pub use none::Unavoiding;
+pub use none::NoAvoidance;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
-pub(crate) use orca_lanes::{MOST, MOST_WALLS, MOST_WITH_WALLS, Others, Own, Views, choose};
+pub(crate) use orca_simd::{MOST, MOST_WALLS, MOST_WITH_WALLS, SimdAgents, SimdInputs, SimdNeighbours, choose};
 pub use outline::Outline;
 pub use power_law::PowerLaw;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
-pub use sampling::Search;
+pub use sampling::SamplePattern;
 pub use social_force::SocialForce;
 pub use vo::Vo;
 
-pub use crate::random::Dice;
+pub use crate::random::Rng;
 use crate::space::{Disc, Edge};
 use glam::{Vec2, Vec3};
 
-/// Another agent, seen from the one that chooses.
+/// A neighbour, relative to the agent that chooses a velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Neighbour {
-    /// Its centre, from the choosing agent's.
+pub struct AvoidanceNeighbour {
+    /// Offset of its centre from the choosing agent's centre, metres.
     pub offset: Vec2,
-    /// How much higher its centre is.
+    /// Height of its centre above the choosing agent's centre, metres.
     pub above: f32,
-    /// Its velocity upwards.
-    pub climb: f32,
-    /// Its velocity.
+    /// Its vertical velocity, m/s, positive upwards.
+    pub vertical_velocity: f32,
+    /// Its velocity, m/s.
     pub velocity: Vec2,
-    /// The velocity it would like to have.
+    /// Its preferred velocity, m/s.
     pub preferred: Vec2,
-    /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]).
+    /// Sum of the two radii, with the margin that the model keeps (see [`MARGIN`]), metres.
     pub radii: f32,
-    /// What lies within `radii` of this polygon round `offset` touches; a point for two discs.
+    /// A polygon around `offset`: the bodies touch if the choosing agent's centre is within `radii` of it. A point for
+    /// two discs.
     pub outline: Outline,
-    /// The choosing agent's share of the avoiding, 0 (none) to 1 (all).
+    /// The choosing agent's share of the avoidance, 0 (none) to 1 (all).
     pub share: f32,
-    /// The choosing agent's part of the room that is left while the two are on no collision course, 0 to 1. Who
-    /// has the right of way avoids little and has most of the room; with someone who doesn't avoid, both are 1.
+    /// The choosing agent's fraction of the free room while the two are on no collision course, 0 to 1. The agent with
+    /// the right of way has a small share of the avoidance and a large fraction of the room. If the neighbour does not
+    /// avoid, both are 1.
     pub room: f32,
-    /// A unit vector for two agents in exactly one place; the other sees its opposite.
+    /// A unit vector for two agents at exactly the same place. The neighbour has the opposite vector.
     pub aside: Vec2,
 }
 
-impl Neighbour {
-    /// Something that stands and does not avoid.
+impl AvoidanceNeighbour {
+    /// Returns a neighbour that stands still and does not avoid.
     pub(crate) fn resting(offset: Vec2, radii: f32) -> Self {
         Self {
             offset,
             above: 0.0,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             velocity: Vec2::ZERO,
             preferred: Vec2::ZERO,
             radii,
@@ -108,71 +110,73 @@ impl Neighbour {
 /// A wall edge near the choosing agent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearEdge {
-    /// Its start, from the agent's centre.
+    /// Its start, relative to the agent's centre.
     pub start: Vec2,
-    /// Its end, from the agent's centre.
+    /// Its end, relative to the agent's centre.
     pub end: Vec2,
     /// The edge.
     pub edge: Edge,
 }
 
-/// A solid disc near the choosing agent; near one that is no disc, a wall edge too, as a disc without radius.
+/// A solid disc near the choosing agent. If the agent is not a disc, a wall edge is represented too, as a disc without
+/// radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearDisc {
-    /// Its centre, from the agent's.
+    /// Offset of its centre from the agent's centre.
     pub offset: Vec2,
     /// The disc.
     pub disc: Disc,
-    /// What lies within both radii of this polygon round `offset` touches; a point for an agent that is a disc.
+    /// A polygon around `offset`: the bodies touch if the agent's centre is within both radii of it. A point if the
+    /// agent is a disc.
     pub outline: Outline,
 }
 
-/// What a model sees: one agent and what is near it. The default is a pedestrian that stands alone.
+/// The input of a model: one agent and its surroundings. The default is a pedestrian that stands alone.
 #[derive(Clone, Copy, Debug)]
-pub struct View<'a> {
-    /// Current velocity.
+pub struct AvoidanceInput<'a> {
+    /// Current velocity, m/s.
     pub velocity: Vec2,
-    /// Direction of the body, radians counter-clockwise from +x.
+    /// Heading, radians counter-clockwise from +x.
     pub heading: f32,
-    /// Velocity it would like to have.
+    /// Preferred velocity, m/s.
     pub preferred: Vec2,
-    /// Current velocity upwards.
-    pub climb: f32,
-    /// Velocity upwards that it would like to have.
-    pub preferred_climb: f32,
-    /// Radius of the body.
+    /// Current vertical velocity, m/s, positive upwards.
+    pub vertical_velocity: f32,
+    /// Preferred vertical velocity, m/s.
+    pub preferred_vertical_velocity: f32,
+    /// Radius of the body, metres.
     pub radius: f32,
-    /// Speed not to exceed.
+    /// Top speed, m/s.
     pub max_speed: f32,
-    /// Greatest change of velocity a second; infinite for none.
+    /// Greatest acceleration, m/s²; infinite for no limit.
     pub max_acceleration: f32,
-    /// How far off the way it chose the body may get while it turns, metres; 0: it moves in any direction at once.
-    /// See [`Agent::tracking_error`](crate::Agent::tracking_error).
+    /// Greatest deviation from the chosen path while the body turns, metres; 0 if the body can move in any direction at
+    /// once. See [`Agent::tracking_error`](crate::Agent::tracking_error).
     pub tracking_error: f32,
-    /// Greatest change of heading a second; infinite for none.
+    /// Greatest turn rate, rad/s; infinite for no limit.
     pub max_turn_rate: f32,
-    /// By what factor the radii of neighbours are larger than those of the bodies.
+    /// Factor by which the radii of neighbours are larger than those of the bodies.
     pub margin: f32,
-    /// Seconds until it can choose again.
+    /// Seconds until the agent chooses again.
     pub step: f32,
-    /// Others, nearest first.
-    pub neighbours: &'a [Neighbour],
+    /// The neighbours, nearest first.
+    pub neighbours: &'a [AvoidanceNeighbour],
     /// Wall edges within [`LocalModel::wall_range`], nearest first.
     pub edges: &'a [NearEdge],
     /// Solid discs within [`LocalModel::wall_range`], nearest first.
     pub discs: &'a [NearDisc],
-    /// What random numbers depend on, for models that draw some.
-    pub dice: Dice,
+    /// The random number generator, for models that sample.
+    pub rng: Rng,
 }
 
-impl Default for View<'_> {
+impl Default for AvoidanceInput<'_> {
     fn default() -> Self {
         Self {
             velocity: Vec2::ZERO,
             heading: 0.0,
             preferred: Vec2::ZERO,
-            climb: 0.0,
-            preferred_climb: 0.0,
+            vertical_velocity: 0.0,
+            preferred_vertical_velocity: 0.0,
             radius: 0.2,
             max_speed: 1.8,
             max_acceleration: 5.0,
@@ -183,76 +187,77 @@ impl Default for View<'_> {
             neighbours: &[],
             edges: &[],
             discs: &[],
-            dice: Dice::default(),
+            rng: Rng::default(),
         }
     }
 }
 
-/// Memory that models use while they choose; kept from agent to agent so that a step allocates nothing.
+/// Scratch memory of models. It is reused from agent to agent, so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Workspace {
     /// Half-planes of permitted velocities.
-    pub lines: Vec<Line>,
-    /// Half-planes of the fallback.
-    pub fallback: Vec<Line>,
+    pub lines: Vec<HalfPlane>,
+    /// Half-planes of the fallback optimisation.
+    pub fallback: Vec<HalfPlane>,
     /// Half-spaces of permitted velocities.
-    pub planes: Vec<Plane>,
-    /// Half-spaces of the fallback.
-    pub fallback_planes: Vec<Plane>,
+    pub planes: Vec<HalfSpace>,
+    /// Half-spaces of the fallback optimisation.
+    pub fallback_planes: Vec<HalfSpace>,
     /// Regions of forbidden velocities.
     pub forbidden: Vec<Forbidden>,
-    /// What the half-planes, or the regions, come from.
+    /// The causes of the half-planes, or of the regions.
     pub causes: Vec<Cause>,
 }
 
-/// How the preferred velocity becomes a safe one.
+/// A local collision avoidance model: it chooses a velocity near the preferred one that avoids collisions.
 pub trait LocalModel: std::fmt::Debug + Send + Sync {
-    /// The new velocity of one agent. Pure: the same view gives the same bits.
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2;
+    /// Returns the new velocity of one agent. A pure function: the same input gives the same bits.
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2;
 
-    /// The new velocity of one agent that flies, in space. Models of the plane choose the part along the ground, and
-    /// leave going up and down as it is wanted.
-    fn velocity_in_space(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
-        self.velocity(view, workspace).extend(view.preferred_climb)
+    /// Returns the new velocity in space of one agent that flies. Models of the plane choose the horizontal part and
+    /// keep the preferred vertical velocity.
+    fn velocity_in_space(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec3 {
+        self.velocity(view, workspace).extend(view.preferred_vertical_velocity)
     }
 
-    /// Whether the model looks up and down. One that does not sees nobody who passes clear above or below.
+    /// Whether the model considers altitudes. If not, it does not get neighbours that pass clear above or below.
     fn looks_in_space(&self) -> bool {
         false
     }
 
-    /// Whether the model avoids anybody. One that does not takes the preferred velocity, as far as the top speed allows.
+    /// Whether the model avoids other agents. If not, it takes the preferred velocity, limited to the top speed.
     fn avoids(&self) -> bool {
         true
     }
 
-    /// Whether the model itself brings agents to their preferred velocities by and by. Then
-    /// [`Group::relaxation_time`](crate::Group::relaxation_time) does not count.
+    /// Whether the model itself lets agents approach their preferred velocities gradually. Then
+    /// [`Group::relaxation_time`](crate::Group::relaxation_time) has no effect.
     fn relaxes(&self) -> bool {
         false
     }
 
-    /// Whether the model has forces that part bodies. Then agents do not squeeze past each other (docs/look-ahead.md).
+    /// Whether the model has forces that push bodies apart. Then agents do not squeeze past each other
+    /// (docs/look-ahead.md).
     fn parts_bodies(&self) -> bool {
         false
     }
 
-    /// The model as a plain ORCA, if it is one: the step makes those choose many at a time, with the same bits.
+    /// Returns the model as plain ORCA, if it is equivalent. The step then uses the SIMD version, with the same bits.
     fn as_orca(&self) -> Option<Orca> {
         None
     }
 
-    /// Why [`velocity`](Self::velocity) answers as it does for this view, as data to draw: what each neighbour and
-    /// each wall forbids, or what the model tried and what it found. Never called in a step.
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    /// Returns the reasons for the result of [`velocity`](Self::velocity) for this input, as data to draw: what each
+    /// neighbour and each wall forbids, or which velocities the model evaluated. Never called in a step.
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         let _ = (view, workspace);
         Vec::new()
     }
 
-    /// How far from its centre an agent of this radius and top speed needs to see walls, metres.
+    /// Returns how far from its centre an agent of this radius and top speed needs to see walls, metres.
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32;
 
-    /// What is wrong with the parameters, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
     /// [`Error::Limit`](crate::Error::Limit) names the parameter.
@@ -261,13 +266,13 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
     }
 }
 
-/// By how much larger than the [guard](crate::guard) models take two bodies to be: without it the guard must act
-/// in every contact, which jams corridors; with 8 % doors get arches.
+/// Fraction by which models enlarge two bodies compared with the [guard](crate::guard). Without it the guard must act
+/// in every contact, which jams corridors. With 8 % bodies form arches at doors.
 pub const MARGIN: f32 = 0.03;
 /// [`MARGIN`] for time steps of 0.1 s and longer.
 pub const MARGIN_LONG_STEP: f32 = 0.05;
 
-/// By what factor models take the radii of two bodies to be larger in a step of so many seconds.
+/// Returns the factor by which models enlarge the radii of two bodies in a step of `seconds`.
 pub(crate) fn margin(seconds: f32) -> f32 {
     1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN }
 }

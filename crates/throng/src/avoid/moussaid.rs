@@ -1,25 +1,25 @@
-//! The social force model measured in experiments: Moussaid, Helbing, Garnier, Johansson, Combe, Theraulaz, Experimental
+//! A social force model fitted to experiments: Moussaid, Helbing, Garnier, Johansson, Combe, Theraulaz, Experimental
 //! study of the behavioural mechanisms underlying self-organization in human crowds, Proceedings of the Royal Society B
 //! 276, 2009.
 //!
 //! Accelerations, m/s^2:
 //!
-//! - to the preferred velocity `p`: `(p - v) / tau`;
-//! - from a neighbour: `D = lambda (v_i - v_j) + e_ij`, `e_ij` the unit vector to the neighbour, is the direction of the
-//!   interaction, `theta` the angle from `D` to `e_ij`, `B = gamma |D|`. Braking along `-D`: `A exp(-d / B - (n' B
-//!   theta)^2)`; turning across `D`, away from the neighbour: `A exp(-d / B - (n B theta)^2)`;
+//! - towards the preferred velocity `p`: `(p - v) / tau`;
+//! - from a neighbour: let `e_ij` be the unit vector to the neighbour, `D = lambda (v_i - v_j) + e_ij` the direction of
+//!   the interaction, `theta` the angle from `D` to `e_ij`, and `B = gamma |D|`. Braking along `-D` is
+//!   `A exp(-d / B - (n' B theta)^2)`. Turning across `D`, away from the neighbour, is `A exp(-d / B - (n B theta)^2)`;
 //! - from a wall: `a exp(-d / b)`.
 //!
-//! Distances are between centres, whatever the radii. `side_preference` turns ties to the right, as in the paper:
-//! the side is that of `theta + B side_preference`.
+//! Distances are between centres and do not depend on the radii. `side_preference` resolves ties to the right, as in
+//! the paper: the side is that of `theta + B side_preference`.
 
 use super::collision_free_speed::RANGES;
 use super::separation::exponential;
-use super::{Cause, LocalModel, Neighbour, Reason, View, Workspace};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 
-/// The social force model of Moussaid and others, 2009.
+/// The social force model of Moussaid et al., 2009.
 ///
 /// ```
 /// use throng::avoid::Moussaid2009;
@@ -27,28 +27,28 @@ use glam::Vec2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moussaid2009 {
-    /// Seconds to come to the preferred velocity, the paper's tau. Limit: > 0.
+    /// Time constant of the approach to the preferred velocity, seconds, the paper's tau. Limit: > 0.
     pub relaxation_time: f32,
     /// Greatest acceleration by one neighbour, m/s^2, the paper's A. Limit: >= 0.
     pub strength: f32,
-    /// Range of an interaction whose direction has length 1, metres. Limit: > 0.
+    /// Range of an interaction with a direction `D` of length 1, metres. Limit: > 0.
     pub gamma: f32,
-    /// Weight of the relative velocity against the direction to the neighbour, s/m. Limit: >= 0.
+    /// Weight of the relative velocity relative to the direction to the neighbour, s/m. Limit: >= 0.
     pub lambda: f32,
-    /// How narrow the angle is in which neighbours make the agent turn, 1/m, the paper's n. Limit: >= 0.
+    /// Narrowness of the angle in which neighbours make the agent turn, 1/m, the paper's n. Limit: >= 0.
     pub turning: f32,
-    /// How narrow the angle is in which neighbours make the agent brake, 1/m, the paper's n'. Limit: >= 0.
+    /// Narrowness of the angle in which neighbours make the agent brake, 1/m, the paper's n'. Limit: >= 0.
     pub braking: f32,
     /// Preference for passing on the right, 1/m, the paper's epsilon; negative: on the left. Limit: finite.
     pub side_preference: f32,
     /// Acceleration at the surface of a wall, m/s^2, the paper's a. Limit: >= 0.
     pub strength_obstacles: f32,
-    /// Range of that, metres, the paper's b. Limit: > 0.
+    /// Range of the repulsion by walls, metres, the paper's b. Limit: > 0.
     pub range_obstacles: f32,
 }
 
 impl Default for Moussaid2009 {
-    /// The paper's.
+    /// The values of the paper.
     fn default() -> Self {
         Self {
             relaxation_time: 0.54,
@@ -65,7 +65,7 @@ impl Default for Moussaid2009 {
 }
 
 impl LocalModel for Moussaid2009 {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         view.relaxed(self.pushes(view).map(|(_, push)| push).sum(), self.relaxation_time)
     }
 
@@ -77,8 +77,8 @@ impl LocalModel for Moussaid2009 {
         true
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
-        self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect()
+    fn explain(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec<AvoidanceReason> {
+        self.pushes(view).map(|(cause, push)| AvoidanceReason::Push(cause, push)).collect()
     }
 
     fn wall_range(&self, radius: f32, _: f32) -> f32 {
@@ -99,8 +99,8 @@ impl LocalModel for Moussaid2009 {
 }
 
 impl Moussaid2009 {
-    /// The acceleration by each neighbour and each wall.
-    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+    /// Returns the acceleration by each neighbour and each wall.
+    fn pushes(&self, view: &AvoidanceInput<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
         let neighbours = view.neighbours.iter().enumerate().map(|(index, other)| {
             (Cause::Neighbour(index), self.interaction(view.velocity, other) * (2.0 * other.share))
         });
@@ -110,7 +110,7 @@ impl Moussaid2009 {
         neighbours.chain(walls)
     }
 
-    fn interaction(&self, velocity: Vec2, other: &Neighbour) -> Vec2 {
+    fn interaction(&self, velocity: Vec2, other: &AvoidanceNeighbour) -> Vec2 {
         let (distance, away) = other.separation();
         let interaction = (velocity - other.velocity) * self.lambda - away;
         let length = interaction.length();

@@ -1,19 +1,20 @@
-//! No avoidance at all: what the guard alone does, and what there is to compare with.
+//! No avoidance: the baseline for comparisons. It shows the work of the guard alone.
 
-use super::{LocalModel, View, Workspace};
+use super::{AvoidanceInput, LocalModel, Workspace};
 use glam::Vec2;
 
-/// No avoidance: everybody takes the preferred velocity, and the [guard](crate::guard) stops them in time.
+/// No avoidance: the chosen velocity is the preferred one, and the [guard](crate::guard) stops agents before they
+/// overlap.
 ///
 /// ```
-/// use throng::{Group, avoid::Unavoiding};
-/// let group = Group { model: std::sync::Arc::new(Unavoiding), ..Group::default() };
+/// use throng::{Group, avoid::NoAvoidance};
+/// let group = Group { model: std::sync::Arc::new(NoAvoidance), ..Group::default() };
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Unavoiding;
+pub struct NoAvoidance;
 
-impl LocalModel for Unavoiding {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+impl LocalModel for NoAvoidance {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         view.preferred.clamp_length_max(view.max_speed)
     }
 

@@ -1,22 +1,22 @@
-//! Half-planes that wall edges leave, as RVO2 makes them (MODELS 1.8): an edge forbids the velocities that lead the
-//! body to it within the time horizon, a truncated cone between the tangents at its ends. Standing still is always
-//! permitted.
+//! Half-planes of wall edges, as in RVO2 (`Agent::computeNewVelocity`): an edge forbids the velocities that lead the
+//! body to the edge within the time horizon, a truncated cone between the tangents at its ends. Standing still is
+//! always permitted.
 
-use super::half_plane::Line;
-use super::{Cause, NearEdge, Neighbour, Reason, View, Workspace, orca};
+use super::half_plane::HalfPlane;
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, NearEdge, Workspace, orca};
 use crate::motion::followable;
 use glam::Vec2;
 
 const EPSILON: f32 = 1e-5;
 
 impl Workspace {
-    /// Collects the half-planes that walls leave to a body of `radius`, and those in which the body can move as it
-    /// wants to; remembers what each comes from. All of them permit standing still.
-    pub(super) fn permit(&mut self, view: &View<'_>, radius: f32, horizon: f32) {
+    /// Collects the half-planes that walls permit to a body of `radius`, and those of the velocities that the body can
+    /// follow, with the cause of each. All of them permit standing still.
+    pub(super) fn permit(&mut self, view: &AvoidanceInput<'_>, radius: f32, horizon: f32) {
         let Self { lines, causes, .. } = self;
         lines.clear();
         causes.clear();
-        let mut push = |lines: &mut Vec<Line>, cause: Cause, line: Line| {
+        let mut push = |lines: &mut Vec<HalfPlane>, cause: Cause, line: HalfPlane| {
             lines.push(line);
             causes.push(cause);
         };
@@ -28,15 +28,15 @@ impl Workspace {
             }
         }
         for (index, near) in view.discs.iter().enumerate() {
-            let disc = Neighbour::resting(near.offset, near.disc.radius as f32 + radius);
-            let disc = Neighbour { outline: near.outline, ..disc };
+            let disc = AvoidanceNeighbour::resting(near.offset, near.disc.radius as f32 + radius);
+            let disc = AvoidanceNeighbour { outline: near.outline, ..disc };
             push(lines, Cause::Disc(index), orca::line(view.velocity, &disc, horizon, view.step));
         }
         if view.tracking_error > 0.0 {
             let corners = followable(view.tracking_error, view.heading, view.max_speed, view.max_turn_rate);
             for side in corners.windows(2) {
                 if let Some(direction) = (side[1] - side[0]).try_normalize() {
-                    push(lines, Cause::Body, Line { point: side[0], direction });
+                    push(lines, Cause::Body, HalfPlane { point: side[0], direction });
                 }
             }
         }
@@ -44,28 +44,28 @@ impl Workspace {
 }
 
 impl Workspace {
-    /// The half-planes, as reasons: first those collected by [`permit`](Self::permit), then one of each neighbour.
-    pub(super) fn permissions(&self) -> Vec<Reason> {
+    /// Returns the half-planes as reasons: first those collected by [`permit`](Self::permit), then one per neighbour.
+    pub(super) fn permissions(&self) -> Vec<AvoidanceReason> {
         let neighbours = (0..).map(Cause::Neighbour);
         let causes = self.causes.iter().copied().chain(neighbours);
-        causes.zip(&self.lines).map(|(cause, &line)| Reason::Permits(cause, line)).collect()
+        causes.zip(&self.lines).map(|(cause, &line)| AvoidanceReason::Permits(cause, line)).collect()
     }
 }
 
-/// Whether a line made already forbids all that this edge would.
-fn covered(lines: &[Line], near: &NearEdge, radius: f32, horizon: f32) -> bool {
+/// Whether a line in the list already forbids everything that this edge would forbid.
+fn covered(lines: &[HalfPlane], near: &NearEdge, radius: f32, horizon: f32) -> bool {
     lines.iter().any(|line| {
         [near.start, near.end].into_iter().all(|end| line.violation(end / horizon) >= radius / horizon - EPSILON)
     })
 }
 
-/// Direction along a half-plane through zero that forbids moving towards `offset`.
-fn facing(offset: Vec2) -> Option<Line> {
+/// Returns the half-plane through zero that forbids moving towards `offset`.
+fn facing(offset: Vec2) -> Option<HalfPlane> {
     let direction = offset.perp().normalize_or_zero();
-    Some(Line { point: Vec2::ZERO, direction })
+    Some(HalfPlane { point: Vec2::ZERO, direction })
 }
 
-/// Unit vectors from the origin along the tangents to the disc at `offset`: left and right.
+/// Returns unit vectors from the origin along the tangents to the disc at `offset`: left and right.
 pub(super) fn tangents(offset: Vec2, radius: f32) -> (Vec2, Vec2) {
     let distance_squared = offset.length_squared();
     let leg = (distance_squared - radius * radius).max(0.0).sqrt();
@@ -74,11 +74,11 @@ pub(super) fn tangents(offset: Vec2, radius: f32) -> (Vec2, Vec2) {
     (left / distance_squared, right / distance_squared)
 }
 
-fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option<Line> {
+fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option<HalfPlane> {
     let edge = &near.edge;
     let (start, end) = (near.start, near.end);
     let along = end - start;
-    // seen from the solid side: another edge is in the way
+    // seen from the solid side, another edge is in front
     if along.perp_dot(-start) > 0.0 {
         return None;
     }
@@ -86,19 +86,19 @@ fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option
     let s = -start.dot(along) / along.length_squared();
     let off_line = (start + along * s).length_squared();
 
-    // touching already
+    // the body touches the edge
     if s < 0.0 && start.length_squared() <= radius_squared {
         return if edge.convex_start { facing(start) } else { None };
     }
     if s > 1.0 && end.length_squared() <= radius_squared {
-        // the next edge sees this corner as its start unless it faces away
+        // this corner is the start of the next edge too, which handles it unless it faces away
         return if edge.convex_end && end.perp_dot(edge.next) >= 0.0 { facing(end) } else { None };
     }
     if (0.0..=1.0).contains(&s) && off_line <= radius_squared {
-        return Some(Line { point: Vec2::ZERO, direction: -edge.direction });
+        return Some(HalfPlane { point: Vec2::ZERO, direction: -edge.direction });
     }
 
-    // the legs; an edge seen lengthwise shows one corner only
+    // the legs; an edge seen lengthwise has one visible corner
     let oblique = off_line <= radius_squared;
     let (left_corner, right_corner) = match (oblique, s < 0.0) {
         (true, true) => (start, start),
@@ -116,7 +116,7 @@ fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option
     let mut left = if left_convex { tangents(left_corner, radius).0 } else { -edge.direction };
     let mut right = if right_convex { tangents(right_corner, radius).1 } else { edge.direction };
 
-    // a leg that would lead into the neighbouring edge is that edge's business
+    // a leg that would lead into the neighbouring edge is left to that edge
     let before_left = if at_start { edge.previous } else { edge.direction };
     let after_right = if at_end { edge.next } else { edge.direction };
     let mut left_foreign = false;
@@ -141,7 +141,7 @@ fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option
 
     let round = |cut: Vec2, from: Vec2| {
         let normal = from.normalize_or(-cut.normalize_or(Vec2::X));
-        Some(Line { point: cut + normal * rounding, direction: Vec2::new(normal.y, -normal.x) })
+        Some(HalfPlane { point: cut + normal * rounding, direction: Vec2::new(normal.y, -normal.x) })
     };
     if (t < 0.0 && t_left < 0.0) || (one_corner && t_left < 0.0 && t_right < 0.0) {
         return round(left_cut, from_left);
@@ -158,7 +158,7 @@ fn of_edge(near: &NearEdge, velocity: Vec2, radius: f32, horizon: f32) -> Option
     let to_left = if t_left < 0.0 { f32::INFINITY } else { velocity.distance_squared(left_cut + left * t_left) };
     let to_right = if t_right < 0.0 { f32::INFINITY } else { velocity.distance_squared(right_cut + right * t_right) };
     let along_side =
-        |corner: Vec2, direction: Vec2| Some(Line { point: corner + direction.perp() * rounding, direction });
+        |corner: Vec2, direction: Vec2| Some(HalfPlane { point: corner + direction.perp() * rounding, direction });
     if to_cut <= to_left && to_cut <= to_right {
         along_side(left_cut, -edge.direction)
     } else if to_left <= to_right {

@@ -2,25 +2,25 @@
 //! ISRR 2009 (STAR 70, 2011).
 //!
 //! Each neighbour forbids the relative velocities that lead to a collision within the time horizon: a cone with a
-//! rounded tip. The smallest change of relative velocity out of it, split by shares, gives a half-plane of permitted
-//! velocities for each of the two; the velocity closest to the preferred one within all half-planes is chosen.
-//! Walls are never violated; where neighbours leave no velocity, the greatest violation is made least.
+//! rounded tip. The smallest change of relative velocity out of the cone, split by shares, gives a half-plane of
+//! permitted velocities for each of the two agents. The velocity closest to the preferred one within all half-planes is
+//! chosen. Walls are never violated. If neighbours leave no velocity, the greatest violation is minimised.
 
-use super::half_plane::{Line, closest_velocity, least_violation};
-use super::{LocalModel, Neighbour, Reason, View, Workspace, obstacle_lines, turning};
+use super::half_plane::{HalfPlane, closest_velocity, least_violation};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, LocalModel, Workspace, obstacle_lines, turning};
 use crate::Error;
 use glam::Vec2;
 
-/// The velocity that an agent's half-planes are built from: the one that it is taken to have while the others choose
-/// (the paper's optimisation velocity, section 4.2).
+/// The velocity from which an agent's half-planes are built: the velocity that other agents assume for the agent while
+/// they choose (the paper's optimisation velocity, section 4.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BuiltFrom {
-    /// The present one: the compromise that the paper and RVO2 settle on.
+    /// The present velocity: the compromise of the paper and of RVO2.
     #[default]
     Current,
-    /// The preferred one: better where there is room; in a crowd often nothing is left.
+    /// The preferred velocity: better where there is room, but in a dense crowd often no velocity is permitted.
     Preferred,
-    /// None: something is always left, but a dense crowd stands.
+    /// Zero: some velocity is always permitted, but a dense crowd stands still.
     Zero,
 }
 
@@ -32,12 +32,12 @@ pub enum BuiltFrom {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orca {
-    /// Seconds ahead for which a velocity must be safe from other agents. Longer reacts earlier, and leaves fewer
-    /// velocities in a crowd. Limit: > 0; 1 to 3 for pedestrians.
+    /// Seconds ahead for which a velocity must be safe from other agents. A longer horizon reacts earlier and permits
+    /// fewer velocities in a crowd. Limit: > 0; 1 to 3 for pedestrians.
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0; 0.5 to 1 for pedestrians.
     pub time_horizon_obstacles: f32,
-    /// How much cheaper it is to turn than to change speed: above 1 agents rather turn, below 1 they rather brake
+    /// How much cheaper it is to turn than to change speed: above 1 agents prefer to turn, below 1 they prefer to brake
     /// (Curtis, Manocha, Pedestrian simulation using geometric reasoning in velocity space, 2014). Limit: 0.1 to 10.
     pub turning_bias: f32,
     /// The velocity that the half-planes are built from.
@@ -50,14 +50,14 @@ impl Default for Orca {
     }
 }
 
-/// Seconds over which an overlap, or a margin that is used up, is given back. Shorter is a shove.
+/// Seconds over which an overlap, or a margin that is used up, is restored. A shorter time pushes abruptly.
 pub(super) const RECOVERY: f32 = 0.25;
 
-/// By how much larger than it is a body is taken to be at walls: enough to keep the guard out of it.
+/// Fraction by which a body is enlarged at walls: enough to make corrections by the guard unnecessary.
 const WALL_MARGIN: f32 = 0.01;
 
 impl LocalModel for Orca {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         let hard = self.permit(view, workspace);
         let Workspace { lines, fallback, .. } = workspace;
         if self.turning_bias == 1.0 {
@@ -71,7 +71,7 @@ impl LocalModel for Orca {
         (self.turning_bias == 1.0 && self.built_from == BuiltFrom::Current).then_some(*self)
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         self.permit(view, workspace);
         workspace.permissions()
     }
@@ -89,14 +89,14 @@ impl LocalModel for Orca {
 }
 
 impl Orca {
-    /// Collects the half-planes of walls and the body.
-    pub(crate) fn permit_walls<'a>(&self, view: &View<'_>, workspace: &'a mut Workspace) -> &'a [Line] {
+    /// Collects the half-planes of walls and of the body.
+    pub(crate) fn permit_walls<'a>(&self, view: &AvoidanceInput<'_>, workspace: &'a mut Workspace) -> &'a [HalfPlane] {
         workspace.permit(view, view.radius * (1.0 + WALL_MARGIN), self.time_horizon_obstacles);
         &workspace.lines
     }
 
-    /// Collects the half-planes of walls and the body, and then those of neighbours; tells how many the former are.
-    fn permit(&self, view: &View<'_>, workspace: &mut Workspace) -> usize {
+    /// Collects the half-planes of walls and of the body, then those of neighbours. Returns the number of the former.
+    fn permit(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> usize {
         let of = |current: Vec2, preferred: Vec2| match self.built_from {
             BuiltFrom::Current => current,
             BuiltFrom::Preferred => preferred,
@@ -106,23 +106,29 @@ impl Orca {
         let hard = self.permit_walls(view, workspace).len();
         let lines = &mut workspace.lines;
         lines.extend(view.neighbours.iter().map(|n| {
-            let other = Neighbour { velocity: of(n.velocity, n.preferred), ..*n };
+            let other = AvoidanceNeighbour { velocity: of(n.velocity, n.preferred), ..*n };
             line(velocity, &other, self.time_horizon, view.step)
         }));
         hard
     }
 }
 
-/// The velocity closest to the preferred one that all half-planes permit; where there is none, the first `hard` are
-/// kept, and the greatest violation of the others is made least.
-pub(super) fn optimum(lines: &[Line], hard: usize, speed: f32, preferred: Vec2, fallback: &mut Vec<Line>) -> Vec2 {
+/// Returns the velocity closest to the preferred one that all half-planes permit. If there is none, the first `hard`
+/// half-planes are satisfied and the greatest violation of the remaining ones is minimised.
+pub(super) fn optimum(
+    lines: &[HalfPlane],
+    hard: usize,
+    speed: f32,
+    preferred: Vec2,
+    fallback: &mut Vec<HalfPlane>,
+) -> Vec2 {
     closest_velocity(lines, speed, preferred)
         .unwrap_or_else(|failed| least_violation(lines, hard, speed, failed, fallback))
 }
 
-/// The half-plane that one neighbour leaves to an agent of the given velocity.
-pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -> Line {
-    let Neighbour { offset, radii, .. } = *other;
+/// Returns the half-plane that one neighbour permits to an agent of the given velocity.
+pub(super) fn line(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, step: f32) -> HalfPlane {
+    let AvoidanceNeighbour { offset, radii, .. } = *other;
     let relative = velocity - other.velocity;
     let distance_squared = offset.length_squared();
     let (change, normal) = if !other.outline.is_point() {
@@ -142,7 +148,7 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
             (direction * relative.dot(direction) - relative, direction.perp())
         }
     } else {
-        // too close: part, within the recovery time
+        // too close: move apart within the recovery time
         let time = step.max(RECOVERY);
         let w = relative - offset / time;
         let length = w.length();
@@ -150,5 +156,5 @@ pub(super) fn line(velocity: Vec2, other: &Neighbour, horizon: f32, step: f32) -
         (normal * (radii / time - length), normal)
     };
     let part = if change.dot(normal) > 0.0 { other.share } else { other.room };
-    Line { point: velocity + change * part, direction: Vec2::new(normal.y, -normal.x) }
+    HalfPlane { point: velocity + change * part, direction: Vec2::new(normal.y, -normal.x) }
 }

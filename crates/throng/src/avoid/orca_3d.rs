@@ -1,16 +1,16 @@
 //! Optimal reciprocal collision avoidance in space: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision
-//! avoidance, ISRR 2009 (section 4, in three dimensions); MODELS 1.5.
+//! avoidance, ISRR 2009 (section 4, in three dimensions), as in RVO2-3D.
 //!
-//! As [`Orca`](super::Orca), with half-spaces: the velocities that lead to a collision within the time horizon are
-//! a cone with a rounded tip about the line to the neighbour. Walls stand upright and are taken to have no end: each
-//! leaves the half-space before the point nearest to the body.
+//! As [`Orca`](super::Orca), with half-spaces: the velocities that lead to a collision within the time horizon are a
+//! cone with a rounded tip about the line to the neighbour. Walls stand upright and are taken to be infinitely high.
+//! Each permits the half-space in front of its point nearest to the body.
 
-use super::half_space::{Plane, closest_velocity_in_space, least_violation_in_space};
-use super::{LocalModel, Neighbour, View, Workspace};
+use super::half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
+use super::{AvoidanceInput, AvoidanceNeighbour, LocalModel, Workspace};
 use crate::Error;
 use glam::{Vec2, Vec3};
 
-/// Optimal reciprocal collision avoidance for those who fly.
+/// Optimal reciprocal collision avoidance for agents that fly.
 ///
 /// ```
 /// use throng::avoid::Orca3d;
@@ -22,8 +22,8 @@ pub struct Orca3d {
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
     pub time_horizon_obstacles: f32,
-    /// How much taller than they are bodies are taken to be: above 1 they rather avoid sideways than up and down, as
-    /// birds and drones do. Limit: 1 to 10.
+    /// Factor by which bodies are stretched vertically: above 1 agents prefer to avoid sideways rather than up and
+    /// down, as birds and drones do. Limit: 1 to 10.
     pub vertical_scale: f32,
 }
 
@@ -34,15 +34,15 @@ impl Default for Orca3d {
 }
 
 impl LocalModel for Orca3d {
-    /// The part of [`velocity_in_space`](Self::velocity_in_space) along the ground.
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    /// Returns the horizontal part of [`velocity_in_space`](Self::velocity_in_space).
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         self.velocity_in_space(view, workspace).truncate()
     }
 
-    fn velocity_in_space(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
-        // spheres where the upright axis is shrunk
+    fn velocity_in_space(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec3 {
+        // shrinking the vertical axis turns the stretched bodies into spheres
         let shrink = Vec3::new(1.0, 1.0, 1.0 / self.vertical_scale);
-        let velocity = view.velocity.extend(view.climb) * shrink;
+        let velocity = view.velocity.extend(view.vertical_velocity) * shrink;
         let Workspace { planes, fallback_planes, .. } = workspace;
         planes.clear();
         for near in view.edges {
@@ -56,12 +56,12 @@ impl LocalModel for Orca3d {
         let hard = planes.len();
         planes.extend(view.neighbours.iter().map(|other| {
             let offset = other.offset.extend(other.above) * shrink;
-            let theirs = other.velocity.extend(other.climb) * shrink;
-            let Plane { point, normal } = plane(velocity, offset, theirs, other, self.time_horizon, view.step);
-            // the same half-space where nothing is shrunk
-            Plane { point: point / shrink, normal: (normal * shrink).normalize() }
+            let theirs = other.velocity.extend(other.vertical_velocity) * shrink;
+            let HalfSpace { point, normal } = plane(velocity, offset, theirs, other, self.time_horizon, view.step);
+            // the same half-space in unscaled space
+            HalfSpace { point: point / shrink, normal: (normal * shrink).normalize() }
         }));
-        let preferred = view.preferred.extend(view.preferred_climb);
+        let preferred = view.preferred.extend(view.preferred_vertical_velocity);
         closest_velocity_in_space(planes, view.max_speed, preferred)
             .unwrap_or_else(|failed| least_violation_in_space(planes, hard, view.max_speed, failed, fallback_planes))
     }
@@ -82,25 +82,26 @@ impl LocalModel for Orca3d {
     }
 }
 
-/// The point of an edge nearest to the origin.
+/// Returns the point of an edge nearest to the origin.
 fn nearest_on_edge(start: Vec2, end: Vec2) -> Vec2 {
     let along = end - start;
     start + along * (-start.dot(along) / along.length_squared()).clamp(0.0, 1.0)
 }
 
-/// What a wall leaves whose nearest point is this: not to touch it within the horizon, or not to come nearer.
-fn wall(nearest: Vec2, radius: f32, horizon: f32) -> Plane {
+/// Returns the half-space that a wall with this nearest point permits: the body does not reach the wall within the
+/// horizon, or comes no nearer if it touches the wall.
+fn wall(nearest: Vec2, radius: f32, horizon: f32) -> HalfSpace {
     let distance = nearest.length();
     let normal = (-nearest).normalize_or(Vec2::X);
     let point = normal * -((distance - radius).max(0.0) / horizon);
-    Plane { point: point.extend(0.0), normal: normal.extend(0.0) }
+    HalfSpace { point: point.extend(0.0), normal: normal.extend(0.0) }
 }
 
-/// Seconds over which an overlap, or a margin that is used up, is given back.
+/// Seconds over which an overlap, or a margin that is used up, is restored.
 const RECOVERY: f32 = 0.25;
 
-/// The half-space that a neighbour leaves to an agent of the given velocity.
-fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon: f32, step: f32) -> Plane {
+/// Returns the half-space that a neighbour permits to an agent of the given velocity.
+fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &AvoidanceNeighbour, horizon: f32, step: f32) -> HalfSpace {
     let radii = other.radii;
     let relative = velocity - theirs;
     let distance_squared = offset.length_squared();
@@ -111,7 +112,7 @@ fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon:
         (normal * (radii / horizon - length), normal)
     };
     let (change, normal) = if distance_squared <= radii * radii {
-        // too close: part, within the recovery time
+        // too close: move apart within the recovery time
         out_of(step.max(RECOVERY))
     } else {
         let w = relative - offset / horizon;
@@ -120,7 +121,7 @@ fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon:
             // nearest on the rounded tip
             out_of(horizon)
         } else {
-            // nearest on the cone: on its side in the plane through its axis and the relative velocity
+            // nearest on the cone, on its side in the plane through its axis and the relative velocity
             let distance = distance_squared.sqrt();
             let (axis, sine) = (offset / distance, radii / distance);
             let cosine = (1.0 - sine * sine).max(0.0).sqrt();
@@ -132,5 +133,5 @@ fn plane(velocity: Vec3, offset: Vec3, theirs: Vec3, other: &Neighbour, horizon:
         }
     };
     let part = if change.dot(normal) > 0.0 { other.share } else { other.room };
-    Plane { point: velocity + change * part, normal }
+    HalfSpace { point: velocity + change * part, normal }
 }

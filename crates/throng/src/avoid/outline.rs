@@ -1,32 +1,32 @@
-//! Bodies that are no discs, as models see them: a point against a rounded convex polygon, the Minkowski difference of the
-//! two cores. A body collides when the point, which moves with the relative velocity, comes within the sum of the radii
-//! of the polygon.
+//! Bodies that are not discs, as models see them: a point and a rounded convex polygon, the Minkowski difference of the
+//! two cores. The bodies collide when the point, which moves with the relative velocity, comes within the sum of the
+//! radii of the polygon.
 
-use super::Neighbour;
+use super::AvoidanceNeighbour;
 use super::collision::{time_to_disc, time_to_segment};
 use super::obstacle_lines::tangents;
 use crate::space::Core;
 use glam::{DVec2, Vec2};
 use std::cmp::Ordering;
 
-/// A convex polygon of at most eight corners, counter-clockwise; one corner at zero for two discs.
+/// A convex polygon of at most eight corners, counter-clockwise. For two discs it is one corner at zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outline {
     corners: [Vec2; 8],
     count: u8,
 }
 
-/// Corners nearer to each other than this, metres, are one.
+/// Corners closer than this, metres, count as one.
 const SAME: f64 = 1e-6;
 
 impl Outline {
-    /// Two discs.
+    /// The outline of two discs.
     pub const POINT: Self = Self { corners: [Vec2::ZERO; 8], count: 1 };
 
-    /// The differences of points of `other` and points of `own`, seen from that of the centres.
+    /// Returns the differences of points of `other` and points of `own`, relative to the difference of the centres.
     pub fn between(own: &Core, other: &Core) -> Self {
         let sides = [own, other].map(|core| [core.along * core.half.x, core.along.perp() * core.half.y]);
-        // halves of both cores' sides in the order of their directions: half of the way round, the rest is opposite
+        // half sides of both cores, ordered by direction over half a turn; the other half is opposite
         let mut halves = [DVec2::ZERO; 4];
         let mut count = 0;
         for &side in sides.as_flattened() {
@@ -36,7 +36,7 @@ impl Outline {
             }
         }
         let sides = &mut halves[..count];
-        // parallel ones stay as they are, however sorts are done
+        // parallel sides keep their order in any stable sort
         sides.sort_by(|a, b| 0.0f64.partial_cmp(&a.perp_dot(*b)).unwrap_or(Ordering::Equal));
         let mut outline = Self::POINT;
         let mut at = -sides.iter().sum::<DVec2>();
@@ -45,7 +45,7 @@ impl Outline {
             at += 2.0 * *side;
             outline.corners[k + 1] = at.as_vec2();
         }
-        // the corner opposite the first is there already
+        // the corner opposite the first is in the list already
         for k in 1..sides.len() {
             outline.corners[sides.len() + k] = -outline.corners[k];
         }
@@ -53,25 +53,25 @@ impl Outline {
         outline
     }
 
-    /// Its corners.
+    /// Returns the corners.
     pub fn corners(&self) -> &[Vec2] {
         &self.corners[..usize::from(self.count)]
     }
 
-    /// Whether it is that of two discs.
+    /// Whether this is the outline of two discs.
     pub fn is_point(&self) -> bool {
         self.count == 1
     }
 
-    /// Its sides: start, and unit vector out of the polygon across it.
+    /// Returns the sides: the start, and the unit normal out of the polygon.
     fn sides(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
         let corners = self.corners();
         let next = corners.iter().cycle().skip(1);
         corners.iter().zip(next).map(|(&a, &b)| (a, -(b - a).perp().normalize_or_zero()))
     }
 
-    /// Seconds until a point that moves with `velocity` comes within `radii` of the polygon at `offset`; infinite if it
-    /// never does. Who is already within and comes nearer collides now.
+    /// Returns the seconds until a point that moves with `velocity` comes within `radii` of the polygon at `offset`;
+    /// infinite if it never does. A point that is already within and comes nearer collides now.
     pub fn time_to_collision(&self, offset: Vec2, velocity: Vec2, radii: f32) -> f32 {
         if self.is_point() {
             return time_to_disc(offset, velocity, radii);
@@ -86,8 +86,8 @@ impl Outline {
         sides.map(|(&a, &b)| time_to_segment(offset + a, offset + b, velocity, radii)).fold(f32::INFINITY, f32::min)
     }
 
-    /// Unit vectors from the origin along the tangents to the rounded polygon at `offset`: left and right. The origin
-    /// must be outside of it.
+    /// Returns unit vectors from the origin along the tangents to the rounded polygon at `offset`: left and right. The
+    /// origin must be outside of the rounded polygon.
     pub fn tangents(&self, offset: Vec2, radii: f32) -> (Vec2, Vec2) {
         if self.is_point() {
             return tangents(offset, radii);
@@ -108,14 +108,15 @@ impl Outline {
         self.boundary(offset, Vec2::ZERO, 1.0, radii, None).0 <= 0.0
     }
 
-    /// How far a velocity is outside of what leads into the rounded polygon within `time` seconds, negative inside, and
-    /// the unit normal of the boundary where it is nearest. With the tangents given: what leads into it at any moment
-    /// until then, the truncated velocity obstacle; without: at that very moment.
+    /// Returns the signed distance of a velocity from the velocities that lead into the rounded polygon (negative
+    /// inside), and the unit normal at the nearest point of their boundary. With the tangents in `legs` these are the
+    /// velocities that lead into it at any time up to `time` seconds, the truncated velocity obstacle. Without, those
+    /// that lead into it at that time exactly.
     ///
-    /// Both are convex, so the distance is the greatest, over the directions `n` in which the boundary faces, of
-    /// `n . v` less the farthest that the set reaches along `n`. The truncated obstacle faces only where `n` points along
-    /// neither leg, and reaches there as far as the polygon at the end of the time. The greatest is found at a side, at
-    /// a leg, or on the line to a corner.
+    /// Both sets are convex, so the distance is the maximum, over the directions `n` of outward normals, of `n . v`
+    /// less the extent of the set along `n`. The truncated obstacle has only normals that point along neither leg.
+    /// Along these its extent is that of the polygon at the end of the time. The maximum is found at a side, at a leg,
+    /// or on the line to a corner.
     pub fn boundary(
         &self,
         offset: Vec2,
@@ -146,9 +147,9 @@ impl Default for Outline {
     }
 }
 
-impl Neighbour {
-    /// Seconds until the two collide if they keep this relative velocity, own less the neighbour's; infinite if they
-    /// never do. Who already touches and comes nearer collides now.
+impl AvoidanceNeighbour {
+    /// Returns the seconds until the two collide if they keep this relative velocity, the agent's less the neighbour's;
+    /// infinite if they never do. Two that touch and come nearer collide now.
     pub fn time_to_collision(&self, relative: Vec2) -> f32 {
         self.outline.time_to_collision(self.offset, relative, self.radii)
     }
@@ -158,13 +159,14 @@ impl Neighbour {
         self.outline.touches(self.offset, self.radii)
     }
 
-    /// Unit vectors along the legs of the velocity obstacle: left and right. The two must not touch.
+    /// Returns unit vectors along the legs of the velocity obstacle: left and right. The two must not touch.
     pub fn legs(&self) -> (Vec2, Vec2) {
         self.outline.tangents(self.offset, self.radii)
     }
 
-    /// The least change of a relative velocity to the boundary of those that lead to a collision within `horizon`
-    /// seconds, and the unit normal out of them there; of two who touch, of those that leave them so after `recovery`.
+    /// Returns the smallest change of a relative velocity to the boundary of the velocities that lead to a collision
+    /// within `horizon` seconds, and the outward unit normal there. For two that touch, the velocities in question are
+    /// those with which they still touch after `recovery` seconds.
     pub(super) fn change(&self, relative: Vec2, horizon: f32, recovery: f32) -> (Vec2, Vec2) {
         let touches = self.touches();
         let legs = (!touches).then(|| self.legs());
@@ -175,5 +177,5 @@ impl Neighbour {
     }
 }
 
-/// Cosine up to which a normal counts as across a leg or turned away from it.
+/// Greatest cosine at which a normal counts as across a leg or turned away from it.
 const TURNED_AWAY: f32 = 1e-6;

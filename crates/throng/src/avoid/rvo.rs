@@ -1,42 +1,42 @@
 //! Reciprocal velocity obstacles: van den Berg, Lin, Manocha, Reciprocal velocity obstacles for real-time multi-agent
 //! navigation, ICRA 2008.
 //!
-//! Each of two takes its share of the avoiding: a velocity v is judged by what both would have if the other did the
-//! same, v / share + (1 - 1 / share) of the present one. The velocity of least penalty is taken: weight / time to
-//! collision + distance from the preferred one (section V), so that there is one in any crowd. Walls do nothing: all
-//! of the avoiding falls on the agent.
+//! Each of two agents takes its share of the avoidance. A velocity v is judged by the relative velocity that both would
+//! have if the neighbour did the same: v / share + (1 - 1 / share) times the present velocity, less the neighbour's.
+//! The velocity of least penalty is chosen: weight / time to collision + distance from the preferred velocity (section
+//! V), so that there is one in any crowd. Walls do not avoid: all of the avoidance falls on the agent.
 
-use super::sampling::{self, Search};
-use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace};
+use super::sampling::{self, SamplePattern};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 
 /// Reciprocal velocity obstacles.
 ///
 /// ```
-/// use throng::avoid::{Rvo, Search};
+/// use throng::avoid::{Rvo, SamplePattern};
 /// let shy = Rvo { weight: 2.0, ..Rvo::default() };
-/// // as the authors' library searches
-/// let drawn = Rvo { search: Search::Random { candidates: 250 }, time_horizon_obstacles: None, ..Rvo::default() };
+/// // the search of the authors' library
+/// let drawn = Rvo { search: SamplePattern::Random { candidates: 250 }, time_horizon_obstacles: None, ..Rvo::default() };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rvo {
-    /// Weight of the time to a collision against the distance from the preferred velocity, metres: small is aggressive,
-    /// large is shy. Limit: > 0.
+    /// Weight of the time to collision relative to the distance from the preferred velocity, metres: small is
+    /// aggressive, large is shy. Limit: > 0.
     pub weight: f32,
-    /// The part of the avoiding that is done where both have the same right of way, the paper's alpha. Both of a pair
-    /// together should have 1. Limit: 0.1 to 1.
+    /// Share of the avoidance if both agents have the same right of way, the paper's alpha. The shares of a pair should
+    /// add up to 1. Limit: 0.1 to 1.
     pub responsibility: f32,
-    /// Collisions farther ahead count for nothing, seconds; infinite in the paper. Limit: > 0.
+    /// Collisions farther ahead than this, seconds, are ignored; infinite in the paper. Limit: > 0.
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. `None`: a wall counts only if the body could not
     /// brake in time, as in the authors' library. Limit: > 0.
     pub time_horizon_obstacles: Option<f32>,
-    /// Whether only velocities are tried that can be reached within a step, as in the paper. Else the best velocity is
-    /// sought, and the body changes towards it as fast as it can, as in the authors' library.
+    /// Whether only velocities are tried that the body can reach within a step, as in the paper. Otherwise the best
+    /// velocity is sought, and the body changes towards it as fast as it can, as in the authors' library.
     pub kinodynamic: bool,
-    /// Which velocities are tried.
-    pub search: Search,
+    /// The velocities that are tried.
+    pub search: SamplePattern,
 }
 
 impl Default for Rvo {
@@ -47,28 +47,28 @@ impl Default for Rvo {
             time_horizon: 5.0,
             time_horizon_obstacles: Some(0.7),
             kinodynamic: false,
-            search: Search::Adaptive,
+            search: SamplePattern::Adaptive,
         }
     }
 }
 
-/// The least share: with none at all an agent would not see the other.
+/// The least share: with a share of 0 an agent would not see the neighbour.
 const LEAST_SHARE: f32 = 0.1;
 
 impl LocalModel for Rvo {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         self.choose(view, None)
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec<AvoidanceReason> {
         let cones = view.neighbours.iter().enumerate().map(|(index, other)| {
-            let other = Neighbour { share: self.share(other), ..*other };
+            let other = AvoidanceNeighbour { share: self.share(other), ..*other };
             match Forbidden::truncated(view.velocity, &other, self.time_horizon, view.step) {
-                Forbidden::RightOf(line) => Reason::Permits(Cause::Neighbour(index), line),
-                cone => Reason::Forbids(Cause::Neighbour(index), cone),
+                Forbidden::RightOf(line) => AvoidanceReason::Permits(Cause::Neighbour(index), line),
+                cone => AvoidanceReason::Forbids(Cause::Neighbour(index), cone),
             }
         });
-        let mut reasons: Vec<Reason> = cones.collect();
+        let mut reasons: Vec<AvoidanceReason> = cones.collect();
         let mut candidates = Vec::new();
         self.choose(view, Some(&mut candidates));
         reasons.extend(candidates);
@@ -76,7 +76,8 @@ impl LocalModel for Rvo {
     }
 
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
-        // how far a body gets while it brakes depends on its acceleration; who brakes slowly looks this far
+        // the braking distance depends on the acceleration, which is not known here: this covers bodies that brake
+        // slowly
         self.time_horizon_obstacles.unwrap_or(BRAKING_TIME) * max_speed + radius
     }
 
@@ -91,47 +92,47 @@ impl LocalModel for Rvo {
     }
 }
 
-/// Seconds of braking, from top speed, for which walls are looked at.
+/// Seconds of braking from top speed for which walls are considered.
 const BRAKING_TIME: f32 = 2.0;
 
 impl Rvo {
-    fn share(&self, other: &Neighbour) -> f32 {
+    fn share(&self, other: &AvoidanceNeighbour) -> f32 {
         (other.share + self.responsibility - 0.5).clamp(LEAST_SHARE, 1.0)
     }
 
-    /// The velocity of least penalty; notes all that were tried, if asked to.
-    fn choose(&self, view: &View<'_>, mut tried: Option<&mut Vec<Reason>>) -> Vec2 {
+    /// Returns the velocity of least penalty. Adds all velocities that were evaluated to `tried`, if given.
+    fn choose(&self, view: &AvoidanceInput<'_>, mut tried: Option<&mut Vec<AvoidanceReason>>) -> Vec2 {
         let reach = view.max_acceleration * view.step;
         let reachable = |v: Vec2| {
             let v = if self.kinodynamic { view.velocity + (v - view.velocity).clamp_length_max(reach) } else { v };
             v.clamp_length_max(view.max_speed)
         };
         let overlaps = view.neighbours.iter().any(|n| is_overlap(view, n));
-        sampling::cheapest(self.search, view, |wish, best| {
-            let velocity = reachable(wish);
+        sampling::cheapest(self.search, view, |chosen, best| {
+            let velocity = reachable(chosen);
             let enough = if tried.is_some() { f32::INFINITY } else { best };
             let cost = if overlaps { self.leaving(view, velocity) } else { self.penalty(view, velocity, enough) };
             if let Some(tried) = &mut tried {
-                tried.push(Reason::Candidate { velocity, cost });
+                tried.push(AvoidanceReason::Candidate { velocity, cost });
             }
             (velocity, cost)
         })
     }
 
-    fn judged(&self, view: &View<'_>, other: &Neighbour, v: Vec2) -> Vec2 {
+    fn judged(&self, view: &AvoidanceInput<'_>, other: &AvoidanceNeighbour, v: Vec2) -> Vec2 {
         let share = self.share(other);
         v / share + view.velocity * (1.0 - 1.0 / share) - other.velocity
     }
 
-    /// What a velocity costs; if that is not less than `enough`, no less than it.
-    fn penalty(&self, view: &View<'_>, v: Vec2, enough: f32) -> f32 {
+    /// Returns the cost of a velocity. A cost of at least `enough` may be underestimated, but not below `enough`.
+    fn penalty(&self, view: &AvoidanceInput<'_>, v: Vec2, enough: f32) -> f32 {
         let distance = v.distance(view.preferred);
         if distance >= enough {
             return distance;
         }
         let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
         let wall_horizon = self.time_horizon_obstacles.unwrap_or_else(|| {
-            // a wall that is reached later than the body stands is no wall yet
+            // a wall counts only if the body would reach it before it could stop
             view.step.max(v.length() / view.max_acceleration)
         });
         let mut most = penalty(view.time_to_walls(v, view.radius), wall_horizon);
@@ -144,22 +145,23 @@ impl Rvo {
         distance + most
     }
 
-    /// What a velocity costs one who overlaps others: only those count, and how soon it is out (the authors' library).
-    fn leaving(&self, view: &View<'_>, v: Vec2) -> f32 {
+    /// Returns the cost of a velocity for an agent that overlaps neighbours: how soon it ends the overlaps. Other
+    /// neighbours are ignored, as in the authors' library.
+    fn leaving(&self, view: &AvoidanceInput<'_>, v: Vec2) -> f32 {
         let overlapped = view.neighbours.iter().filter(|n| is_overlap(view, n));
         let steps = overlapped.map(|n| (time_to_leave(n, self.judged(view, n, v)) / view.step).ceil());
         steps.fold(0.0, f32::max) + v.length_squared() / (view.max_speed * view.max_speed)
     }
 }
 
-/// Whether discs overlap, margins left aside.
-fn is_overlap(view: &View<'_>, other: &Neighbour) -> bool {
+/// Whether discs overlap, without margins.
+fn is_overlap(view: &AvoidanceInput<'_>, other: &AvoidanceNeighbour) -> bool {
     let radii = other.radii / view.margin;
     other.outline.is_point() && other.offset.length_squared() < radii * radii * 0.999
 }
 
-/// Seconds until an overlap ends; many if it does not.
-fn time_to_leave(other: &Neighbour, velocity: Vec2) -> f32 {
+/// Returns the seconds until an overlap ends; 1e4 if it does not end.
+fn time_to_leave(other: &AvoidanceNeighbour, velocity: Vec2) -> f32 {
     let approach = other.offset.dot(velocity);
     let speed_squared = velocity.length_squared();
     let gap = other.offset.length_squared() - other.radii * other.radii;

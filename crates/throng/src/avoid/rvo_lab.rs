@@ -1,21 +1,24 @@
-//! Reciprocal velocity obstacles as students wrote them: the algorithm of two lab reports (Zhejiang University, 2020
-//! and 2021), faults included, to reproduce the reports and to compare with.
+//! Reciprocal velocity obstacles as students implemented them: the algorithm of two lab reports (Zhejiang University,
+//! 2020 and 2021), with its faults, to reproduce the reports and for comparison.
 //!
-//! A velocity is forbidden if it points into the cone of any neighbour, the apex at the mean of the two velocities:
-//! however far away the collision is. Of 63 directions by 5 speeds and the preferred velocity the nearest that is
-//! not forbidden is taken; where all are, the agent stops, though it is still in the plans of others. Obstacles are
-//! treated like neighbours that stand, as if they did half of the avoiding. That is why agents overlap by a few
-//! per cent, block each other, and tremble ([`Rvo`](super::Rvo) does not).
+//! A velocity is forbidden if it points into the cone of any neighbour, with the apex at the mean of the two
+//! velocities, however far away the collision is. Candidates are the preferred velocity and 63 directions by 5 speeds.
+//! The model takes the candidate nearest to the preferred velocity that is not forbidden. If all are forbidden the
+//! agent stops, though its neighbours do not expect that. Obstacles are treated like neighbours that stand still, as if
+//! they did half of the avoidance. That is why agents overlap by a few per cent, block each other, and tremble
+//! ([`Rvo`](super::Rvo) does not).
 
-use super::{Cause, Forbidden, LocalModel, Neighbour, Reason, View, Workspace, time_to_segment};
+use super::{
+    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace, time_to_segment,
+};
 use glam::Vec2;
 
-/// Directions tried, and the angle between two of them, radians.
+/// Number of directions tried, and the angle between two of them, radians.
 const DIRECTIONS: usize = 63;
 const BETWEEN: f32 = 0.1;
-/// Speeds tried, up to the preferred one.
+/// Number of speeds tried, up to the preferred one.
 const SPEEDS: usize = 5;
-/// How far away walls are seen, metres.
+/// Range within which walls are considered, metres.
 const WALL_RANGE: f32 = 5.0;
 
 /// Reciprocal velocity obstacles as in the lab reports. Meant for groups without the guard.
@@ -28,17 +31,23 @@ const WALL_RANGE: f32 = 5.0;
 pub struct RvoLab;
 
 impl LocalModel for RvoLab {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         choose(view, &mut workspace.forbidden, |_, _| ())
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         let neighbours = view.neighbours.iter().enumerate();
-        let mut reasons: Vec<Reason> = neighbours
-            .map(|(index, other)| Reason::Forbids(Cause::Neighbour(index), cone(view, other)))
-            .chain(discs(view).enumerate().map(|(index, disc)| Reason::Forbids(Cause::Disc(index), cone(view, &disc))))
+        let mut reasons: Vec<AvoidanceReason> = neighbours
+            .map(|(index, other)| AvoidanceReason::Forbids(Cause::Neighbour(index), cone(view, other)))
+            .chain(
+                discs(view)
+                    .enumerate()
+                    .map(|(index, disc)| AvoidanceReason::Forbids(Cause::Disc(index), cone(view, &disc))),
+            )
             .collect();
-        choose(view, &mut workspace.forbidden, |velocity, cost| reasons.push(Reason::Candidate { velocity, cost }));
+        choose(view, &mut workspace.forbidden, |velocity, cost| {
+            reasons.push(AvoidanceReason::Candidate { velocity, cost })
+        });
         reasons
     }
 
@@ -47,22 +56,22 @@ impl LocalModel for RvoLab {
     }
 }
 
-/// The reports know no margin around bodies.
-fn radii(view: &View<'_>, other: &Neighbour) -> f32 {
+/// Returns the sum of radii without the margin, which the reports do not have.
+fn radii(view: &AvoidanceInput<'_>, other: &AvoidanceNeighbour) -> f32 {
     other.radii / view.margin
 }
 
-fn discs<'a>(view: &'a View<'_>) -> impl Iterator<Item = Neighbour> + 'a {
-    view.discs.iter().map(|near| Neighbour {
+fn discs<'a>(view: &'a AvoidanceInput<'_>) -> impl Iterator<Item = AvoidanceNeighbour> + 'a {
+    view.discs.iter().map(|near| AvoidanceNeighbour {
         outline: near.outline,
-        ..Neighbour::resting(near.offset, (near.disc.radius as f32 + view.radius) * view.margin)
+        ..AvoidanceNeighbour::resting(near.offset, (near.disc.radius as f32 + view.radius) * view.margin)
     })
 }
 
-/// The forbidden cone of one neighbour. Those who overlap forbid everything that leads nearer.
-fn cone(view: &View<'_>, other: &Neighbour) -> Forbidden {
+/// Returns the forbidden cone of one neighbour. A neighbour that overlaps forbids all velocities that lead nearer.
+fn cone(view: &AvoidanceInput<'_>, other: &AvoidanceNeighbour) -> Forbidden {
     let apex = (view.velocity + other.velocity) * 0.5;
-    let bare = Neighbour { radii: radii(view, other), ..*other };
+    let bare = AvoidanceNeighbour { radii: radii(view, other), ..*other };
     if !bare.outline.is_point() && !bare.touches() {
         let (left, right) = bare.legs();
         return Forbidden::Cone { apex, right, left };
@@ -73,7 +82,7 @@ fn cone(view: &View<'_>, other: &Neighbour) -> Forbidden {
     Forbidden::Cone { apex, right: axis.rotate(Vec2::new(cosine, -sine)), left: axis.rotate(Vec2::new(cosine, sine)) }
 }
 
-fn choose(view: &View<'_>, cones: &mut Vec<Forbidden>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
+fn choose(view: &AvoidanceInput<'_>, cones: &mut Vec<Forbidden>, mut tried: impl FnMut(Vec2, f32)) -> Vec2 {
     cones.clear();
     cones.extend(view.neighbours.iter().copied().chain(discs(view)).map(|other| cone(view, &other)));
     let is_free = |v: Vec2| {

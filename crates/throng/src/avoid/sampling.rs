@@ -1,31 +1,33 @@
-//! Searching the velocities that a body can have for the cheapest.
+//! Search for the cheapest of the velocities that a body can have.
 
-use super::View;
+use super::AvoidanceInput;
 use crate::Error;
 use crate::random::Purpose;
 use glam::Vec2;
 use std::f32::consts::TAU;
 
-/// Which velocities are tried. The preferred one is always the first; of equal costs the first wins.
+/// The velocities that a search tries. The preferred one is always the first. Of equal costs the first wins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Search {
-    /// The present velocity, standing still, and a pattern over all velocities, aligned with the preferred one, that is
-    /// refined about the best so far (Recast's Detour crowd; MODELS 1.2.1). No random numbers: little trembling.
+pub enum SamplePattern {
+    /// The present velocity, zero, and a pattern over all velocities, aligned with the preferred one, that is refined
+    /// about the best so far (as in the DetourCrowd library of Recast Navigation). It needs no random numbers, so
+    /// agents tremble little.
     #[default]
     Adaptive,
-    /// So many drawn evenly from the disc of speeds, anew in every step, as the authors of RVO do: they tremble.
+    /// Velocities drawn uniformly from the disc of speeds, anew in every step, as the authors of RVO do. Agents
+    /// tremble.
     Random {
-        /// How many. Limit: 1 to 100,000.
+        /// Number of velocities. Limit: 1 to 100,000.
         candidates: u32,
     },
 }
 
-/// Points of the pattern: on each of two rings.
+/// Number of points of the pattern on each of its two rings.
 const ANGLES: usize = 16;
-/// How often the pattern is refined; it is halved each time.
+/// Number of refinements of the pattern. Each halves it.
 const DEPTH: usize = 6;
 
-impl Search {
+impl SamplePattern {
     pub(super) fn check(self) -> Result<(), Error> {
         match self {
             Self::Adaptive => Ok(()),
@@ -37,9 +39,13 @@ impl Search {
     }
 }
 
-/// The cheapest velocity that the search finds. `cost` tells of a wish the velocity that is possible, and its cost; one
-/// that would not be less than the best so far, which it is given, need not be exact.
-pub(super) fn cheapest(search: Search, view: &View<'_>, mut cost: impl FnMut(Vec2, f32) -> (Vec2, f32)) -> Vec2 {
+/// Returns the cheapest velocity that the search finds. `cost` gets a candidate and the least cost so far. It returns
+/// the nearest possible velocity and its cost, which need not be exact if it is not less than the least so far.
+pub(super) fn cheapest(
+    search: SamplePattern,
+    view: &AvoidanceInput<'_>,
+    mut cost: impl FnMut(Vec2, f32) -> (Vec2, f32),
+) -> Vec2 {
     let mut best = (view.preferred, f32::INFINITY);
     let mut candidate = |v: Vec2| {
         let (v, cost) = cost(v, best.1);
@@ -50,21 +56,21 @@ pub(super) fn cheapest(search: Search, view: &View<'_>, mut cost: impl FnMut(Vec
     };
     let center = candidate(view.preferred);
     match search {
-        Search::Adaptive => adaptive(view, candidate),
-        Search::Random { candidates } => (0..candidates).fold(center, |_, k| {
-            let (sin, cos) = libm::sincosf(view.dice.nth(k, Purpose::CandidateAcross) * TAU);
-            // evenly over the disc
-            let speed = view.dice.nth(k, Purpose::CandidateAlong).sqrt() * view.max_speed;
+        SamplePattern::Adaptive => adaptive(view, candidate),
+        SamplePattern::Random { candidates } => (0..candidates).fold(center, |_, k| {
+            let (sin, cos) = libm::sincosf(view.rng.nth(k, Purpose::CandidateAcross) * TAU);
+            // uniform over the disc
+            let speed = view.rng.nth(k, Purpose::CandidateAlong).sqrt() * view.max_speed;
             candidate(Vec2::new(cos, sin) * speed)
         }),
     }
 }
 
-fn adaptive(view: &View<'_>, mut candidate: impl FnMut(Vec2) -> Vec2) -> Vec2 {
+fn adaptive(view: &AvoidanceInput<'_>, mut candidate: impl FnMut(Vec2) -> Vec2) -> Vec2 {
     candidate(view.velocity);
     let mut center = candidate(Vec2::ZERO);
     let ahead = view.preferred.try_normalize().unwrap_or(Vec2::X);
-    // the inner ring is turned by half a step
+    // the inner ring is rotated by half a step
     let rings = [0.0, 0.5].map(|turn| {
         std::array::from_fn::<Vec2, ANGLES, _>(|i| {
             let (sin, cos) = libm::sincosf((i as f32 + turn) * (TAU / ANGLES as f32));

@@ -1,16 +1,17 @@
-//! How far neighbours and walls are, and which way leads away from them: what models of repulsion build on.
+//! Distances and directions away from neighbours and walls, on which models of repulsion build.
 
-use super::{Cause, NearEdge, Neighbour, View};
+use super::{AvoidanceInput, AvoidanceNeighbour, Cause, NearEdge};
 use glam::Vec2;
 
-/// A neighbour counts as exactly ahead within this part of the radii beside the line of the preferred velocity.
+/// A neighbour counts as exactly ahead if it is within this fraction of the radii beside the line of the preferred
+/// velocity.
 const TIE: f32 = 0.0025;
-/// How far to the left a neighbour exactly ahead is seen, as a part of the radii.
+/// Offset to the left at which a neighbour exactly ahead is seen, as a fraction of the radii.
 const BESIDE: f32 = 0.1;
 
-impl Neighbour {
-    /// Distance between the cores of the two bodies (the centres of discs), and the unit vector from the neighbour to the
-    /// agent.
+impl AvoidanceNeighbour {
+    /// Returns the distance between the cores of the two bodies (the centres of discs), and the unit vector from the
+    /// neighbour to the agent.
     pub(super) fn separation(&self) -> (f32, Vec2) {
         if !self.outline.is_point() {
             let (distance, away) = self.outline.boundary(self.offset, Vec2::ZERO, 1.0, 0.0, None);
@@ -20,9 +21,9 @@ impl Neighbour {
         (distance, if distance > 0.0 { -self.offset / distance } else { self.aside })
     }
 
-    /// The neighbour as models of repulsion see it: one exactly ahead is seen a little to the left, so that the agent passes
-    /// on the right. Without this, two agents that meet exactly head-on stop for ever: the forces between them have no
-    /// component across. `ahead` is the direction of the preferred velocity, or zero.
+    /// Returns the neighbour as models of repulsion see it. A neighbour exactly ahead is seen a little to the left, so
+    /// that the agent passes on the right. Without this, two agents that meet exactly head-on stop for ever: the forces
+    /// between them have no component across. `ahead` is the direction of the preferred velocity, or zero.
     pub(super) fn untied(&self, ahead: Vec2) -> Self {
         let left = ahead.perp_dot(self.offset);
         if ahead.dot(self.offset) <= 0.0 || left.abs() > TIE * self.radii {
@@ -33,9 +34,9 @@ impl Neighbour {
 }
 
 impl NearEdge {
-    /// The nearest point of the edge where the agent's distance from the wall has a minimum. A corner belongs to the edge
-    /// that starts at it, so that the edges of a wall together count it once; edges seen from their solid side have no
-    /// minimum.
+    /// Returns the nearest point of the edge if the agent's distance from the wall has a minimum there. A corner
+    /// belongs to the edge that starts at it, so that a wall counts the corner once. An edge seen from its solid side
+    /// has no minimum.
     fn nearest(&self) -> Option<Vec2> {
         let along = self.end - self.start;
         let ahead = -self.start.dot(along);
@@ -48,9 +49,9 @@ impl NearEdge {
     }
 }
 
-impl View<'_> {
-    /// The walls in view: distance of the agent's core (the centre of a disc) from the surface, and the unit vector from
-    /// the wall to the agent.
+impl AvoidanceInput<'_> {
+    /// Returns the walls in view: the distance of the agent's core (the centre of a disc) from the surface, and the
+    /// unit vector from the wall to the agent.
     pub(super) fn walls(&self) -> impl Iterator<Item = (Cause, f32, Vec2)> {
         let edges = self.edges.iter().enumerate().filter_map(|(index, near)| {
             let nearest = near.nearest()?;
@@ -59,22 +60,22 @@ impl View<'_> {
             Some((Cause::Edge(index), distance, away))
         });
         let discs = self.discs.iter().enumerate().map(|(index, near)| {
-            let body = Neighbour { outline: near.outline, ..Neighbour::resting(near.offset, 0.0) };
+            let body = AvoidanceNeighbour { outline: near.outline, ..AvoidanceNeighbour::resting(near.offset, 0.0) };
             let (distance, away) = body.separation();
             (Cause::Disc(index), distance - near.disc.radius as f32, away)
         });
         edges.chain(discs)
     }
 
-    /// The neighbours with ties broken, see [`Neighbour::untied`].
-    pub(super) fn others(&self) -> impl Iterator<Item = (Cause, Neighbour)> {
+    /// Returns the neighbours with ties resolved, see [`AvoidanceNeighbour::untied`].
+    pub(super) fn others(&self) -> impl Iterator<Item = (Cause, AvoidanceNeighbour)> {
         let ahead = self.preferred.normalize_or_zero();
         let numbered = self.neighbours.iter().enumerate();
         numbered.map(move |(index, other)| (Cause::Neighbour(index), other.untied(ahead)))
     }
 
-    /// The neighbour that limits the speed of a body that walks along the unit vector `direction`, and its gap, metres: the
-    /// nearest of those ahead within the width of both bodies. The gap is that between the bodies.
+    /// Returns the neighbour that limits the speed of a body that walks along the unit vector `direction`, and the gap
+    /// between the bodies, metres: the nearest neighbour ahead within the width of both bodies.
     pub(super) fn headway(&self, direction: Vec2) -> Option<(Cause, f32)> {
         let ahead = self.neighbours.iter().enumerate().filter_map(|(index, other)| {
             let (distance, away) = other.separation();
@@ -85,15 +86,16 @@ impl View<'_> {
         ahead.reduce(|a, b| if b.1 < a.1 { b } else { a })
     }
 
-    /// The velocity after a step of a body that relaxes to the preferred velocity within `relaxation` seconds and is
-    /// accelerated by `force` besides, m/s^2. The relaxation is implicit, so that it is stable for every step.
+    /// Returns the velocity after a step of a body that relaxes to the preferred velocity with the time constant
+    /// `relaxation`, seconds, under the additional acceleration `force`, m/s^2. The relaxation is implicit, so it is
+    /// stable for every step.
     pub(super) fn relaxed(&self, force: Vec2, relaxation: f32) -> Vec2 {
         let driven = self.velocity + (force + self.preferred / relaxation) * self.step;
         (driven / (1.0 + self.step / relaxation)).clamp_length_max(self.max_speed)
     }
 }
 
-/// `strength * exp(-gap / range)`, limited where bodies overlap by many ranges.
+/// Returns `strength * exp(-gap / range)`, limited where bodies overlap by more than ten ranges.
 pub(super) fn exponential(strength: f32, gap: f32, range: f32) -> f32 {
     strength * libm::expf((-gap / range).min(10.0))
 }

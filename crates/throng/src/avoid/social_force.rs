@@ -3,23 +3,24 @@
 //!
 //! Accelerations, m/s^2:
 //!
-//! - to the preferred velocity `p`: `(p - v) / tau` (eq. 2);
-//! - from a neighbour: minus the gradient of `V0 exp(-b / sigma)` (eq. 3, 13), `b` the semi-minor axis of the ellipse that
-//!   has as foci the neighbour's centre and where that will be after `anticipation_time` (eq. 4), times `out_of_view` if
-//!   the neighbour is out of the angle of view round the preferred direction (eq. 7, 8);
-//! - from a wall: minus the gradient of `U0 exp(-d / R)` (eq. 5, 13), `d` the distance of the centre.
+//! - towards the preferred velocity `p`: `(p - v) / tau` (eq. 2);
+//! - from a neighbour: the negative gradient of `V0 exp(-b / sigma)` (eq. 3, 13), with `b` the semi-minor axis of the
+//!   ellipse that has as foci the neighbour's centre and its centre after `anticipation_time` (eq. 4). It is multiplied
+//!   by `out_of_view` if the neighbour is outside the angle of view about the preferred direction (eq. 7, 8);
+//! - from a wall: the negative gradient of `U0 exp(-d / R)` (eq. 5, 13), with `d` the distance of the centre.
 //!
-//! The fluctuations and attractions of the paper are left out. Distances are between centres, whatever the radii. Faults:
-//! forces do not know whether a collision is ahead; two that meet push each other back before they turn.
+//! The fluctuations and attractions of the paper are left out. Distances are between centres and do not depend on the
+//! radii. Known faults: forces do not depend on whether a collision is ahead; two agents that meet push each other back
+//! before they turn.
 
 use super::collision_free_speed::RANGES;
 use super::separation::exponential;
-use super::{Cause, LocalModel, Neighbour, Reason, View, Workspace};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
 use glam::Vec2;
 use std::f32::consts::TAU;
 
-/// The social force model of 1995. [`Moussaid2009`](super::Moussaid2009) is that measured in experiments.
+/// The social force model of 1995. [`Moussaid2009`](super::Moussaid2009) is the variant fitted to experiments.
 ///
 /// ```
 /// use throng::avoid::SocialForce;
@@ -27,13 +28,13 @@ use std::f32::consts::TAU;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SocialForce {
-    /// Seconds to come to the preferred velocity, the paper's tau. Limit: > 0.
+    /// Time constant of the approach to the preferred velocity, seconds, the paper's tau. Limit: > 0.
     pub relaxation_time: f32,
     /// Strength of the potential of a neighbour, m^2/s^2, the paper's V0. Limit: >= 0.
     pub strength: f32,
     /// Range of that potential, metres, the paper's sigma. Limit: > 0.
     pub range: f32,
-    /// How far ahead a neighbour needs room for its way, seconds, the paper's Delta t. Limit: >= 0.
+    /// How far ahead a neighbour claims space for its path, seconds, the paper's Delta t. Limit: >= 0.
     pub anticipation_time: f32,
     /// Strength of the potential of a wall, m^2/s^2, the paper's U0. Limit: >= 0.
     pub strength_obstacles: f32,
@@ -41,12 +42,12 @@ pub struct SocialForce {
     pub range_obstacles: f32,
     /// Angle of view, radians, the paper's 2 phi. Limit: 0 to 2 pi.
     pub view_angle: f32,
-    /// Weight of neighbours out of the angle of view, the paper's c. Limit: 0 to 1.
+    /// Weight of neighbours outside the angle of view, the paper's c. Limit: 0 to 1.
     pub out_of_view: f32,
 }
 
 impl Default for SocialForce {
-    /// The paper's.
+    /// The values of the paper.
     fn default() -> Self {
         Self {
             relaxation_time: 0.5,
@@ -61,11 +62,11 @@ impl Default for SocialForce {
     }
 }
 
-/// The least semi-minor axis, metres: on the way of a neighbour it is zero.
+/// Least semi-minor axis, metres. It is zero on the path of a neighbour.
 const LEAST_AXIS: f32 = 1e-3;
 
 impl LocalModel for SocialForce {
-    fn velocity(&self, view: &View<'_>, _: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         view.relaxed(self.pushes(view).map(|(_, push)| push).sum(), self.relaxation_time)
     }
 
@@ -77,8 +78,8 @@ impl LocalModel for SocialForce {
         true
     }
 
-    fn explain(&self, view: &View<'_>, _: &mut Workspace) -> Vec<Reason> {
-        self.pushes(view).map(|(cause, push)| Reason::Push(cause, push)).collect()
+    fn explain(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec<AvoidanceReason> {
+        self.pushes(view).map(|(cause, push)| AvoidanceReason::Push(cause, push)).collect()
     }
 
     fn wall_range(&self, radius: f32, _: f32) -> f32 {
@@ -100,8 +101,8 @@ impl LocalModel for SocialForce {
 }
 
 impl SocialForce {
-    /// The acceleration by each neighbour and each wall.
-    fn pushes(&self, view: &View<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
+    /// Returns the acceleration by each neighbour and each wall.
+    fn pushes(&self, view: &AvoidanceInput<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
         let ahead = view.preferred.normalize_or_zero();
         let least_cosine = libm::cosf(0.5 * self.view_angle);
         let neighbours = view.others().map(move |(cause, other)| {
@@ -117,8 +118,8 @@ impl SocialForce {
         neighbours.chain(walls)
     }
 
-    /// Minus the gradient of a neighbour's potential.
-    fn repulsion(&self, other: &Neighbour) -> Vec2 {
+    /// Returns the negative gradient of a neighbour's potential.
+    fn repulsion(&self, other: &AvoidanceNeighbour) -> Vec2 {
         let (distance, away) = other.separation();
         let (place, way) = (away * distance, other.velocity * self.anticipation_time);
         let to_end = place - way;

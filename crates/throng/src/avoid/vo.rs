@@ -2,11 +2,11 @@
 //! 1998.
 //!
 //! A neighbour that keeps its velocity forbids a cone of velocities: those that lead to a collision within the time
-//! horizon. The agent takes the permitted velocity closest to the preferred one, and all of the avoiding on itself. Two
-//! who both do so see their conflict gone in the next step and turn back: they oscillate. That is what
-//! [`Rvo`](super::Rvo) mends.
+//! horizon. The agent takes the permitted velocity closest to the preferred one and does all of the avoidance. If both
+//! of two agents do so, their conflict is gone in the next step and both turn back: they oscillate. [`Rvo`](super::Rvo)
+//! prevents that.
 
-use super::{Forbidden, LocalModel, Neighbour, Reason, View, Workspace, closest_outside};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
 use glam::Vec2;
 
@@ -31,12 +31,12 @@ impl Default for Vo {
 }
 
 impl LocalModel for Vo {
-    fn velocity(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec2 {
+    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         self.forbid(view, workspace);
         closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
     }
 
-    fn explain(&self, view: &View<'_>, workspace: &mut Workspace) -> Vec<Reason> {
+    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         self.forbid(view, workspace);
         workspace.reasons().collect()
     }
@@ -52,9 +52,9 @@ impl LocalModel for Vo {
 }
 
 impl Vo {
-    fn forbid(&self, view: &View<'_>, workspace: &mut Workspace) {
+    fn forbid(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) {
         workspace.forbid(view, self.time_horizon_obstacles, |other| {
-            let all = Neighbour { share: 1.0, room: 1.0, ..*other };
+            let all = AvoidanceNeighbour { share: 1.0, room: 1.0, ..*other };
             Forbidden::truncated(view.velocity, &all, self.time_horizon, view.step)
         });
     }

@@ -1,5 +1,5 @@
-//! Velocities sketched at some places, and everywhere between them: Jin, Xu, Wang, Huang, Zhang, Interactive control of
-//! large-crowd navigation in virtual environments using vector fields, IEEE CG&A 28(6), 2008.
+//! Fields through velocities sketched at some places: Jin, Xu, Wang, Huang, Zhang, *Interactive control of large-crowd
+//! navigation in virtual environments using vector fields*, IEEE CG&A 28(6), 2008.
 
 use super::Field;
 use super::hull::Hull;
@@ -7,9 +7,10 @@ use super::plate::{Center, Kernel, Plate};
 use crate::Error;
 use glam::{DMat2, DVec2, Vec2, Vec3};
 
-/// Anchors a field has at most: the time that they take grows with the third power of their number.
+/// Maximum number of anchors of a field: the time to make it grows with the cube of their number.
 const MOST: usize = 4000;
-/// Anchors are in one place that are closer than this part of the extent of all, and on one line if none is farther from it.
+/// Tolerances, as parts of the extent of all anchors. Anchors closer than the first share a place. Anchors at most the
+/// second away from a line lie on that line.
 const SAME_PLACE: f64 = 1e-9;
 const ON_LINE: f64 = 1e-6;
 
@@ -20,13 +21,14 @@ pub struct Anchor {
     pub place: DVec2,
     /// Metres a second.
     pub velocity: DVec2,
-    /// How many times as far it reaches along its velocity as across, as the strokes of a brush do; 1: as far in all directions.
-    /// Limit: 1 to 100; 1 for thin plates, which bend back and forth where they are stretched in several directions.
+    /// How many times as far the anchor reaches along its velocity as across it, as a brush stroke does; 1: equally far
+    /// in all directions. Limit: 1 to 100; 1 for thin plates, which oscillate where they are stretched in several
+    /// directions.
     pub stretch: f64,
 }
 
 impl Anchor {
-    /// One that reaches as far in all directions.
+    /// Creates an anchor that reaches equally far in all directions.
     pub fn new(place: DVec2, velocity: DVec2) -> Self {
         Self { place, velocity, stretch: 1.0 }
     }
@@ -39,7 +41,7 @@ impl Anchor {
         Error::unless((1.0..=100.0).contains(&self.stretch), "stretch of an anchor", self.stretch, "1 to 100")
     }
 
-    /// Distances from it: shorter along the way it points, longer across.
+    /// Returns the metric of distances from the anchor: shorter along its velocity, longer across it.
     fn metric(&self) -> DMat2 {
         let along = self.velocity.normalize_or_zero();
         if along == DVec2::ZERO || self.stretch == 1.0 {
@@ -50,23 +52,24 @@ impl Anchor {
     }
 }
 
-/// How a field goes through its anchors.
+/// The settings of a field through anchors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sketch {
-    /// How the influence of an anchor falls off.
+    /// How the influence of an anchor falls off with distance.
     pub kernel: Kernel,
-    /// 0: through the anchors; more: past them, more and more evenly (ridge on the kernel's matrix, in which the anchors are
-    /// within 1 of their middle; 1e-6 to 1e-2 smooths by hand drawn strokes). Limit: >= 0, finite.
+    /// 0: the field interpolates the anchors; above 0: it approximates them, and more smoothly as the value grows
+    /// (ridge on the kernel's matrix, with the anchors scaled to within 1 of their centroid; 1e-6 to 1e-2 smooths
+    /// strokes drawn by hand). Limit: >= 0, finite.
     pub smoothing: f64,
-    /// Metres beyond the convex hull of the anchors at which the field has fallen to 1/e of what it would be, by
-    /// `exp(-(distance / fade)^2)`; none: thin plates grow on and on out there. Limit: > 0.
+    /// Metres beyond the convex hull of the anchors at which the field has fallen to 1/e of its value without fading,
+    /// by `exp(-(distance / fade)^2)`; none: a thin plate grows without bound outside the hull. Limit: > 0.
     pub fade: Option<f64>,
-    /// The field is nowhere faster, m/s. Limit: > 0.
+    /// Maximum speed of the field, m/s. Limit: > 0.
     pub max_speed: f64,
 }
 
 impl Default for Sketch {
-    /// Through the anchors, as evenly as can be, without an end.
+    /// Interpolates the anchors by a thin plate, with no fading and no maximum speed.
     fn default() -> Self {
         Self { kernel: Kernel::ThinPlate, smoothing: 0.0, fade: None, max_speed: f64::INFINITY }
     }
@@ -85,28 +88,27 @@ impl Sketch {
     }
 }
 
-/// What is worth knowing about a set of anchors: nothing is wrong, but it may not be what was meant.
+/// A remark about a set of anchors: not an error, but possibly not what was intended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Note {
-    /// There are none: the field says nothing anywhere.
+    /// There are no anchors: the field is zero everywhere.
     Empty,
-    /// All are in one place: the field of a thin plate is the same everywhere.
+    /// All anchors are in one place: the field of a thin plate is the same everywhere.
     OnePlace,
-    /// All are on one line: the field of a thin plate is the same on both sides of it.
+    /// All anchors are on one line: the field of a thin plate is the same on both sides of it.
     OnLine,
-    /// All are in one plane, in space: the field of a thin plate is the same above and below it.
+    /// All anchors are in one plane, in space: the field of a thin plate is the same above and below it.
     OnPlane,
-    /// So many share their place with another: there the field has their mean.
+    /// The number of anchors that share a place with an earlier anchor: there the field has their mean velocity.
     Shared(usize),
 }
 
-/// A field through velocities that are wanted at some places.
+/// A field through velocities given at some places.
 ///
-/// Cost: making it grows with the third power of the number of anchors (1,000: 0.1 s), [changing a
-/// velocity](Self::set_velocity) with the second, asking for a velocity with the first. A crowd asks a field that was
-/// [sampled](super::Sampled) from it instead: that goes many places at once, in single precision (some mm/s off where anchors
-/// side by side contradict each other).
+/// Cost, in the number of anchors: making the field is cubic (1,000: 0.1 s), [changing a velocity](Self::set_velocity)
+/// is quadratic, evaluating the field at a place is linear. For a crowd, [sample](super::Sampled) the field: that
+/// evaluates many places at once, in single precision (some mm/s off where neighbouring anchors contradict each other).
 ///
 /// ```
 /// use glam::DVec2;
@@ -126,23 +128,24 @@ pub enum Note {
 pub struct Anchors {
     anchors: Vec<Anchor>,
     sketch: Sketch,
-    /// The middle of the anchors, and how far the farthest is from it: there the plate is within 1 of its origin.
+    /// The centroid of the anchors, and the distance of the farthest anchor from it. They scale the anchors to within 1
+    /// of the origin of the plate.
     middle: DVec2,
     extent: f64,
-    /// Which centre of the plate each anchor belongs to.
+    /// The index of the plate's centre for each anchor.
     centers: Vec<usize>,
     plate: Plate<DVec2>,
-    /// Of the anchors, from their middle.
+    /// The convex hull of the anchors, relative to their centroid.
     hull: Hull,
     notes: Vec<Note>,
 }
 
 impl Anchors {
-    /// The field through these anchors.
+    /// Creates the field through these anchors.
     ///
     /// # Errors
-    /// Numbers out of their limits; more than 4,000 anchors; anchors that no field goes through, because they are stretched too
-    /// much or too close together.
+    /// Values out of their limits; more than 4,000 anchors; anchors that no field interpolates, because they are
+    /// stretched too much or too close together.
     pub fn new(anchors: &[Anchor], sketch: Sketch) -> Result<Self, Error> {
         Error::unless(
             anchors.len() <= MOST,
@@ -154,13 +157,13 @@ impl Anchors {
         sketch.check()?;
         if sketch.kernel == Kernel::ThinPlate {
             let stretch = anchors.iter().map(|anchor| anchor.stretch).fold(1.0, f64::max);
-            let limit = "1 where the kernel is a thin plate: take one with a reach";
+            let limit = "1 where the kernel is a thin plate: use Wendland's kernel";
             Error::unless(stretch == 1.0, "stretch of an anchor", stretch, limit)?;
         }
         let middle = anchors.iter().map(|anchor| anchor.place).sum::<DVec2>() / anchors.len().max(1) as f64;
         let from_middle = || anchors.iter().map(|anchor| anchor.place - middle);
         let extent = from_middle().map(DVec2::length).fold(0.0, f64::max);
-        // all in one place: any extent will do
+        // all anchors in one place: any extent is correct
         let extent = if extent > middle.length() * 1e-12 { extent } else { 1.0 };
         let (first, centers) = places(from_middle(), extent * SAME_PLACE);
         let in_place = |&anchor: &usize| (anchors[anchor].place - middle) / extent;
@@ -191,20 +194,21 @@ impl Anchors {
         Ok(field)
     }
 
-    /// The anchors.
+    /// Returns the anchors.
     pub fn anchors(&self) -> &[Anchor] {
         &self.anchors
     }
 
-    /// What is worth knowing about them.
+    /// Returns remarks about the anchors.
     pub fn notes(&self) -> &[Note] {
         &self.notes
     }
 
-    /// Gives an anchor another velocity. It stays stretched along the one that it had when the field was made.
+    /// Changes the velocity of an anchor. The anchor stays stretched along the velocity that it had when the field was
+    /// made.
     ///
     /// # Errors
-    /// A velocity that is not finite, or no such anchor.
+    /// A velocity that is not finite; an index without an anchor.
     pub fn set_velocity(&mut self, index: usize, velocity: DVec2) -> Result<(), Error> {
         let anchor = self.anchors.get_mut(index).ok_or(Error::Unknown { what: "anchor", index })?;
         Anchor { velocity, ..*anchor }.check()?;
@@ -213,19 +217,19 @@ impl Anchors {
         Ok(())
     }
 
-    /// The velocity at a place, metres from the world's origin.
+    /// Returns the velocity at a place, metres from the world's origin.
     pub fn at(&self, place: DVec2) -> DVec2 {
         let offset = place - self.middle;
         let velocity = self.plate.velocity(offset / self.extent);
         (velocity * self.left(offset)).clamp_length_max(self.sketch.max_speed)
     }
 
-    /// What of the velocity is left at an offset from the middle.
+    /// Returns the factor of the fading at an offset from the centroid.
     fn left(&self, offset: DVec2) -> f64 {
         self.sketch.fade.map_or(1.0, |fade| libm::exp(-(self.hull.distance(offset) / fade).powi(2)))
     }
 
-    /// The mean velocity of each place, which the plate goes through.
+    /// Returns the mean velocity of each distinct place, which the plate interpolates.
     fn means(&self) -> Vec<DVec2> {
         let mut sums = vec![(DVec2::ZERO, 0.0); self.centers.iter().max().map_or(0, |&last| last + 1)];
         for (&center, anchor) in self.centers.iter().zip(&self.anchors) {
@@ -251,12 +255,12 @@ impl Field for Anchors {
     }
 }
 
-/// The first of those in each place, and for all of them which of these places is theirs.
+/// Returns the index of the first point at each distinct place, and for every point the number of its place.
 fn places(all: impl Iterator<Item = DVec2>, same: f64) -> (Vec<usize>, Vec<usize>) {
     let all: Vec<DVec2> = all.collect();
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|&a, &b| all[a].x.total_cmp(&all[b].x).then(a.cmp(&b)));
-    // whose place is whose, the first in order: themselves if it is their own
+    // for each point the first point, in the sorted order, of its place: itself if it starts a new place
     let mut of: Vec<usize> = (0..all.len()).collect();
     for (at, &one) in order.iter().enumerate() {
         let left = order[..at].iter().rev().take_while(|&&other| all[one].x - all[other].x <= same);
@@ -277,7 +281,7 @@ fn places(all: impl Iterator<Item = DVec2>, same: f64) -> (Vec<usize>, Vec<usize
     (first, centers)
 }
 
-/// Directions in which places lie, that are within 1 of the origin, which is in their middle.
+/// Returns the directions that the places span. The places are within 1 of the origin, which is their centroid.
 fn axes(places: impl Iterator<Item = DVec2> + Clone) -> Vec<DVec2> {
     let farthest = places.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let along = farthest.unwrap_or_default().normalize_or_zero();

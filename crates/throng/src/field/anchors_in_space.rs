@@ -1,18 +1,20 @@
-//! Velocities wanted at some places in space, and everywhere between them.
+//! Fields through velocities given at some places in space.
 
 use super::plate::{Center, Plate};
 use super::{Field, Kernel, Note, Sketch};
 use crate::Error;
 use glam::{DVec3, Vec3};
 
-/// Anchors a field has at most.
+/// Maximum number of anchors of a field.
 const MOST: usize = 4000;
-/// Anchors are in one place that are closer than this part of the extent of all, and do not span what is thinner.
+/// Tolerances, as parts of the extent of all anchors. Anchors closer than the first share a place; anchors do not span
+/// a direction along which their extent is at most the second.
 const SAME_PLACE: f64 = 1e-9;
 const THIN: f64 = 1e-6;
 
-/// As [`Anchors`](super::Anchors), in space: for those who fly. Thin plates are biharmonic there: beside a linear field each anchor
-/// adds its distance (MODELS 2.1). The field fades beyond the box that holds the anchors.
+/// As [`Anchors`](super::Anchors), in space: for flying agents. Thin plates are biharmonic in space: the field is the
+/// sum of a linear part and a multiple of the distance from each anchor. Beyond the box that holds the anchors the
+/// field fades.
 ///
 /// ```
 /// use glam::{DVec3, Vec3};
@@ -28,7 +30,7 @@ const THIN: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct AnchorsInSpace {
     sketch: Sketch,
-    /// The middle of the anchors, and how far the farthest is from it.
+    /// The centroid of the anchors, and the distance of the farthest anchor from it.
     middle: DVec3,
     extent: f64,
     /// Lower and upper corner of the box that holds the anchors.
@@ -38,11 +40,12 @@ pub struct AnchorsInSpace {
 }
 
 impl AnchorsInSpace {
-    /// The field through these velocities at these places, metres from the world's origin. Of several in one place, their mean.
+    /// Creates the field through these pairs of place (metres from the world's origin) and velocity. Anchors that share
+    /// a place have their mean velocity there.
     ///
     /// # Errors
-    /// Numbers that are not finite or out of the limits of the sketch; more than 4,000 anchors; anchors that no field goes
-    /// through.
+    /// Values that are not finite or out of the limits of the sketch; more than 4,000 anchors; anchors that no field
+    /// interpolates.
     pub fn new(anchors: &[(DVec3, DVec3)], sketch: Sketch) -> Result<Self, Error> {
         let count = anchors.len();
         Error::unless(count <= MOST, "number of anchors", count as f64, "at most 4000: set them farther apart")?;
@@ -56,7 +59,7 @@ impl AnchorsInSpace {
         let extent = offsets().map(DVec3::length).fold(0.0, f64::max);
         let extent = if extent > middle.length() * 1e-12 { extent } else { 1.0 };
         let bounds = offsets().fold((DVec3::ZERO, DVec3::ZERO), |(low, high), at| (low.min(at), high.max(at)));
-        // the place of each, and the sum and number of velocities there
+        // for each distinct place: the place, then the sum and the number of its velocities
         let mut places: Vec<(DVec3, DVec3, f64)> = Vec::new();
         for (at, velocity) in offsets().map(|at| at / extent).zip(anchors.iter().map(|anchor| anchor.1)) {
             match places.iter_mut().find(|place| place.0.distance(at) <= SAME_PLACE) {
@@ -90,12 +93,12 @@ impl AnchorsInSpace {
         Ok(Self { sketch, middle, extent, bounds, plate, notes })
     }
 
-    /// What is worth knowing about the anchors.
+    /// Returns remarks about the anchors.
     pub fn notes(&self) -> &[Note] {
         &self.notes
     }
 
-    /// The velocity at a place, metres from the world's origin.
+    /// Returns the velocity at a place, metres from the world's origin.
     pub fn at(&self, place: DVec3) -> DVec3 {
         let offset = place - self.middle;
         let beyond = offset.distance(offset.clamp(self.bounds.0, self.bounds.1));
@@ -110,7 +113,7 @@ impl Field for AnchorsInSpace {
     }
 }
 
-/// Directions in which places lie that are within 1 of the origin, which is in their middle.
+/// Returns the directions that the places span. The places are within 1 of the origin, which is their centroid.
 fn axes(places: &[DVec3]) -> Vec<DVec3> {
     let mut axes: Vec<DVec3> = Vec::new();
     while axes.len() < 3 {

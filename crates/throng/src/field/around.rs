@@ -1,4 +1,4 @@
-//! Fields that lead round what is solid.
+//! Fields that lead round walls.
 
 use super::Field;
 use crate::Error;
@@ -7,8 +7,11 @@ use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// A field corrected at walls: near them, what of it leads into them is taken out, all of it at the wall, and it is as fast as
-/// before (MODELS 2.2).
+/// Nearest points of walls closer than this, metres, count as one point.
+const SAME: f64 = 1e-6;
+
+/// A field corrected near walls: its component into a wall is removed, gradually within the width and completely at the
+/// wall. The part removed is `1 - smoothstep(distance / width)`. The speed stays the same.
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
@@ -20,7 +23,7 @@ use std::sync::Arc;
 /// let field = AroundWalls::new(Arc::new(Uniform(Vec3::X)), walls, 1.5)?;
 /// assert_eq!(field.velocity(Vec3::new(-5.0, 0.1, 0.0), 0.0), Vec3::X);
 /// let beside = field.velocity(Vec3::new(-2.0, 0.1, 0.0), 0.0);
-/// assert!(beside.y > 0.99, "round it");
+/// assert!(beside.y > 0.99, "the field turns aside");
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone)]
@@ -31,7 +34,8 @@ pub struct AroundWalls {
 }
 
 impl AroundWalls {
-    /// Round walls, from where they are `width` metres away on; both metres from the world's origin.
+    /// Creates the corrected field. The correction starts `width` metres from a wall; the walls are in metres from the
+    /// world's origin.
     ///
     /// # Errors
     /// A width that is not greater than 0 and finite.
@@ -45,17 +49,22 @@ impl AroundWalls {
         Ok(Self { field, walls, width })
     }
 
-    /// What becomes of a velocity at a place.
+    /// Returns the corrected velocity at a place.
     fn corrected(&self, at: DVec2, velocity: Vec2, near: &mut NearWalls) -> Vec2 {
         if velocity == Vec2::ZERO || self.walls.are_far(at, self.width) {
             return velocity;
         }
         self.walls.near(at, self.width, near);
-        let edges = near.edges.iter().map(|&(distance, edge)| {
+        // edges that meet at a corner, and the two sides of a thin wall, share a nearest point, which counts once
+        let mut last = DVec2::INFINITY;
+        let edges = near.edges.iter().filter_map(|&(distance, edge)| {
             let edge = &self.walls.edges()[edge as usize];
-            // on the wall itself, away from what is solid: on the left
-            let out = (at - edge.nearest(at)).try_normalize().unwrap_or(-edge.direction.as_dvec2().perp());
-            (distance, out)
+            let nearest = edge.nearest(at);
+            let is_new = nearest.distance_squared(last) > SAME * SAME;
+            last = nearest;
+            // on the wall itself: the direction away from the solid side, which is on the left of the edge
+            let out = || (at - nearest).try_normalize().unwrap_or(-edge.direction.as_dvec2().perp());
+            is_new.then(|| (distance, out()))
         });
         let discs = near.discs.iter().map(|&(distance, disc)| {
             (distance.max(0.0), (at - self.walls.discs()[disc as usize].center).normalize_or(DVec2::X))
@@ -68,7 +77,7 @@ impl AroundWalls {
         if left == velocity.as_dvec2() {
             return velocity;
         }
-        // in a corner nothing is left: that is no direction
+        // in a corner only rounding errors remain, which give no direction
         let speed = f64::from(velocity.length());
         if left.length() < 1e-3 * speed { Vec2::ZERO } else { (left.normalize() * speed).as_vec2() }
     }

@@ -1,13 +1,13 @@
-//! What is drawn to make a field: strokes, stamps, and the eraser, all of which come down to [anchors](Anchor).
+//! Brushes that make a field: strokes, stamps and the eraser. All of them produce or remove [anchors](Anchor).
 
 use super::{Anchor, Critical};
 use crate::Error;
 use glam::DVec2;
 
-/// Anchors of one stroke or stamp at most.
+/// Maximum number of anchors of a stroke.
 const MOST: usize = 100_000;
 
-/// A stroke of the brush: who follows the field goes along it.
+/// A stroke of the brush: the field leads along it.
 ///
 /// ```
 /// use glam::DVec2;
@@ -20,28 +20,29 @@ const MOST: usize = 100_000;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// The line drawn, metres from the world's origin: at least two points that differ.
+    /// The line of the stroke, metres from the world's origin: at least two points that differ.
     pub points: Vec<DVec2>,
-    /// How fast one goes along it, m/s. Limit: finite; below zero, against it.
+    /// Speed of the field along the line, m/s. Limit: finite; below zero, against it.
     pub speed: f64,
-    /// How far apart its anchors are, metres: as near to this as makes them equally far. Limit: > 0.
+    /// Distance between the anchors, metres; it is rounded so that the anchors are equally spaced. Limit: > 0.
     pub spacing: f64,
-    /// As [`Anchor::stretch`].
+    /// See [`Anchor::stretch`].
     pub stretch: f64,
 }
 
 impl Default for Stroke {
-    /// No line yet, at 1.3 m/s, an anchor every 2 m.
+    /// No points, 1.3 m/s, an anchor every 2 m.
     fn default() -> Self {
         Self { points: Vec::new(), speed: 1.3, spacing: 2.0, stretch: 1.0 }
     }
 }
 
 impl Stroke {
-    /// Its anchors, from its first point to its last, each with the direction from the one before it to the one after it.
+    /// Returns the anchors from the first point to the last. The velocity of each points from the previous anchor to
+    /// the next.
     ///
     /// # Errors
-    /// Numbers out of their limits; a line without length; more than 100,000 anchors.
+    /// Values out of their limits; a line without length; more than 100,000 anchors.
     pub fn anchors(&self) -> Result<Vec<Anchor>, Error> {
         Error::unless_finite("speed of a stroke", self.speed)?;
         Error::unless(self.spacing > 0.0, "spacing of a stroke", self.spacing, "greater than 0")?;
@@ -73,7 +74,7 @@ impl Stroke {
     }
 }
 
-/// A stamp: anchors on a circle and in its middle, that make a [critical point](super::CriticalPoint) there.
+/// A stamp: anchors on a circle and in its centre that make a [critical point](super::CriticalPoint) there.
 ///
 /// ```
 /// use glam::DVec2;
@@ -85,21 +86,22 @@ impl Stroke {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stamp {
-    /// Its middle, metres from the world's origin.
+    /// The centre, metres from the world's origin.
     pub place: DVec2,
-    /// What the field does about it. A saddle leads away along x, and comes along y.
+    /// The kind of the critical point. At a saddle the field leads away along x and towards the centre along y.
     pub kind: Critical,
-    /// Metres. Limit: > 0.
+    /// Radius of the circle, metres. Limit: > 0.
     pub radius: f64,
-    /// How fast the field is on the circle, m/s; below zero, the other way: a centre clockwise, a sink a source. Limit: finite.
+    /// Speed of the field on the circle, m/s. Below zero the field is reversed: a centre turns clockwise, a sink
+    /// becomes a source. Limit: finite.
     pub speed: f64,
 }
 
 impl Stamp {
-    /// Its anchors: the middle, then eight on the circle from +x on, counter-clockwise.
+    /// Returns the anchors: the centre, then eight on the circle, counter-clockwise from +x.
     ///
     /// # Errors
-    /// Numbers out of their limits.
+    /// Values out of their limits.
     pub fn anchors(&self) -> Result<[Anchor; 9], Error> {
         let Self { place, kind, radius, speed } = *self;
         Error::unless_finite("place of a stamp", place.element_sum())?;
@@ -120,7 +122,7 @@ impl Stamp {
     }
 }
 
-/// Takes out the anchors within a radius of a place, metres; gives how many.
+/// Removes the anchors within a radius (metres) of a place and returns how many it removed.
 pub fn erase(anchors: &mut Vec<Anchor>, place: DVec2, radius: f64) -> usize {
     let before = anchors.len();
     anchors.retain(|anchor| anchor.place.distance(place) > radius);

@@ -1,4 +1,4 @@
-//! Fields made of fields.
+//! Fields composed of other fields.
 
 use super::{Field, Map};
 use crate::Error;
@@ -22,19 +22,19 @@ impl Field for Uniform {
     }
 }
 
-/// A field that is part of another.
+/// A field with a weight: a part of a [`Sum`] or a [`Blend`].
 #[derive(Clone)]
-pub struct Part {
+pub struct FieldPart {
     /// The field.
     pub field: Arc<dyn Field>,
-    /// How much of it. Limit: finite; of a [`Blend`] >= 0.
+    /// Weight of the field. Limit: finite; of a [`Blend`] >= 0.
     pub weight: f32,
-    /// Where: the weight is multiplied by the map. None: everywhere.
+    /// Factor of the weight at each place. None: 1 everywhere.
     pub map: Option<Arc<Map>>,
 }
 
-impl Part {
-    /// So much of a field, everywhere.
+impl FieldPart {
+    /// Creates a part with the same weight everywhere.
     pub fn new(field: impl Field + 'static, weight: f32) -> Self {
         Self { field: Arc::new(field), weight, map: None }
     }
@@ -44,32 +44,32 @@ impl Part {
     }
 }
 
-impl fmt::Debug for Part {
+impl fmt::Debug for FieldPart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Part").field("weight", &self.weight).field("map", &self.map.is_some()).finish_non_exhaustive()
     }
 }
 
-/// The sum of fields: a walk on a moving walkway, guidance and turbulence.
+/// The sum of fields: for example a walk on a moving walkway, or guidance plus turbulence.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::field::{Field, Part, Sum, Uniform};
-/// let sum = Sum::new(vec![Part::new(Uniform(Vec3::X), 2.0), Part::new(|place: Vec3, _: f64| -place, 0.5)])?;
+/// use throng::field::{Field, FieldPart, Sum, Uniform};
+/// let sum = Sum::new(vec![FieldPart::new(Uniform(Vec3::X), 2.0), FieldPart::new(|place: Vec3, _: f64| -place, 0.5)])?;
 /// assert_eq!(sum.velocity(Vec3::Y * 4.0, 0.0), Vec3::new(2.0, -2.0, 0.0));
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Sum {
-    parts: Vec<Part>,
+    parts: Vec<FieldPart>,
 }
 
 impl Sum {
-    /// Of these parts.
+    /// Creates the sum of these parts.
     ///
     /// # Errors
     /// A weight that is not finite.
-    pub fn new(parts: Vec<Part>) -> Result<Self, Error> {
+    pub fn new(parts: Vec<FieldPart>) -> Result<Self, Error> {
         parts.iter().try_for_each(|part| Error::unless_finite("weight of a field", f64::from(part.weight)))?;
         Ok(Self { parts })
     }
@@ -81,29 +81,29 @@ impl Field for Sum {
     }
 }
 
-/// The weighted mean of fields, directions and speeds each on their own: two that are against each other do not cancel out. A
-/// field that says nothing at a place has no part in it there.
+/// The weighted mean of fields, with directions and speeds averaged separately: two opposed fields do not cancel out. A
+/// field that is zero at a place has no weight there.
 ///
-/// Directions are blended one after the other, in the order of the parts.
+/// Directions are blended successively, in the order of the parts.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::field::{Blend, Field, Part, Uniform};
-/// let both = Blend::new(vec![Part::new(Uniform(Vec3::X * 2.0), 1.0), Part::new(Uniform(Vec3::Y), 1.0)])?;
+/// use throng::field::{Blend, Field, FieldPart, Uniform};
+/// let both = Blend::new(vec![FieldPart::new(Uniform(Vec3::X * 2.0), 1.0), FieldPart::new(Uniform(Vec3::Y), 1.0)])?;
 /// assert!(both.velocity(Vec3::ZERO, 0.0).distance(Vec3::new(1.0, 1.0, 0.0).normalize() * 1.5) < 1e-6);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blend {
-    parts: Vec<Part>,
+    parts: Vec<FieldPart>,
 }
 
 impl Blend {
-    /// Of these parts.
+    /// Creates the blend of these parts.
     ///
     /// # Errors
     /// A weight that is negative or not finite.
-    pub fn new(parts: Vec<Part>) -> Result<Self, Error> {
+    pub fn new(parts: Vec<FieldPart>) -> Result<Self, Error> {
         let is_weight = |weight: f32| (0.0..f32::INFINITY).contains(&weight);
         parts.iter().map(|part| part.weight).try_for_each(|weight| {
             Error::unless(is_weight(weight), "weight of a field", weight, "0 or more, and finite")
@@ -130,8 +130,8 @@ impl Field for Blend {
     }
 }
 
-/// A velocity between two, directions and speeds each on their own; from one to the other as `part` goes from 0 to 1. Between
-/// two straight against each other it turns left.
+/// Returns a velocity between two, with directions and speeds interpolated separately; `part` goes from 0 (`from`) to 1
+/// (`to`). Between two exactly opposed directions it turns left.
 pub(super) fn between(from: Vec3, to: Vec3, part: f32) -> Vec3 {
     let (Some(a), Some(b)) = (from.try_normalize(), to.try_normalize()) else {
         return if from == Vec3::ZERO { to } else { from };

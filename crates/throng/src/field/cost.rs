@@ -1,17 +1,18 @@
-//! What ways cost.
+//! The costs of routes.
 
-/// The part of a body's radius that links between cells keep off walls: round the corner of a wall they dip below the radius. With
-/// cells as wide as the radius that is by this part: a half of the square root of 3.
+/// The part of the radius that links between cells keep from walls: a straight link round the corner of a wall dips
+/// below the radius. With cells as wide as the radius it dips to this part: half of the square root of 3.
 pub(super) const KEPT: f64 = 0.866;
-/// What is left out of the cost of clearance.
+/// The cost of clearance below which it is neglected.
 const LITTLE: f32 = 0.01;
 
-/// How far from where bodies touch walls they cost something, metres.
+/// Returns the distance, metres, beyond the contact with a wall up to which clearance costs something.
 pub(super) fn reach(clearance: f32) -> f32 {
     (clearance / LITTLE).sqrt()
 }
 
-/// What a metre costs more at a gap between a body and a wall, metres: `clearance / gap^2`, at most `dearest`.
+/// Returns the extra cost of a metre at a gap (metres) between a body and a wall: `clearance / gap^2`, at most
+/// `dearest`.
 pub(super) fn close(gap: f32, (clearance, dearest): (f32, f32)) -> f32 {
     if gap <= 0.0 {
         dearest
@@ -22,8 +23,8 @@ pub(super) fn close(gap: f32, (clearance, dearest): (f32, f32)) -> f32 {
     }
 }
 
-/// What a straight way costs that is so long: pieces of half a cell, each as dear as what `cost` says about its middle, given as a part of
-/// the way; where it says nothing, as at the start.
+/// Returns the cost of a straight way of this length, summed over pieces of half a cell. `cost` returns the cost of a
+/// metre at a part (0 to 1) of the way; where it returns none, the cost at the start counts.
 pub(super) fn straight(length: f64, cell: f64, cost: impl Fn(f64) -> Option<f32>) -> f64 {
     let pieces = (2.0 * length / cell).ceil().max(1.0);
     let first = cost(0.0).unwrap_or(1.0);

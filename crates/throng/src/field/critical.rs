@@ -1,55 +1,55 @@
-//! Where a field comes to a standstill: its critical points.
+//! Critical points of a field: places where it is zero.
 
 use super::Sampled;
 use glam::{DMat2, DVec2};
 
-/// How much of the turning of a field round a point may be flow towards or away from it, that it is no spiral but a centre.
+/// Maximum ratio of divergence to curl at which a point is a centre, not a spiral.
 const CENTER: f64 = 1e-3;
 
-/// A place where a field is zero though it flows round it.
+/// A place where a field is zero while it flows around the place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalPoint {
     /// Metres from the world's origin.
     pub place: DVec2,
-    /// What the field does about it.
+    /// What the field does around the place.
     pub kind: Critical,
-    /// How the field turns about it, radians a second, counter-clockwise: half of its curl there.
+    /// Rotation of the field about the place, radians a second, counter-clockwise: half of its curl there.
     pub turn: f64,
 }
 
-/// What a field does about a place where it is zero.
+/// What a field does around a place where it is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Critical {
-    /// It leads there, straight or in a spiral: who follows it does not get out.
+    /// It leads there, straight or in a spiral: an agent that follows it does not get out.
     Sink,
     /// It leads away from there.
     Source,
-    /// It leads there from two sides, and away to two others.
+    /// It leads there from two sides and away to two other sides.
     Saddle,
-    /// It leads round and round: who follows it goes in circles.
+    /// It circles the place: an agent that follows it goes in circles.
     Center,
 }
 
 impl Critical {
-    /// Whether who follows the field stays there.
+    /// Whether an agent that follows the field stays near the place.
     pub fn traps(self) -> bool {
         matches!(self, Self::Sink | Self::Center)
     }
 }
 
 impl Sampled {
-    /// All places where the field, interpolated as it is, is zero, cell by cell; but not where it is zero at a corner of the cell:
-    /// there it says nothing.
+    /// Returns all places where the interpolated field is zero, cell by cell. Cells with a corner where the field is
+    /// zero are left out: the field is undefined there.
     ///
-    /// By the theorem of Poincaré and Hopf the saddles among them, taken from the others, are as many as the times that the field
-    /// turns once round along the rim of any box.
+    /// By the Poincaré-Hopf theorem, the number of the other points minus the number of saddles in a box is the number
+    /// of full turns of the field along the box's rim.
     ///
     /// ```
     /// use glam::{DVec2, Vec3};
     /// use throng::field::{Critical, Sampled};
     /// let drain = |place: Vec3, _: f64| Vec3::Z.cross(place) - 0.2 * place;
     /// let field = Sampled::of(&drain, DVec2::splat(-3.1), DVec2::splat(4.0), 0.5, 0.0)?;
-    /// let [sink] = field.critical_points()[..] else { panic!("one and no more") };
+    /// let [sink] = field.critical_points()[..] else { panic!("there is exactly one critical point") };
     /// assert!(sink.kind == Critical::Sink && sink.place.length() < 1e-6 && (sink.turn - 1.0).abs() < 1e-6);
     /// # Ok::<(), throng::Error>(())
     /// ```
@@ -72,18 +72,18 @@ impl Sampled {
     }
 }
 
-/// Where in the unit square what is interpolated from its corners - at the origin, x, y, and both - is zero, and how it changes
-/// there with x and with y.
+/// Returns the zeros, in the unit square, of the bilinear interpolation of its corners (the origin, x, y, and both),
+/// with the derivatives by x and y there.
 fn zeros([a, b, c, d]: [DVec2; 4]) -> [Option<(DVec2, DMat2)>; 2] {
-    // all on one side of an axis: the most cells by far
+    // no sign change along an axis: by far the most cells
     let of_one_sign = |[a, b, c, d]: [f64; 4]| a * b > 0.0 && a * c > 0.0 && a * d > 0.0;
     let zero = [a, b, c, d].contains(&DVec2::ZERO);
     if zero || of_one_sign([a.x, b.x, c.x, d.x]) || of_one_sign([a.y, b.y, c.y, d.y]) {
         return [None; 2];
     }
-    // a + x (b - a) along the lower side, and what is added per y
+    // the value at x on the lower side is a + along x; per y, up + both x is added
     let (along, up, both) = (b - a, c - a, a - b - c + d);
-    // zero where both have the same direction
+    // the zero is where both are parallel
     let [constant, linear, square] = [a.perp_dot(up), a.perp_dot(both) + along.perp_dot(up), along.perp_dot(both)];
     roots(constant, linear, square).map(|x| {
         let x = x.filter(|x| (0.0..1.0).contains(x))?;
@@ -94,7 +94,7 @@ fn zeros([a, b, c, d]: [DVec2; 4]) -> [Option<(DVec2, DMat2)>; 2] {
     })
 }
 
-/// The real roots of a quadratic, without loss of digits.
+/// Returns the real roots of a quadratic without loss of digits by cancellation.
 fn roots(constant: f64, linear: f64, square: f64) -> [Option<f64>; 2] {
     let discriminant = linear * linear - 4.0 * square * constant;
     if discriminant < 0.0 {

@@ -1,28 +1,29 @@
 //! The eikonal equation |grad T| = c on lattices of two or three dimensions, by fast marching.
 //!
-//! Sethian, *A fast marching level set method for monotonically advancing fronts*, PNAS 93(4), 1996: nodes get their times in the order in
-//! which a front reaches them, each from those before it, by Godunov's upwind differences; of second order where the cost varies little
-//! (Sethian, *Fast marching methods*, SIAM Review 41(2), 1999, section 4.4). Ties are broken by index: the order is always the same.
+//! Sethian, *A fast marching level set method for monotonically advancing fronts*, PNAS 93(4), 1996: nodes get their
+//! times in the order in which a front reaches them, each from the nodes before it, by Godunov's upwind differences.
+//! The differences are of second order where the cost varies little (Sethian, *Fast marching methods*, SIAM Review
+//! 41(2), 1999, section 4.4). Ties are broken by index, so the order is always the same.
 
 use super::slope::slope;
 use std::f64::consts::SQRT_2;
 
-/// Nodes side by side, row by row, layer by layer.
+/// A lattice of nodes, in rows and layers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lattice<const D: usize> {
+pub(super) struct NodeLattice<const D: usize> {
     /// Nodes along each axis.
     pub counts: [usize; D],
-    /// Distance of neighbours, metres.
+    /// Distance between neighbouring nodes, metres.
     pub cell: f64,
 }
 
-impl<const D: usize> Lattice<D> {
-    /// Nodes of all.
+impl<const D: usize> NodeLattice<D> {
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.counts.iter().product()
     }
 
-    /// How far apart the indices of neighbours along each axis are.
+    /// Returns the index differences between neighbours along each axis.
     pub fn strides(&self) -> [usize; D] {
         let mut strides = [1; D];
         for axis in 1..D {
@@ -31,48 +32,49 @@ impl<const D: usize> Lattice<D> {
         strides
     }
 
-    /// Where a node is along each axis.
+    /// Returns the coordinates of a node, in nodes along each axis.
     pub fn coordinates(&self, node: usize) -> [usize; D] {
         let strides = self.strides();
         std::array::from_fn(|axis| node / strides[axis] % self.counts[axis])
     }
 }
 
-/// Towards which neighbours there is a way: a bit a side, that of the neighbour before it along the first axis first, then the one
-/// after it; then those along the second axis. In the plane then those across the corners, which count close to walls: along a wall
-/// that goes up in steps, differences along the axes know too little.
+/// The neighbours that a node is linked to, one bit each: along the first axis the neighbour before, then the neighbour
+/// after the node; then along the second axis. In the plane follow the four diagonal neighbours. They count close to
+/// walls: along a wall with a stepped outline, differences along the axes are too inexact.
 pub(super) type Links = u8;
 
-/// The bits of all sides, in the plane.
+/// The bits of all neighbours along the axes, in the plane.
 pub(super) const SIDES: Links = 0b1111;
 
-/// The bit of a side of an axis; `after`: 1 for the neighbour with the greater index, else 0.
+/// Returns the bit of a neighbour along an axis; `after`: 1 for the neighbour with the greater index, else 0.
 pub(super) fn bit(axis: usize, after: usize) -> Links {
     1 << (2 * axis + after)
 }
 
-/// The bit of the neighbour across a corner, in the plane; `after`: 1 for the greater index along each axis, else 0.
+/// Returns the bit of a diagonal neighbour, in the plane; `after`: 1 for the greater index along each axis, else 0.
 pub(super) fn corner_bit(after: [usize; 2]) -> Links {
     1 << (4 + after[0] + 2 * after[1])
 }
 
-/// Costs of neighbours that differ by more than this part: a front that bends there, for which the second order would overshoot.
+/// Relative difference of neighbouring costs above which the front bends and the second order would overshoot.
 const SMOOTH: f32 = 0.35;
 
-/// What a march keeps its memory in.
+/// The buffers of a march, kept for the next one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Front {
-    /// Nodes that it gets to next: those with the earliest time first.
+    /// A heap of the nodes that the front reaches next, earliest first.
     heap: Vec<u64>,
-    /// A bit a node: whether it starts there.
+    /// One bit for each node: whether the front starts there.
     starts: Vec<u64>,
 }
 
-/// Gives every node that can be reached the time when a front gets there: from the nodes that have a time already, `starts`, in any
-/// order. These keep theirs: beside a point differences know less than who gave them. Times of others must be infinite or later; costs,
-/// metres of front for a metre of way, greater than 0.
+/// Computes the time at which a front reaches each node. The front starts from `starts`, in any order; these nodes have
+/// times already and keep them, because the given times are more exact than differences close to a point. The times of
+/// other nodes must be infinite or later than the front. Costs are metres of front for a metre of way and greater than
+/// 0.
 pub(super) fn march<const D: usize>(
-    lattice: &Lattice<D>,
+    lattice: &NodeLattice<D>,
     (links, cost): (&[Links], &[f32]),
     starts: impl Iterator<Item = u32>,
     times: &mut [f32],
@@ -88,7 +90,7 @@ pub(super) fn march<const D: usize>(
     }
     while let Some(now) = pop(heap) {
         let (time, node) = (f32::from_bits((now >> 32) as u32), now as u32 as usize);
-        // a node that has got an earlier time since has been there already
+        // an entry for a later time than the node's is out of date
         if time > times[node] {
             continue;
         }
@@ -120,34 +122,35 @@ pub(super) fn march<const D: usize>(
     }
 }
 
-/// The corners of a cell of the plane.
+/// The directions from a node to its four diagonal neighbours, in the plane.
 const CORNERS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
-/// The neighbour of a node with the smaller or the greater index.
+/// Returns the neighbour of a node with the smaller or the greater index.
 pub(super) fn beside(node: usize, stride: usize, after: usize) -> usize {
     if after == 1 { node + stride } else { node - stride }
 }
 
-/// What a time of a node is found from.
+/// What the time of a node is computed from.
 struct Update<'a, const D: usize> {
     strides: [usize; D],
     links: &'a [Links],
     cost: &'a [f32],
     times: &'a [f32],
-    /// The node that the front has just reached: those before it have their times for good.
+    /// The key of the node that the front has just reached: the times of nodes before it are final.
     now: u64,
     length: f64,
 }
 
 impl<const D: usize> Update<'_, D> {
-    /// When the front gets to a node, from those of its neighbours that it has reached.
+    /// Returns when the front reaches a node, from the neighbours that it has reached.
     fn arrival(&self, node: usize) -> f32 {
         let along = self.along_axes(node);
         if D == 2 && self.links[node] > SIDES { along.min(self.across_triangles(node).0) } else { along }
     }
 
-    /// When it comes straight from somewhere between a neighbour and the next, as the earliest does, and the direction there: Tsitsiklis,
-    /// *Efficient algorithms for globally optimal trajectories*, IEEE Transactions on Automatic Control 40(9), 1995. In the plane.
+    /// Returns the earliest time at which a straight ray arrives from a point between two adjacent neighbours, and its
+    /// direction: Tsitsiklis, *Efficient algorithms for globally optimal trajectories*, IEEE Transactions on Automatic
+    /// Control 40(9), 1995. In the plane.
     fn across_triangles(&self, node: usize) -> (f32, [f32; 2]) {
         let links = self.links[node];
         let step = self.length * f64::from(self.cost[node]);
@@ -168,7 +171,7 @@ impl<const D: usize> Update<'_, D> {
             let corner = (links & corner_bit(after) != 0).then(across).flatten();
             for (axis, side) in sides.into_iter().enumerate() {
                 let Some(side) = side else { continue };
-                // the front's slope between the two, as the sine of an angle
+                // the slope of the front between the two neighbours, as the sine of an angle
                 let sine = corner.map_or(0.0, |corner| ((side - corner) / step).max(0.0));
                 if sine * sine < 0.5 {
                     let cosine = (1.0 - sine * sine).sqrt();
@@ -186,7 +189,7 @@ impl<const D: usize> Update<'_, D> {
 
     /// As [`arrival`](Self::arrival), by differences along the axes.
     fn along_axes(&self, node: usize) -> f32 {
-        // for each axis: the neighbour's time, then what the difference is taken from, and its weight
+        // for each axis: the neighbour's time, then the value that the difference is taken from, and its weight
         let mut terms = [(0.0f64, 0.0f64, 0.0f64); D];
         let mut count = 0;
         for axis in 0..D {
@@ -196,7 +199,7 @@ impl<const D: usize> Update<'_, D> {
             }
         }
         let terms = &mut terms[..count];
-        // latest first: it is the first to be left out; those at the same time stay in the order of their axes
+        // latest first: it is the first to be left out; terms with the same time stay in the order of their axes
         terms.sort_by(|a, b| b.0.total_cmp(&a.0));
         let step = self.length * f64::from(self.cost[node]);
         for from in 0..count {
@@ -219,7 +222,7 @@ impl<const D: usize> Update<'_, D> {
         f32::INFINITY
     }
 
-    /// What the neighbours along an axis contribute, if the front has reached one.
+    /// Returns the term of an axis, if the front has reached a neighbour along it.
     fn term(&self, node: usize, axis: usize) -> Option<(f64, f64, f64)> {
         let stride = self.strides[axis];
         let mut nearest: Option<(f32, usize, usize)> = None;
@@ -246,8 +249,8 @@ impl<const D: usize> Update<'_, D> {
     }
 }
 
-/// A node and its time: earlier times come first, at the same time lower indices. Times are not negative, so that their bits are in
-/// the order of their values.
+/// Returns the sort key of a node: earlier times first, then lower indices. Times are not negative, so their bits are
+/// in the order of their values.
 fn key(time: f32, node: usize) -> u64 {
     u64::from(time.to_bits()) << 32 | node as u64
 }
@@ -287,10 +290,11 @@ fn pop(heap: &mut Vec<u64>) -> Option<u64> {
     Some(least)
 }
 
-/// The direction in which the front came to a node of the plane, backwards: where it came straight from between two neighbours, as close
-/// to walls, towards there; else down the slope. Zero where no front came.
+/// Returns the direction, backwards, in which the front came to a node of the plane. Where a straight ray from between
+/// two neighbours arrived first, as close to walls, that is the direction of the ray; elsewhere it is down the slope.
+/// Zero where no front came.
 pub(super) fn backwards(
-    lattice: &Lattice<2>,
+    lattice: &NodeLattice<2>,
     (links, cost): (&[Links], &[f32]),
     times: &[f32],
     node: usize,

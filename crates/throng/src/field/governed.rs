@@ -1,4 +1,4 @@
-//! Crowds that a field governs, as far as it does.
+//! Groups governed by a field.
 
 use super::{Adaptive, Field, Interaction, Map};
 use crate::Error;
@@ -8,14 +8,14 @@ use std::f32::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
 
-/// Beyond this angle, radians, two directions are against each other.
+/// Angle between directions, radians, beyond which they count as opposed.
 const AGAINST: f32 = 2.7;
 
-/// A field that says where the agents of a group go, and how much it has to say beside their own ways: Jin et al. 2008, where
-/// the motion of people is part autonomous, part governed.
+/// A field that governs the agents of a group, and its share beside their own preferred velocities: Jin et al. 2008,
+/// where the motion of an agent is part autonomous, part governed.
 ///
-/// Directions and speeds are blended each on their own: two that are against each other do not cancel out. Where the field says
-/// nothing, or somebody has no way to go, the other alone counts. Others are avoided afterwards, as always.
+/// Directions and speeds are blended separately: two opposed velocities do not cancel out. Where the field or the
+/// agent's own preferred velocity is zero, the other alone counts. Collision avoidance comes after the blend.
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
@@ -28,24 +28,25 @@ const AGAINST: f32 = 2.7;
 /// while world.time() < 10.0 {
 ///     world.step();
 /// }
-/// assert!(world.agents().position[0].distance(DVec2::new(10.0, 0.0).as_vec2()) < 0.5);
+/// assert!(world.relative_columns().position[0].distance(DVec2::new(10.0, 0.0).as_vec2()) < 0.5);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone)]
 pub struct Governed {
     /// The field, in metres from the world's origin.
     pub field: Arc<dyn Field>,
-    /// What part of it is the field's: 0 to 1. That of an agent is this times [`Agent::governed`](crate::Agent::governed).
+    /// Share of the field in the preferred velocity: 0 to 1. It is multiplied by
+    /// [`Agent::governed`](crate::Agent::governed).
     pub ratio: f32,
-    /// Where: the ratio is multiplied by the map, and is at most 1. None: everywhere.
+    /// Factor of the ratio at each place; the product is at most 1. None: 1 everywhere.
     pub map: Option<Arc<Map>>,
-    /// Fields about others, wherever these are. Where they say something, the mean by weight of all that do counts, with the
-    /// field itself at a weight of 1.
+    /// Fields that move with a source. Where any of them is not zero, the weighted mean of all that are not zero
+    /// counts, with the field itself at a weight of 1.
     pub around: Vec<Interaction>,
 }
 
 impl Governed {
-    /// By a field, with this ratio.
+    /// Creates it from a field and a ratio.
     pub fn new(field: impl Field + 'static, ratio: f32) -> Self {
         Self { field: Arc::new(field), ratio, map: None, around: Vec::new() }
     }
@@ -56,15 +57,15 @@ impl Governed {
         self.around.iter().try_for_each(Interaction::check)
     }
 
-    /// What part of it is the field's at a place, of somebody who is governed so much.
+    /// Returns the share of the field at a place, for an agent with this value of `governed`.
     pub(crate) fn ratio_at(&self, place: Vec3, governed: f32) -> f32 {
         let here = self.map.as_ref().map_or(1.0, |map| map.at(place.truncate().as_dvec2()));
         (self.ratio * governed * here).clamp(0.0, 1.0)
     }
 }
 
-/// The preferred velocity, along the ground, of somebody who would prefer their own and goes with a velocity now, where a flow has
-/// this part in it.
+/// Returns the preferred velocity along the ground: `own` blended with the velocity of the field, `flow`, at its share.
+/// `velocity` is the agent's current velocity.
 pub(crate) fn blend(own: Vec2, flow: Vec2, ratio: f32, velocity: Vec2) -> Vec2 {
     if ratio == 0.0 || flow == Vec2::ZERO || !flow.is_finite() {
         return own;
@@ -75,7 +76,7 @@ pub(crate) fn blend(own: Vec2, flow: Vec2, ratio: f32, velocity: Vec2) -> Vec2 {
     let speed = own.length() + ratio * (flow.length() - own.length());
     let turn = angle(Vec2::new(own.dot(flow), own.perp_dot(flow)));
     let turned = own.perp_dot(velocity);
-    // between two that are against each other lead ways on both sides: who is on one stays on it
+    // between two opposed directions the blend can turn either way: keep the side on which the agent already moves
     let turn = if turn.abs() > AGAINST && turn * turned < 0.0 { turn - TAU.copysign(turn) } else { turn };
     let (sin, cos) = libm::sincosf(ratio * turn);
     Vec2::new(cos, sin).rotate(own.normalize()) * speed

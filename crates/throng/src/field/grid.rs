@@ -1,22 +1,22 @@
-//! What is known at the corners of a grid, and between them by bilinear interpolation.
+//! Grids of values at the corners of cells, with bilinear interpolation between them.
 
 use crate::Error;
 use glam::DVec2;
 use std::ops::{Add, Mul, Range, Sub};
 
-/// Corners that a grid has at most.
+/// Maximum number of corners of a grid.
 const MOST: usize = 1 << 24;
 
-/// What can be interpolated.
-pub(super) trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f32, Output = Self> {
-    /// What is said where nothing is.
+/// A value that can be interpolated.
+pub(super) trait Interpolate: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f32, Output = Self> {
+    /// The value of corners that are not set.
     const NOTHING: Self;
 
-    /// Whether all of it is a number.
+    /// Whether all components are finite.
     fn is_number(self) -> bool;
 }
 
-impl Value for f32 {
+impl Interpolate for f32 {
     const NOTHING: Self = 0.0;
 
     fn is_number(self) -> bool {
@@ -24,7 +24,7 @@ impl Value for f32 {
     }
 }
 
-impl Value for glam::Vec2 {
+impl Interpolate for glam::Vec2 {
     const NOTHING: Self = Self::ZERO;
 
     fn is_number(self) -> bool {
@@ -34,7 +34,7 @@ impl Value for glam::Vec2 {
 
 /// Values at the corners of square cells.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Grid<T> {
+pub(super) struct ValueGrid<T> {
     pub low: DVec2,
     pub cell: f64,
     pub columns: usize,
@@ -42,7 +42,7 @@ pub(super) struct Grid<T> {
     pub values: Vec<T>,
 }
 
-impl<T: Value> Grid<T> {
+impl<T: Interpolate> ValueGrid<T> {
     pub fn new(low: DVec2, cell: f64, columns: usize, values: Vec<T>) -> Result<Self, Error> {
         Self::check(cell, low)?;
         let fail = |why| Err(Error::Shape { what: "the grid of the field".into(), why });
@@ -54,15 +54,15 @@ impl<T: Value> Grid<T> {
             ));
         }
         if let Some(at) = values.iter().position(|value| !value.is_number()) {
-            return fail(format!("what is in row {}, column {} is not finite", at / columns, at % columns));
+            return fail(format!("the value in row {}, column {} is not finite", at / columns, at % columns));
         }
         Ok(Self { low, cell, columns, values })
     }
 
-    /// One that says nothing yet, over the box between two corners, rounded up to whole cells.
+    /// Creates a grid of [`NOTHING`](Interpolate::NOTHING) over the box between two corners, rounded up to whole cells.
     pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
         Self::check(cell, low + high)?;
-        // who lies on the rim by rounding needs no other cell
+        // a rim that exceeds the last cell by rounding only needs no other cell
         let cells = |length: f64| (length / cell - 1e-9).ceil().max(1.0) as usize;
         let [columns, rows] = (high - low).to_array().map(|length| cells(length).saturating_add(1));
         if columns.saturating_mul(rows) > MOST {
@@ -72,34 +72,34 @@ impl<T: Value> Grid<T> {
         Ok(Self { low, cell, columns, values: vec![T::NOTHING; columns * rows] })
     }
 
-    /// Whether cells have a width, and corners, added up, a place.
+    /// Checks the width of the cells and the sum of the corners.
     fn check(cell: f64, corners: DVec2) -> Result<(), Error> {
         let limit = "greater than 0 and finite";
         Error::unless(cell > 0.0 && cell.is_finite(), "width of a cell of the field", cell, limit)?;
         Error::unless_finite("corner of the field", corners.element_sum())
     }
 
-    /// The corner with the greatest coordinates.
+    /// Returns the corner with the greatest coordinates.
     pub fn high(&self) -> DVec2 {
         self.low + self.last() * self.cell
     }
 
-    /// Rows of corners.
+    /// Returns the number of rows of corners.
     pub fn rows(&self) -> usize {
         self.values.len() / self.columns
     }
 
-    /// Column and row of the last corner.
+    /// Returns column and row of the last corner.
     fn last(&self) -> DVec2 {
         DVec2::new((self.columns - 1) as f64, (self.rows() - 1) as f64)
     }
 
-    /// The place of a corner.
+    /// Returns the place of a corner.
     pub fn place(&self, column: usize, row: usize) -> DVec2 {
         self.low + DVec2::new(column as f64, row as f64) * self.cell
     }
 
-    /// Columns and rows of the corners in a box.
+    /// Returns columns and rows of the corners in a box.
     pub fn within(&self, low: DVec2, high: DVec2) -> (Range<usize>, Range<usize>) {
         // `as` saturates
         let range = |from: f64, to: f64, count: usize| -> Range<usize> {
@@ -110,7 +110,7 @@ impl<T: Value> Grid<T> {
         (range(low.x, high.x, self.columns), range(low.y, high.y, self.rows()))
     }
 
-    /// The value at a place; none beyond the rim.
+    /// Returns the value at a place; none beyond the rim.
     pub fn at(&self, place: DVec2) -> Option<T> {
         let at = (place - self.low) / self.cell;
         let last = self.last();

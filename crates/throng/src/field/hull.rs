@@ -1,16 +1,16 @@
-//! The convex hull of places.
+//! Convex hulls.
 
 use crate::space::nearest_on_segment;
 use glam::DVec2;
 
-/// The convex hull of places, counter-clockwise.
+/// The convex hull of some points, counter-clockwise.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Hull {
     corners: Vec<DVec2>,
 }
 
 impl Hull {
-    /// That of these places: Andrew's monotone chain.
+    /// Returns the hull of these points, by Andrew's monotone chain.
     pub fn of(places: impl IntoIterator<Item = DVec2>) -> Self {
         let mut places: Vec<DVec2> = places.into_iter().collect();
         places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -29,7 +29,7 @@ impl Hull {
                 }
                 corners.push(place);
             }
-            // the other chain begins here
+            // the last point is the first of the other chain
             corners.pop();
         };
         chain(&mut places.iter().copied());
@@ -37,7 +37,7 @@ impl Hull {
         Self { corners }
     }
 
-    /// How far outside of it a place is; 0 within, infinite if there is none.
+    /// Returns how far a point is outside the hull; 0 inside, infinite if the hull is empty.
     pub fn distance(&self, place: DVec2) -> f64 {
         let corners = &self.corners;
         let edges = || (0..corners.len()).map(|at| (corners[at], corners[(at + 1) % corners.len()]));

@@ -1,5 +1,5 @@
-//! Fields that go with others: Colas, van Toll, Zibrek, Hoyet, Olivier, Pettre, Interaction fields: intuitive sketch-based steering
-//! behaviors for crowd simulation, Eurographics 2022.
+//! Fields attached to agents: Colas, van Toll, Zibrek, Hoyet, Olivier, Pettre, *Interaction fields: intuitive
+//! sketch-based steering behaviors for crowd simulation*, Eurographics 2022.
 
 use super::Field;
 use crate::Error;
@@ -7,8 +7,9 @@ use glam::Vec2;
 use std::fmt;
 use std::sync::Arc;
 
-/// A field about each agent of a group, that goes and turns with it: how others move near it, and where they look. It makes them
-/// hide behind it, circle round it, make way for it, greet it.
+/// A field around each agent of a group (the source) that moves and turns with that agent. It sets how the governed
+/// agents move near the source, and where they look: for example they hide behind it, circle round it, make way for it
+/// or greet it.
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
@@ -17,7 +18,7 @@ use std::sync::Arc;
 /// let mut world = World::new(Settings::default())?;
 /// let singer = world.add_group(Group { name: "singer".into(), ..Group::default() })?;
 /// world.add_agent(Agent { group: singer, ..Agent::default() })?;
-/// // nobody comes nearer than 3 m
+/// // the fans keep 3 m away
 /// let away = |place: Vec3, _: f64| if place.length() < 3.0 { place.normalize_or_zero() } else { Vec3::ZERO };
 /// let around = vec![Interaction::new(singer.index(), away)];
 /// let field = Some(Governed { around, ..Governed::new(Uniform(Vec3::ZERO), 1.0) });
@@ -26,27 +27,31 @@ use std::sync::Arc;
 /// while world.time() < 4.0 {
 ///     world.step();
 /// }
-/// assert!((world.agents().position[1].length() - 3.0).abs() < 0.3);
+/// assert!((world.relative_columns().position[1].length() - 3.0).abs() < 0.3);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone)]
 pub struct Interaction {
-    /// About each agent of the group that has this [position](crate::GroupId::index) in the world, but never about oneself.
+    /// The [position](crate::GroupId::index) in the world of the group of the sources. An agent is never its own
+    /// source.
     pub source: usize,
     /// The velocity, in the source's frame: metres from its centre, x ahead of it, y to its left.
     pub field: Arc<dyn Field>,
-    /// Where to look, in the same frame; the length does not count, zero: wherever one goes. None: nobody minds.
+    /// The direction to look in, in the same frame; its length does not count, and zero means the direction of motion.
+    /// None: the direction of motion everywhere.
     pub looks: Option<Arc<dyn Field>>,
-    /// How much it counts beside others. Limit: > 0, finite.
+    /// Weight among several interactions. Limit: > 0, finite.
     pub weight: f32,
-    /// Part of the source's own velocity that is added where the field says something: 1 for those who come along. Limit: finite.
+    /// Part of the source's velocity that is added where the field is not zero: 1 to move along with the source. Limit:
+    /// finite.
     pub carried: f32,
-    /// Beyond this distance, metres, it is not asked: in crowds of sources that is cheaper. Limit: > 0.
+    /// Distance from a source, metres, beyond which its field is not evaluated: a smaller reach is faster with many
+    /// sources. Limit: > 0.
     pub reach: f32,
 }
 
 impl Interaction {
-    /// A field about each agent of a group, that counts as much as any other.
+    /// Creates a field around each agent of a group, with weight 1.
     pub fn new(source: usize, field: impl Field + 'static) -> Self {
         Self { source, field: Arc::new(field), looks: None, weight: 1.0, carried: 0.0, reach: f32::INFINITY }
     }
@@ -57,13 +62,13 @@ impl Interaction {
         Error::unless(self.reach > 0.0, "reach of an interaction", self.reach, "greater than 0")
     }
 
-    /// What it says about one source, along the ground; zero for nothing.
+    /// Returns the velocity around one source, along the ground; zero where the field is zero.
     pub(crate) fn velocity(&self, source: &Source, place: Vec2, time: f64) -> Vec2 {
         let velocity = source.ask(&*self.field, place, time);
         if velocity == Vec2::ZERO { velocity } else { velocity + source.velocity * self.carried }
     }
 
-    /// Where it says to look about one source; zero for nowhere.
+    /// Returns the direction to look in around one source; zero for none.
     pub(crate) fn looks(&self, source: &Source, place: Vec2, time: f64) -> Vec2 {
         self.looks.as_ref().map_or(Vec2::ZERO, |looks| source.ask(&**looks, place, time).normalize_or_zero())
     }
@@ -81,7 +86,7 @@ impl fmt::Debug for Interaction {
     }
 }
 
-/// An agent that a field goes with.
+/// An agent that a field is attached to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Source {
     /// Metres from the world's origin.
@@ -92,7 +97,8 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// What a field in its frame says, in the world's; zero for what is no number.
+    /// Evaluates a field in the source's frame and returns the value in the world's frame; zero for values that are not
+    /// finite.
     fn ask(&self, field: &dyn Field, place: Vec2, time: f64) -> Vec2 {
         let there = Vec2::new(self.ahead.x, -self.ahead.y).rotate(place - self.place);
         let said = self.ahead.rotate(field.velocity(there.extend(0.0), time).truncate());

@@ -6,21 +6,22 @@ use crate::Error;
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 
-/// A flow to a goal that leads round jams: every so often it looks where people are, and where they are many, ground is dearer. What it
-/// saw before counts too, so that a way that has just become free is not taken by everybody at once.
+/// A flow to a goal that leads round jams. At a fixed interval it measures the density of the agents; where the density
+/// is high, ground costs more. Earlier densities count too, so a route that has just become free does not attract all
+/// agents at once.
 ///
 /// ```
 /// use glam::DVec2;
 /// use std::sync::Arc;
-/// use throng::field::{Destination, Governed, RoundJams, Survey, Terrain, ToGoal};
+/// use throng::field::{Destination, Governed, RoundJams, TerrainSettings, Terrain, ToGoal};
 /// use throng::{Agent, Group, Settings, World};
 /// let mut world = World::new(Settings { step: 0.1, ..Settings::default() })?;
-/// let survey = Survey { low: DVec2::splat(-12.0), high: DVec2::splat(12.0), ..Survey::default() };
+/// let survey = TerrainSettings { low: DVec2::splat(-12.0), high: DVec2::splat(12.0), ..TerrainSettings::default() };
 /// let ground = Terrain::of_place(world.place(), DVec2::ZERO, survey)?;
 /// let to = Destination::Point { at: DVec2::X * 9.0, tolerance: 0.2 };
 /// let flow = RoundJams::new(ToGoal::new(Arc::new(ground), vec![to], 1.3)?);
 /// let group = world.add_group(Group { field: Some(Governed::new(flow, 1.0)), ..Group::default() })?;
-/// // ten people stand in the way
+/// // ten agents block the direct route
 /// for y in -5..5 {
 ///     world.add_agent(Agent { position: DVec2::Y * (0.5 * f64::from(y)), ..Agent::default() })?;
 /// }
@@ -35,20 +36,21 @@ use std::sync::Arc;
 /// ```
 #[derive(Clone)]
 pub struct RoundJams {
-    /// The flow where nobody is.
+    /// The flow without the cost of crowds.
     pub flow: ToGoal,
-    /// The density at which ground costs twice as much, people a square metre. Limit: > 0.
+    /// Density at which ground costs twice as much, agents a square metre. Limit: > 0.
     pub weary: f32,
-    /// Metres over which people are counted. Limit: > 0.
+    /// Radius over which an agent's density is spread, metres. Limit: > 0.
     pub radius: f64,
-    /// Seconds after which it looks again. Limit: > 0.
+    /// Seconds between two measurements. Limit: > 0.
     pub interval: f64,
-    /// What part of what it minds is what it sees, the rest is from before. Limit: > 0, at most 1.
+    /// Weight of the newest measurement; the rest is the previous value. Limit: > 0, at most 1.
     pub part: f32,
 }
 
 impl RoundJams {
-    /// Minds people within 1.5 m, of whom one a square metre makes ground twice as dear, twice a second.
+    /// Creates it with these values: 1 agent a square metre makes ground twice as expensive, agents count over 1.5 m,
+    /// two measurements a second, each with a weight of one half.
     pub fn new(flow: ToGoal) -> Self {
         Self { flow, weary: 1.0, radius: 1.5, interval: 0.5, part: 0.5 }
     }
@@ -88,7 +90,7 @@ impl Adaptive for RoundJams {
     }
 
     fn notice(&self, memory: &mut [f32], people: &[Vec2]) {
-        // limits have been checked
+        // the limits have been checked
         let Ok(now) = Density::of(self.flow.terrain(), people.iter().copied(), self.radius) else { return };
         now.lead(memory, self.part);
     }

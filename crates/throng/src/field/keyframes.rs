@@ -1,4 +1,4 @@
-//! Fields that change as time goes by.
+//! Fields that change with time.
 
 use super::Field;
 use crate::Error;
@@ -6,11 +6,11 @@ use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// A field at some times, and between them the mean of the two before and after, by time. Before the first and after the last it
-/// is as these are.
+/// Fields at some times, interpolated linearly in between. Before the first time and after the last, the first and the
+/// last field apply.
 ///
-/// Fields through anchors in the same places are linear in the velocities of these: between two keyframes such a field is the one
-/// through the velocities between (MODELS 2.3). Others fade one into the other.
+/// A field through anchors is linear in their velocities (Jin et al. 2008). So between two keyframes with anchors in
+/// the same places, the result is the field through the interpolated velocities. Other fields cross-fade.
 ///
 /// ```
 /// use glam::Vec3;
@@ -28,11 +28,12 @@ pub struct Keyframes {
 }
 
 impl Keyframes {
-    /// Fields and the times, seconds, when all is as they say. With a period, seconds, everything comes again after it: the first
-    /// follows upon the last.
+    /// Creates a field from pairs of time, seconds, and field. With a period, seconds, the sequence repeats: the first
+    /// field follows the last.
     ///
     /// # Errors
-    /// No fields; times that do not increase or are not finite; a period that is not longer than from the first to the last.
+    /// No fields; times that do not increase or are not finite; a period that is not longer than the time from the
+    /// first field to the last.
     pub fn new(frames: Vec<(f64, Arc<dyn Field>)>, period: Option<f64>) -> Result<Self, Error> {
         let fail = |why: String| Err(Error::Shape { what: "the keyframes of a field".into(), why });
         let (Some(first), Some(last)) = (frames.first(), frames.last()) else {
@@ -58,7 +59,7 @@ impl Keyframes {
         Ok(Self { frames, period })
     }
 
-    /// The two fields that hold at a time, and what part of it is the second's.
+    /// Returns the two fields around a time, and the part (0 to 1) of the second.
     fn around(&self, time: f64) -> (&dyn Field, &dyn Field, f32) {
         let (first, last) = (&self.frames[0], &self.frames[self.frames.len() - 1]);
         let time = self.period.map_or(time, |period| first.0 + (time - first.0).rem_euclid(period));

@@ -1,12 +1,12 @@
-//! A number known at the corners of a grid: painted maps.
+//! Numbers at the corners of a grid: painted maps.
 
-use super::grid::Grid;
+use super::grid::ValueGrid;
 use super::paint::Brush;
 use crate::Error;
 use glam::DVec2;
 
-/// A number at every place of a box: how much a field has to say there, what it costs to walk there. Known at the corners of
-/// square cells, between them by bilinear interpolation; beyond the rim zero.
+/// A number at every place of a box: for example the weight of a field, or the cost of a metre. It is stored at the
+/// corners of square cells and interpolated bilinearly; beyond the rim it is zero.
 ///
 /// ```
 /// use glam::DVec2;
@@ -19,32 +19,34 @@ use glam::DVec2;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
-    grid: Grid<f32>,
+    grid: ValueGrid<f32>,
 }
 
 impl Map {
-    /// Numbers at the corners of cells, row by row from `low` on, towards +x, then +y; `cell` is the width of cells, metres.
+    /// Creates a map from the numbers at the corners of cells, row by row from `low`, towards +x, then +y; `cell` is
+    /// the width of a cell, metres.
     ///
     /// # Errors
     /// As [`Sampled::new`](super::Sampled::new).
     pub fn new(low: DVec2, cell: f64, columns: usize, values: Vec<f32>) -> Result<Self, Error> {
-        Ok(Self { grid: Grid::new(low, cell, columns, values)? })
+        Ok(Self { grid: ValueGrid::new(low, cell, columns, values)? })
     }
 
-    /// Zero over the box between two corners, metres from the world's origin: rounded up to whole cells.
+    /// Creates a map of zeros over the box between two corners, metres from the world's origin, rounded up to whole
+    /// cells.
     ///
     /// # Errors
     /// As [`new`](Self::new).
     pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
-        Ok(Self { grid: Grid::over(low, high, cell)? })
+        Ok(Self { grid: ValueGrid::over(low, high, cell)? })
     }
 
-    /// The number at a place, metres from the world's origin.
+    /// Returns the number at a place, metres from the world's origin.
     pub fn at(&self, place: DVec2) -> f32 {
         self.grid.at(place).unwrap_or(0.0)
     }
 
-    /// Strokes a brush along a line: where it is in full, `value` is left.
+    /// Strokes a brush along a line: where the brush has full strength, the map becomes `value`.
     ///
     /// # Errors
     /// As [`Sampled::paint`](super::Sampled::paint).
@@ -53,12 +55,12 @@ impl Map {
         brush.stroke(&mut self.grid, points, |_| value)
     }
 
-    /// Its corners with the least and the greatest coordinates, metres from the world's origin.
+    /// Returns the corners with the least and the greatest coordinates, metres from the world's origin.
     pub fn bounds(&self) -> [DVec2; 2] {
         [self.grid.low, self.grid.high()]
     }
 
-    /// The numbers at its corners, row by row.
+    /// Returns the numbers at the corners, row by row.
     pub fn values(&self) -> &[f32] {
         &self.grid.values
     }

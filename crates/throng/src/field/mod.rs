@@ -1,7 +1,7 @@
-//! 2c. Where does the crowd flow: a velocity at every place and time.
+//! Vector fields that govern crowds: a velocity at every place and time.
 //!
-//! Anything that gives a velocity at a place is a [`Field`]: a function, velocities [sketched](Anchors) at some places. Who
-//! [follows a flow](crate::steer::FollowFlow) goes with one.
+//! Everything that returns a velocity at a place and time is a [`Field`]: a function, or velocities [sketched](Anchors)
+//! at some places. The behaviour [`FollowFlow`](crate::steer::FollowFlow) follows a field.
 
 mod adaptive;
 mod anchors;
@@ -24,7 +24,7 @@ mod map;
 mod noise;
 mod paint;
 mod plate;
-mod plate_lanes;
+mod plate_simd;
 mod sampled;
 mod slope;
 
@@ -33,18 +33,18 @@ pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use anchors_in_space::AnchorsInSpace;
 pub use around::AroundWalls;
 pub use brush::{Stamp, Stroke, erase};
-pub use combine::{Blend, Part, Sum, Uniform};
+pub use combine::{Blend, FieldPart, Sum, Uniform};
 pub use critical::{Critical, CriticalPoint};
-pub use goal::{Density, Destination, Survey, Terrain, ToGoal};
+pub use goal::{Density, Destination, Terrain, TerrainSettings, ToGoal};
 pub use governed::Governed;
 pub(crate) use governed::blend;
-pub use guide::{Guide, Scan, Smoothing, Spine, Tube, Voxels};
+pub use guide::{Smoothing, Spine, SwarmGuide, Tube, VoxelSettings, Voxels};
 pub use interaction::Interaction;
 pub(crate) use interaction::Source;
 pub use jams::RoundJams;
 pub use keyframes::Keyframes;
 pub use map::Map;
-pub use noise::{Amplitude, CurlNoise, FadeOut, Motion, Octave, Potential, Rigid, Wall};
+pub use noise::{Amplitude, CurlNoise, FadeOut, NoiseWall, Octave, Potential, Rigid, RigidMotion};
 pub use paint::Brush;
 pub use plate::Kernel;
 pub use sampled::Sampled;
@@ -52,24 +52,24 @@ pub use sampled::Sampled;
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 
-/// A velocity at every place and time: currents, wind, sketched and painted ways. Functions of a place and a time are such
+/// A velocity at every place and time: currents, wind, sketched and painted routes. Functions of a place and a time are
 /// fields.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::field::Field;
-/// // round the origin, once in 2 pi seconds
+/// // a rotation about the origin, one turn in 2 pi seconds
 /// let whirl = |place: Vec3, _: f64| Vec3::Z.cross(place);
 /// assert_eq!(whirl.velocity(Vec3::X * 2.0, 0.0), Vec3::Y * 2.0);
 /// ```
 pub trait Field: Send + Sync {
-    /// The velocity, m/s, at a place, metres from the world's origin, and a time, seconds since the start. Zero: the field says
-    /// nothing there.
+    /// Returns the velocity, m/s, at a place, metres from the world's origin, and a time, seconds since the start. Zero
+    /// means that the field has no effect there.
     fn velocity(&self, place: Vec3, time: f64) -> Vec3;
 
-    /// The velocities along the ground at places there that lie side by side: `first`, then each a step further towards +x, from the
-    /// one with this index on. Fields that are faster where they are asked for many may round otherwise than one by one, but in the
-    /// same way wherever they begin.
+    /// Computes the velocities along the ground at places in a row: `first` plus a multiple of `step` along +x, from
+    /// index `from` on. An implementation may be faster than [`velocity`](Self::velocity) and round differently, but
+    /// the result at a place must not depend on where the row begins.
     fn row(&self, (first, step): (DVec2, f64), from: usize, time: f64, out: &mut [Vec2]) {
         for (out, index) in out.iter_mut().zip(from..) {
             let place = first + DVec2::X * (index as f64 * step);
@@ -77,7 +77,7 @@ pub trait Field: Send + Sync {
         }
     }
 
-    /// How it changes with where people are, if it does.
+    /// Returns how the field changes with the positions of the agents, if it does.
     fn adaptive(&self) -> Option<&dyn Adaptive> {
         None
     }
@@ -103,7 +103,7 @@ impl Field for Arc<dyn Field> {
     }
 }
 
-/// `docs/fields.md`, compiled and run.
+/// The code of `docs/fields.md`, compiled and run.
 #[cfg(doctest)]
 #[doc = include_str!("../../../../docs/fields.md")]
-struct Page;
+struct FieldsPage;

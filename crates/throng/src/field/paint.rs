@@ -1,28 +1,28 @@
-//! Painting on a grid with a brush, as animators paint where crowds go.
+//! Painting on a grid with a brush.
 
 use super::Sampled;
-use super::grid::{Grid, Value};
+use super::grid::{Interpolate, ValueGrid};
 use crate::Error;
 use glam::DVec2;
 
-/// Dabs for every radius of the brush: so many that they cannot be told apart.
+/// Dabs per radius of the brush: close enough that single dabs are not visible.
 const DABS: f64 = 8.0;
-/// Dabs of a stroke at most.
+/// Maximum number of dabs of a stroke.
 const MOST: f64 = 1e6;
 
 /// A round brush.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Brush {
-    /// How far it reaches, metres. Limit: > 0.
+    /// Radius, metres. Limit: > 0.
     pub radius: f64,
-    /// How much of what was there it covers where it is in full: 1 for all of it. Limit: 0 to 1.
+    /// Opacity where the brush has full strength: 1 replaces the old value. Limit: 0 to 1.
     pub strength: f64,
-    /// Part of the radius within which it is in full; from there to the rim it fades. Limit: 0 to 1.
+    /// Part of the radius within which the brush has full strength; from there it fades to the rim. Limit: 0 to 1.
     pub hardness: f64,
 }
 
 impl Default for Brush {
-    /// 2 m wide to each side, in full over half of that.
+    /// A radius of 2 m, with full strength within half of it.
     fn default() -> Self {
         Self { radius: 2.0, strength: 1.0, hardness: 0.5 }
     }
@@ -36,19 +36,19 @@ impl Brush {
         Error::unless((0.0..=1.0).contains(&hardness), "hardness of a brush", hardness, "0 to 1")
     }
 
-    /// How much it covers at a distance.
+    /// Returns the coverage at a distance.
     fn cover(&self, distance: f64) -> f64 {
         let full = self.radius * self.hardness;
         let part = ((distance - full) / (self.radius - full)).clamp(0.0, 1.0);
-        // a brush without a soft rim: all or nothing
+        // hardness 1 has no soft rim: coverage is 0 or 1
         if part.is_nan() { 1.0 } else { 1.0 - part * part * (3.0 - 2.0 * part) }
     }
 
-    /// Strokes along a line. What is left there is the mean of what the dabs that reach there leave; `leaves` says what one
-    /// does, going in a direction (zero: a dab without a stroke).
-    pub(super) fn stroke<T: Value>(
+    /// Strokes along a line. Each corner gets the mean, weighted by coverage, of what the dabs that reach it leave.
+    /// `leaves` returns what a dab leaves for a direction of the stroke (zero: a dab without a stroke).
+    pub(super) fn stroke<T: Interpolate>(
         &self,
-        grid: &mut Grid<T>,
+        grid: &mut ValueGrid<T>,
         points: &[DVec2],
         leaves: impl Fn(DVec2) -> T,
     ) -> Result<(), Error> {
@@ -56,32 +56,37 @@ impl Brush {
         let dabs = self.dabs(points)?;
         let (Some(first), reach) = (dabs.first(), DVec2::splat(self.radius)) else { return Ok(()) };
         let (low, high) = dabs.iter().fold((first.0, first.0), |(low, high), dab| (low.min(dab.0), high.max(dab.0)));
+        // for each corner in reach: the weighted sum of what the dabs leave, the sum of the coverages, and their
+        // maximum
         let (across, up) = grid.within(low - reach, high + reach);
-        for row in up {
-            let y = grid.place(0, row).y;
-            for column in across.clone() {
-                let place = DVec2::new(grid.place(column, 0).x, y);
-                let (mut sum, mut weight, mut most) = (T::NOTHING, 0.0f64, 0.0f64);
-                for &(at, direction) in dabs.iter().filter(|(at, _)| (at.y - y).abs() <= self.radius) {
-                    let distance = at.distance(place);
+        let mut left = vec![(T::NOTHING, 0.0f64, 0.0f64); across.len() * up.len()];
+        for (at, direction) in dabs {
+            let leaves = leaves(direction);
+            let (columns, rows) = grid.within(at - reach, at + reach);
+            for row in rows {
+                let first = (row - up.start) * across.len();
+                for column in columns.clone() {
+                    let distance = at.distance(grid.place(column, row));
                     if distance <= self.radius {
                         let cover = self.cover(distance);
-                        sum = sum + leaves(direction) * cover as f32;
-                        weight += cover;
-                        most = most.max(cover);
+                        let (sum, weight, most) = &mut left[first + column - across.start];
+                        *sum = *sum + leaves * cover as f32;
+                        *weight += cover;
+                        *most = most.max(cover);
                     }
                 }
-                if weight > 0.0 {
-                    let value = &mut grid.values[row * grid.columns + column];
-                    let left = sum * (1.0 / weight) as f32;
-                    *value = *value + (left - *value) * (self.strength * most) as f32;
-                }
             }
+        }
+        let corners = up.flat_map(|row| across.clone().map(move |column| (row, column)));
+        for ((row, column), (sum, weight, most)) in corners.zip(left).filter(|(_, (_, weight, _))| *weight > 0.0) {
+            let value = &mut grid.values[row * grid.columns + column];
+            let left = sum * (1.0 / weight) as f32;
+            *value = *value + (left - *value) * (self.strength * most) as f32;
         }
         Ok(())
     }
 
-    /// Where a stroke dabs, and in which direction it goes there.
+    /// Returns the positions of the dabs of a stroke, with the direction of the stroke there.
     fn dabs(&self, points: &[DVec2]) -> Result<Vec<(DVec2, DVec2)>, Error> {
         for point in points {
             Error::unless_finite("point of a stroke", point.element_sum())?;
@@ -103,8 +108,8 @@ impl Brush {
 }
 
 impl Sampled {
-    /// Paints with a brush: along the line it leaves velocities that lead along it, at a speed, m/s (below zero: against it).
-    /// Round corners they turn gradually.
+    /// Paints with a brush: leaves velocities along the line at a speed, m/s (below zero: against it). Around corners
+    /// the direction turns gradually.
     ///
     /// ```
     /// use glam::{DVec2, Vec3};
@@ -119,17 +124,18 @@ impl Sampled {
     /// ```
     ///
     /// # Errors
-    /// Numbers out of the limits of the brush; places and speeds that are not finite; strokes of more than a million dabs.
+    /// Values out of the limits of the brush; places and speeds that are not finite; strokes of more than a million
+    /// dabs.
     pub fn paint(&mut self, brush: &Brush, points: &[DVec2], speed: f64) -> Result<(), Error> {
         Error::unless_finite("speed of a stroke", speed)?;
         brush.stroke(&mut self.grid, points, |direction| (direction * speed).as_vec2())
     }
 
-    /// Rubs out what is there along a line: where the brush is in full, nothing is left.
+    /// Erases along a line: where the brush has full strength, the field becomes zero.
     ///
     /// # Errors
     /// As [`paint`](Self::paint).
     pub fn rub_out(&mut self, brush: &Brush, points: &[DVec2]) -> Result<(), Error> {
-        brush.stroke(&mut self.grid, points, |_| Value::NOTHING)
+        brush.stroke(&mut self.grid, points, |_| Interpolate::NOTHING)
     }
 }

@@ -1,4 +1,4 @@
-//! Scattered velocities interpolated by radial basis functions: the linear system behind [`Anchors`](super::Anchors).
+//! Radial basis function interpolation of scattered velocities: the linear system behind [`Anchors`](super::Anchors).
 
 use crate::Error;
 use glam::{DMat2, DVec2, DVec3};
@@ -11,14 +11,15 @@ use std::ops::{Add, Mul, Sub};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Kernel {
-    /// `r^2 log r` beside a linear field: of all fields that go through the anchors the one that bends least (thin plate). In space
-    /// that is `r` (biharmonic).
-    /// Every anchor matters everywhere; fields that are linear, a rotation too, come out as they are.
+    /// `r^2 log r` plus a linear field: the interpolation with the least bending energy (thin plate). In space the
+    /// kernel is `r` (biharmonic). Every anchor has influence everywhere. Linear fields, including rotations, are
+    /// reproduced exactly.
     #[default]
     ThinPlate,
-    /// Wendland's `(1 - r)^4 (4 r + 1)`, `r` in parts of the reach: zero beyond it, so that an anchor matters near it only.
+    /// Wendland's `(1 - r)^4 (4 r + 1)`, with `r` in parts of the reach: zero beyond the reach, so an anchor has local
+    /// influence only.
     Wendland {
-        /// Metres, greater than 0.
+        /// Radius of influence, metres, greater than 0.
         reach: f64,
     },
 }
@@ -38,11 +39,11 @@ impl Kernel {
     }
 }
 
-/// A place, or a velocity: in the plane or in space.
+/// A place or a velocity, in the plane or in space.
 pub(super) trait Vector:
     Copy + Debug + Default + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> + Sum
 {
-    /// A way to measure distances.
+    /// A metric of distances.
     type Metric: Copy + Debug;
     const DIMENSIONS: usize;
 
@@ -93,31 +94,31 @@ impl Vector for DVec3 {
     }
 }
 
-/// A place with its own way to measure distances.
+/// A place with its metric of distances.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Center<V: Vector> {
     pub place: V,
     pub metric: V::Metric,
 }
 
-/// Centres, and the factors of their system: new velocities need no new factors.
+/// Centres and the factors of their linear system: new velocities need no new factorisation.
 #[derive(Clone, Debug)]
 pub(super) struct Plate<V: Vector> {
     kernel: Kernel,
     centers: Vec<Center<V>>,
-    /// Directions in which the linear part varies: as many as the centres span, none if there is no such part.
+    /// Directions in which the linear part varies: as many as the centres span, none without a linear part.
     axes: Vec<V>,
     has_polynomial: bool,
     factors: Option<LU<f64, Dyn, Dyn>>,
-    /// What each centre adds, then the constant and what each axis adds.
+    /// The weights of the centres, then the constant, then the weights of the axes.
     weights: Vec<V>,
-    /// How many times as large all weights are together as the fastest velocity: how many digits are lost.
+    /// The sum of the weights' lengths, in parts of the fastest velocity: a measure of the loss of digits.
     gain: f64,
 }
 
 impl<V: Vector> Plate<V> {
-    /// The plate through centres that lie in places that differ, near the origin and not much more than 1 from it. With a
-    /// smoothing of more than zero it goes past them instead of through them.
+    /// Factors the system of some centres. The centres must be distinct and lie at most about 1 from the origin. With
+    /// `smoothing` above zero the plate approximates the velocities instead of interpolating them.
     pub fn new(kernel: Kernel, centers: Vec<Center<V>>, axes: Vec<V>, smoothing: f64) -> Result<Self, Error> {
         let has_polynomial = kernel == Kernel::ThinPlate;
         let axes = if has_polynomial { axes } else { Vec::new() };
@@ -135,7 +136,8 @@ impl<V: Vector> Plate<V> {
             (false, true) => plate.term(row - count, plate.centers[column].place),
             (false, false) => 0.0,
         };
-        // symmetric where nothing is stretched, but indefinite: so not by Cholesky. Plain loops, the same bits on every processor
+        // Cholesky's method does not apply: the matrix is indefinite, and symmetric only without stretching. Plain
+        // loops give the same bits on every processor.
         let factors = DMatrix::from_fn(size, size, entry).lu();
         if !factors.is_invertible() {
             return Err(Self::unsolvable());
@@ -148,19 +150,19 @@ impl<V: Vector> Plate<V> {
         self.centers.len() + if self.has_polynomial { 1 + self.axes.len() } else { 0 }
     }
 
-    /// What a centre adds at a place, over its weight.
+    /// Returns the contribution of a centre at a place, for a weight of 1.
     fn influence(&self, center: usize, place: V) -> f64 {
         let Center { place: at, metric } = self.centers[center];
         let offset = (place - at).measured(metric);
         self.kernel.at(offset.dot(offset), V::DIMENSIONS)
     }
 
-    /// A term of the linear part at a place.
+    /// Returns a term of the linear part at a place.
     fn term(&self, index: usize, place: V) -> f64 {
         index.checked_sub(1).map_or(1.0, |axis| self.axes[axis].dot(place))
     }
 
-    /// Goes through these velocities, one a centre, or past them if it is smoothed.
+    /// Computes the weights from the velocities of the centres.
     pub fn go_through(&mut self, velocities: &[V]) {
         let Some(factors) = &self.factors else { return };
         let right = |row: usize, column: usize| velocities.get(row).map_or(0.0, |v| v.component(column));
@@ -173,12 +175,12 @@ impl<V: Vector> Plate<V> {
         self.gain = length(self.weights()).into_iter().sum::<f64>() / fastest;
     }
 
-    /// How many times as large all weights are together as the fastest velocity: how many digits are lost.
+    /// Returns the sum of the weights' lengths, in parts of the fastest velocity: a measure of the loss of digits.
     pub fn gain(&self) -> f64 {
         self.gain
     }
 
-    /// Whether rounding left it on these velocities, which it goes through.
+    /// Checks that the plate interpolates these velocities in spite of rounding.
     pub fn check(&self, velocities: &[V]) -> Result<(), Error> {
         let largest = velocities.iter().map(|v| v.length()).fold(0.0, f64::max);
         let off = |(center, v): (&Center<V>, &V)| (self.velocity(center.place) - *v).length();
@@ -191,19 +193,19 @@ impl<V: Vector> Plate<V> {
         Error::Shape { what: "anchors of a field".into(), why: why.into() }
     }
 
-    /// The velocity at a place.
+    /// Returns the velocity at a place.
     pub fn velocity(&self, place: V) -> V {
         let weights = (0..).zip(self.weights());
         weights.map(|(center, &weight)| weight * self.influence(center, place)).sum::<V>() + self.linear(place)
     }
 
-    /// The linear part at a place.
+    /// Returns the linear part at a place.
     pub fn linear(&self, place: V) -> V {
         let terms = self.weights.get(self.centers.len()..).unwrap_or_default();
         (0..).zip(terms).map(|(term, &weight)| weight * self.term(term, place)).sum()
     }
 
-    /// What each centre adds, over its influence.
+    /// Returns the weights of the centres.
     pub fn weights(&self) -> &[V] {
         self.weights.get(..self.centers.len()).unwrap_or_default()
     }

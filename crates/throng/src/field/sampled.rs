@@ -1,13 +1,13 @@
-//! A field known at the corners of a grid.
+//! Fields stored at the corners of a grid.
 
 use super::Field;
-use super::grid::Grid;
+use super::grid::ValueGrid;
 use crate::Error;
 use crate::parallel;
 use glam::{DVec2, Vec2, Vec3};
 
-/// Velocities at the corners of square cells, and between them by bilinear interpolation; zero beyond its rim. Asking costs the
-/// same however dear the field was that it was sampled from.
+/// Velocities at the corners of square cells, interpolated bilinearly between them; zero beyond the rim. The cost of an
+/// evaluation does not depend on the field that was sampled.
 ///
 /// ```
 /// use glam::{DVec2, Vec2, Vec3};
@@ -16,36 +16,37 @@ use glam::{DVec2, Vec2, Vec3};
 /// let mut field = Sampled::of(&whirl, DVec2::splat(-10.0), DVec2::splat(10.0), 0.5, 0.0)?;
 /// assert!(field.velocity(Vec3::new(1.2, 3.4, 0.0), 7.0).distance(Vec3::new(-3.4, 1.2, 0.0)) < 1e-5);
 /// assert_eq!(field.velocity(Vec3::X * 11.0, 0.0), Vec3::ZERO);
-/// // somebody stops it near the middle
+/// // the field becomes zero near the middle
 /// field.sample(&|_: Vec3, _: f64| Vec3::ZERO, DVec2::splat(-1.0), DVec2::splat(1.0), 0.0);
 /// assert_eq!(field.velocity(Vec3::splat(0.3), 0.0), Vec3::ZERO);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    pub(super) grid: Grid<Vec2>,
+    pub(super) grid: ValueGrid<Vec2>,
 }
 
 impl Sampled {
-    /// A field at the corners of cells, row by row from `low` on, towards +x, then +y; `cell` is the width of cells, metres.
+    /// Creates a field from the velocities at the corners of cells, row by row from `low`, towards +x, then +y; `cell`
+    /// is the width of a cell, metres.
     ///
     /// # Errors
-    /// A width that is not greater than 0 and finite; numbers that are not finite; rows that are not whole, or fewer than two;
+    /// A width that is not greater than 0 and finite; values that are not finite; incomplete rows, or fewer than two;
     /// more than 16 million corners.
     pub fn new(low: DVec2, cell: f64, columns: usize, velocities: Vec<Vec2>) -> Result<Self, Error> {
-        Ok(Self { grid: Grid::new(low, cell, columns, velocities)? })
+        Ok(Self { grid: ValueGrid::new(low, cell, columns, velocities)? })
     }
 
-    /// A field that says nothing yet, over the box between two corners, metres from the world's origin: rounded up to whole
+    /// Creates a field of zeros over the box between two corners, metres from the world's origin, rounded up to whole
     /// cells.
     ///
     /// # Errors
     /// As [`new`](Self::new).
     pub fn over(low: DVec2, high: DVec2, cell: f64) -> Result<Self, Error> {
-        Ok(Self { grid: Grid::over(low, high, cell)? })
+        Ok(Self { grid: ValueGrid::over(low, high, cell)? })
     }
 
-    /// Another field as it is at a time, over a box.
+    /// Samples a field at a time, over a box.
     ///
     /// # Errors
     /// As [`over`](Self::over).
@@ -55,16 +56,16 @@ impl Sampled {
         Ok(sampled)
     }
 
-    /// Samples another field anew at those of its corners that lie in a box: where it has changed. What is not finite becomes
-    /// zero.
+    /// Samples a field again at the corners in a box, for example where the field has changed. Values that are not
+    /// finite become zero.
     pub fn sample(&mut self, field: &dyn Field, low: DVec2, high: DVec2, time: f64) {
-        let Grid { low: corner, cell, columns, .. } = self.grid;
+        let ValueGrid { low: corner, cell, columns, .. } = self.grid;
         let (across, up) = self.grid.within(low, high);
         if across.is_empty() || up.is_empty() {
             return;
         }
         parallel::ranges(&mut self.grid.values[..], |places, velocities| {
-            // a part of the corners begins and ends within rows
+            // a part of the corners can begin and end within rows
             let mut at = places.start;
             while at < places.end {
                 let (row, column) = (at / columns, at % columns);
@@ -82,32 +83,32 @@ impl Sampled {
         });
     }
 
-    /// The width of its cells, metres.
+    /// Returns the width of a cell, metres.
     pub fn cell(&self) -> f64 {
         self.grid.cell
     }
 
-    /// Its corner with the least coordinates, metres from the world's origin.
+    /// Returns the corner with the least coordinates, metres from the world's origin.
     pub fn low(&self) -> DVec2 {
         self.grid.low
     }
 
-    /// Its corner with the greatest coordinates.
+    /// Returns the corner with the greatest coordinates.
     pub fn high(&self) -> DVec2 {
         self.grid.high()
     }
 
-    /// Corners in a row.
+    /// Returns the number of corners in a row.
     pub fn columns(&self) -> usize {
         self.grid.columns
     }
 
-    /// Rows of corners.
+    /// Returns the number of rows of corners.
     pub fn rows(&self) -> usize {
         self.grid.rows()
     }
 
-    /// The velocities at its corners, row by row.
+    /// Returns the velocities at the corners, row by row.
     pub fn velocities(&self) -> &[Vec2] {
         &self.grid.values
     }

@@ -1,20 +1,20 @@
 //! The slope of arrival times.
 
-use super::eikonal::{Lattice, Links, beside, bit};
+use super::eikonal::{Links, NodeLattice, beside, bit};
 
-/// A bend of the times over three nodes, in metres of front for a cell's width at the cost there, from which on fronts meet between
-/// them: the slope is that on one side.
+/// Concave bend of the times over three nodes, in metres of front for the width of a cell at the cost there, above
+/// which fronts meet between the nodes: the slope is one-sided there.
 const KINK: f32 = 0.05;
-/// The same where they bend the other way, as away from a point: what bends more is too narrow for the second order.
+/// The same for a convex bend, as around a point: above this it is too sharp for the second order.
 const ROUND: f32 = 0.4;
 
-/// The slope of the times at a node along each axis, a unit of time a metre, and whether it is known along all of them: not where only
-/// a side is linked that the front goes on to; it is zero there.
+/// Returns the slope of the times at a node along each axis, in metres of front a metre, and whether it is known along
+/// all axes. It is unknown, and zero, along an axis on which only neighbours that the front reaches later are linked.
 ///
-/// Fronts that meet leave a ridge: there it is the slope of the side from which the front came first. Elsewhere it is that of both sides,
-/// where it bends little.
+/// Where fronts meet there is a ridge: the slope is that of the side from which the front came first. Elsewhere the
+/// slope is that of both sides, if the bend is small.
 pub(super) fn slope<const D: usize>(
-    lattice: &Lattice<D>,
+    lattice: &NodeLattice<D>,
     (links, cost): (&[Links], &[f32]),
     times: &[f32],
     node: usize,
@@ -51,7 +51,7 @@ pub(super) fn slope<const D: usize>(
             whole = false;
             continue;
         }
-        // of second order where it bends little, as away from a point, and no fronts meet
+        // of second order where the bend is small, as around a point, and no fronts meet
         let rise = match rise_from(beside(node, side), side) {
             Some(next) if (-KINK * unit..=ROUND * unit).contains(&(rise - next)) => 1.5 * rise - 0.5 * next,
             _ => rise,

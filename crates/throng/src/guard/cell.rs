@@ -1,48 +1,50 @@
-//! Buffered Voronoi cells: where an agent can go whatever its neighbours do within theirs (Zhou, Wang, Bandyopadhyay,
-//! Schwager, RA-L 2017, who use them as a controller; here they are the last resort of the [guard](super)).
+//! Buffered Voronoi cells: regions in which an agent is safe whatever its neighbours do within their own cells (Zhou,
+//! Wang, Bandyopadhyay, Schwager, RA-L 2017). The paper uses the cells as a controller. Here they are the last resort
+//! of the [guard](super).
 
-use super::Pose;
-use super::certify::Scratch;
-use super::solid::Solid;
-use crate::avoid::{Line, Plane, closest_velocity, closest_velocity_in_space};
+use super::BodyPose;
+use super::certify::CertifyScratch;
+use super::solid::GuardedObjects;
+use crate::avoid::{HalfPlane, HalfSpace, closest_velocity, closest_velocity_in_space};
 use crate::motion::wrap;
 use glam::{DVec2, DVec3};
 
-/// Part of the sum of radii that cells keep in reserve, so that rounding does not turn contacts to glue.
+/// Fraction of the radius that a cell keeps in reserve. Without it rounding would make bodies in contact stick
+/// together.
 const RESERVE: f64 = 1e-4;
-/// Parts of the turn that are tried.
+/// Fractions of the turn that are tried, in this order.
 const TURNS: [f32; 3] = [1.0, 0.5, 0.0];
 
-/// One side of a cell: no point of the body moves farther along `normal` than `gap` beyond where the body reached.
+/// One side of a cell. No point of the body moves along `normal` farther than `gap` beyond the body's present extent.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(super) struct CellSide {
     normal: DVec3,
     gap: f64,
 }
 
-impl Side {
-    /// The line in which the plane `room` away cuts the ground, the permitted side on its left; none for one that is
-    /// level.
-    fn line(&self, room: f64) -> Option<Line> {
+impl CellSide {
+    /// Returns the intersection of the ground with the plane `room` metres away, as a half-plane. Returns `None` if the
+    /// plane is level.
+    fn line(&self, room: f64) -> Option<HalfPlane> {
         let part = (1.0 - self.normal.z * self.normal.z).sqrt();
         let normal = (self.normal.truncate() / part).as_vec2();
         let point = normal * (room / part) as f32;
-        (part > 1e-3).then(|| Line { point, direction: normal.perp() })
+        (part > 1e-3).then(|| HalfPlane { point, direction: normal.perp() })
     }
 
-    fn plane(&self, room: f64) -> Plane {
+    fn plane(&self, room: f64) -> HalfSpace {
         let normal = self.normal.as_vec3();
-        Plane { point: normal * room as f32, normal: -normal }
+        HalfSpace { point: normal * room as f32, normal: -normal }
     }
 }
 
-/// Everything that bounds the cell of `row`.
-fn sides<'a>(row: usize, solid: Solid<'a>) -> impl Iterator<Item = Side> + 'a {
+/// Returns all sides of the cell of `row`.
+fn sides<'a>(row: usize, solid: GuardedObjects<'a>) -> impl Iterator<Item = CellSide> + 'a {
     let bodies = solid.bodies;
     let place = bodies.place(row).as_dvec3();
     let from = place.truncate();
     let radius = f64::from(bodies.radii[row]);
-    let side = |normal: DVec3, distance: f64, clearance: f64, share: f64| Side {
+    let side = |normal: DVec3, distance: f64, clearance: f64, share: f64| CellSide {
         normal,
         gap: ((distance - clearance) * share).max(0.0),
     };
@@ -67,31 +69,36 @@ fn sides<'a>(row: usize, solid: Solid<'a>) -> impl Iterator<Item = Side> + 'a {
         let apart = solid.core(row).separation(&core);
         side(level(apart.normal), apart.distance, radius + size, 1.0)
     });
-    let ground = Side { normal: DVec3::NEG_Z, gap: place.z };
+    let ground = CellSide { normal: DVec3::NEG_Z, gap: place.z };
     others.chain(edges).chain(discs).chain(standing).chain([ground])
 }
 
-/// The target nearest to `target` that lies in the cell of `row`, its turn or a part of it kept if there is room.
-pub(super) fn clamp(row: usize, solid: Solid<'_>, target: Pose, scratch: &mut Scratch) -> Pose {
+/// Returns the pose nearest to `target` that lies in the cell of `row`. The turn, or a fraction of it, is kept if the
+/// cell has room for it.
+pub(super) fn clamp(row: usize, solid: GuardedObjects<'_>, target: BodyPose, scratch: &mut CertifyScratch) -> BodyPose {
     let bodies = solid.bodies;
     let (from, heading) = (bodies.place(row), bodies.headings[row]);
-    let stand = Pose { heading, ..target }.with_place(from);
+    let stand = BodyPose { heading, ..target }.with_place(from);
     let motion = target.place() - from;
     let is_grounded = solid.is_grounded(row, target);
     let reserve = RESERVE * f64::from(bodies.radii[row]);
-    let Scratch { lines, planes, sides: all, .. } = scratch;
+    let CertifyScratch { lines, planes, sides: all, .. } = scratch;
     all.clear();
     all.extend(sides(row, solid));
     let sweep = solid.sweep(row, target);
     for part in TURNS {
         let heading = if part == 1.0 { target.heading } else { wrap(heading + sweep.turn as f32 * part) };
-        let stand = Pose { heading, ..stand };
+        let stand = BodyPose { heading, ..stand };
         let turned = solid.sweep(row, stand);
-        let growth = |side: &Side| if turned.turn == 0.0 { 0.0 } else { turned.growth(side.normal.truncate()) };
+        let growth = |side: &CellSide| {
+            let along = side.normal.truncate();
+            // a turn about the vertical does not move the body down
+            if turned.turn == 0.0 || along == DVec2::ZERO { 0.0 } else { turned.growth(along) }
+        };
         if all.iter().any(|side| growth(side) > side.gap) {
             continue;
         }
-        let room = |side: &Side| (side.gap - growth(side) - reserve).max(0.0);
+        let room = |side: &CellSide| (side.gap - growth(side) - reserve).max(0.0);
         let planned = if is_grounded {
             lines.clear();
             lines.extend(all.iter().filter_map(|side| side.line(room(side))));
@@ -111,4 +118,62 @@ pub(super) fn clamp(row: usize, solid: Solid<'_>, target: Pose, scratch: &mut Sc
         return stand;
     }
     stand
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cores::Cores;
+    use super::super::{Contacts, GuardedBodies, Solids};
+    use super::*;
+    use crate::Obstacle;
+    use crate::perceive::Grid;
+    use crate::space::Walls;
+    use glam::Vec2;
+    use std::f32::consts::FRAC_PI_2;
+
+    /// Returns the clamped pose of a body at (3, 1) that faces +x, next to a wall along the line y = `wall`.
+    fn clamped(core: Vec2, target: BodyPose, wall: f64) -> BodyPose {
+        let positions = [Vec2::new(3.0, 1.0)];
+        let bodies = GuardedBodies {
+            positions: &positions,
+            altitudes: &[0.0].into_iter().collect(),
+            headings: &[0.0],
+            cores: &[core].into_iter().collect(),
+            radii: &[0.2].into_iter().collect(),
+            reach: &[2.0].into_iter().collect(),
+            guarded: &[true].into_iter().collect(),
+            solids: &Solids::default(),
+            resting: &[],
+        };
+        let points = vec![DVec2::new(-20.0, wall), DVec2::new(20.0, wall)];
+        let walls = Walls::new(&[], &[Obstacle::Wall { points }], DVec2::ZERO);
+        let (mut grid, mut contacts, mut cores) = (Grid::default(), Contacts::default(), Cores::default());
+        grid.rebuild(&positions, &[0], 1.0);
+        contacts.collect(&bodies, &[0], &grid, &walls, |_, _| true, |_| None);
+        cores.rebuild(&bodies);
+        let solid = GuardedObjects { bodies: &bodies, contacts: &contacts, walls: &walls, cores: &cores };
+        clamp(0, solid, target, &mut CertifyScratch::default())
+    }
+
+    /// A disc moves up to the wall, less a ten-thousandth of its radius.
+    #[test]
+    fn a_clamped_disc_moves_up_to_the_wall() {
+        let target = BodyPose { position: Vec2::new(3.0, 2.5), altitude: 0.0, heading: 0.0 };
+        let at = clamped(Vec2::ZERO, target, 1.9);
+        let room = 1.9 - 1.0 - 0.2;
+        assert!((room * 0.9999 - 2e-5..=room).contains(&f64::from(at.position.y - 1.0)), "{at:?}");
+        assert!((at.position.x - 3.0).abs() < 1e-6, "{at:?}");
+    }
+
+    /// The end of a bar moves sideways with the sine of the turn. The wall leaves room for half of a quarter turn.
+    #[test]
+    fn a_bar_without_room_for_its_turn_turns_by_half() {
+        let target = BodyPose { position: Vec2::new(3.0, 1.0), altitude: 0.0, heading: FRAC_PI_2 };
+        let bar = Vec2::new(1.0, 0.0);
+        let turned = |room: f64| clamped(bar, target, 1.0 + 0.2 + room).heading;
+        assert!((turned(1.8) - FRAC_PI_2).abs() < 1e-6);
+        let half = turned(0.95);
+        assert!((half - 0.5 * FRAC_PI_2).abs() < 1e-6, "{half}");
+        assert_eq!(turned(0.1), 0.0);
+    }
 }

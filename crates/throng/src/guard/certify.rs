@@ -1,76 +1,76 @@
-//! The guard itself: who is looked at when.
+//! The guard: certification in rounds.
 //!
-//! Relaxing and clamping change few, and what is found about a row depends on its own target and on those of the rows
-//! it could touch only. So a pass looks at those rows only for which one of these changed since they were looked at
-//! last; everybody else would be found as before.
+//! Relaxation and clamping change few targets. The result for a row depends only on the row's own target and on the
+//! targets of the rows that it could touch. So a pass evaluates a row only if one of these targets changed since the
+//! row's last evaluation. Evaluating any other row would give the same result again.
 
 use super::cores::Cores;
 use super::safe::is_safe;
-use super::solid::Solid;
-use super::{Bodies, Contacts, Pose, cell, relax};
-use crate::avoid::{Line, Plane};
-use crate::lanes::ones;
+use super::solid::GuardedObjects;
+use super::{BodyPose, Contacts, GuardedBodies, cell, relax};
+use crate::avoid::{HalfPlane, HalfSpace};
 use crate::parallel::{self, WORD, Words};
+use crate::simd::ones;
 use crate::space::Walls;
 use glam::Vec3;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Rounds of certification after which everybody who is still free is clamped.
+/// Maximum number of certification rounds. After them every agent that is still free is clamped.
 pub(super) const ROUNDS: usize = 8;
 
-/// What the guard did.
+/// Statistics of one certification.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// Agents whose displacement it changed by more than a hundredth.
+    /// Number of agents with a displacement that the guard changed by more than 1 %.
     pub changed: usize,
-    /// Agents it clamped to their cells.
+    /// Number of agents clamped to their cells.
     pub clamped: usize,
-    /// Rounds of certification.
+    /// Number of certification rounds.
     pub rounds: usize,
 }
 
-/// The guard, with the memory it keeps from step to step.
+/// The guard, with buffers that are reused from step to step.
 #[derive(Clone, Debug, Default)]
 pub struct Guard {
-    parts: Vec<Part>,
+    parts: Vec<RowRange>,
     waiting: Vec<Waiting>,
-    scratch: Vec<Scratch>,
+    scratch: Vec<CertifyScratch>,
     cores: Cores,
 }
 
-/// What is known of a part of the rows. A set of rows is a word, a bit a row.
+/// The state of 64 consecutive rows. A set of rows is a word with one bit per row.
 #[derive(Clone, Debug, Default)]
-struct Part {
-    /// Who gets a new target in this pass.
+struct RowRange {
+    /// Rows that get a new target in this pass.
     moving: u64,
-    /// Who was ever looked at.
+    /// Rows evaluated in any pass of this step.
     seen: u64,
-    /// Whose target ever changed.
+    /// Rows with a target that changed in any pass of this step.
     moved: u64,
     clamped: u64,
-    /// Whose motion is not what was wished.
+    /// Rows with a target that differs from the desired pose.
     changed: u64,
 }
 
-/// Memory for some parts.
+/// Buffers of one thread.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// New targets of those who get one in this pass, row by row.
-    targets: Vec<Pose>,
-    /// One agent's cell.
-    pub lines: Vec<Line>,
-    pub planes: Vec<Plane>,
-    pub sides: Vec<cell::Side>,
+pub(super) struct CertifyScratch {
+    /// New targets of this pass, in the order of rows.
+    targets: Vec<BodyPose>,
+    /// Buffers for the cell of one agent.
+    pub lines: Vec<HalfPlane>,
+    pub planes: Vec<HalfSpace>,
+    pub sides: Vec<cell::CellSide>,
 }
 
-/// The rows of a part that the next pass looks at; any thread may add to them.
+/// The rows among 64 that the next pass evaluates. Any thread may add rows.
 #[derive(Debug, Default)]
 struct Waiting(AtomicU64);
 
 impl Waiting {
     fn add(&self, rows: u64) {
-        // most are there already
+        // most rows are in the set already
         if self.0.load(Ordering::Relaxed) & rows != rows {
             self.0.fetch_or(rows, Ordering::Relaxed);
         }
@@ -84,35 +84,35 @@ impl Clone for Waiting {
 }
 
 impl Guard {
-    /// Puts into `targets` what is certain: the motion to where each row `wished`, changed as little as can be.
-    /// `contacts` must hold every pair and every wall that the bodies' reach lets meet.
+    /// Computes safe `targets`: the poses of `desired`, changed as little as possible. `contacts` must hold every pair
+    /// and every wall that can meet within the reach of the bodies.
     pub fn certify(
         &mut self,
-        bodies: &Bodies<'_>,
+        bodies: &GuardedBodies<'_>,
         contacts: &Contacts,
         walls: &Walls,
-        wished: impl Fn(usize) -> Pose + Sync,
-        targets: &mut Vec<Pose>,
+        desired: impl Fn(usize) -> BodyPose + Sync,
+        targets: &mut Vec<BodyPose>,
     ) -> Report {
         let count = bodies.positions.len();
         let Self { parts, waiting, scratch, cores } = self;
         cores.rebuild(bodies);
-        let solid = Solid { bodies, contacts, walls, cores };
+        let solid = GuardedObjects { bodies, contacts, walls, cores };
         let touching = |part: usize| contacts.touching(part) | bodies.solids.near(part);
-        targets.resize(count, Pose::default());
-        parts.resize_with(count.div_ceil(WORD), Part::default);
+        targets.resize(count, BodyPose::default());
+        parts.resize_with(count.div_ceil(WORD), RowRange::default);
         waiting.clear();
         waiting.resize_with(parts.len(), Waiting::default);
         parallel::ranges((Words(parts), &mut targets[..]), |rows, (Words(parts), targets)| {
             for ((first, part), targets) in rows.step_by(WORD).zip(parts).zip(targets.chunks_mut(WORD)) {
-                *part = Part::default();
+                *part = RowRange::default();
                 if bodies.rest(first / WORD) {
                     continue;
                 }
                 for (row, target) in (first..).zip(targets) {
-                    let wish = wished(row);
-                    *target = within_reach(row, bodies, wish);
-                    part.changed |= u64::from(differs(row, bodies, wish, *target)) * bit(row);
+                    let pose = desired(row);
+                    *target = within_reach(row, bodies, pose);
+                    part.changed |= u64::from(differs(row, bodies, pose, *target)) * bit(row);
                 }
             }
         });
@@ -144,11 +144,11 @@ impl Guard {
             report.rounds = round;
         }
         let moved = parts.iter().map(|part| part.moved.count_ones() as usize).sum();
-        let note = |part_rows: Range<usize>, parts: &mut [Part]| {
+        let note = |part_rows: Range<usize>, parts: &mut [RowRange]| {
             for (first, part) in part_rows.step_by(WORD).zip(parts) {
                 for row in rows(first / WORD, part.moved) {
                     part.changed &= !bit(row);
-                    part.changed |= u64::from(differs(row, bodies, wished(row), targets[row])) * bit(row);
+                    part.changed |= u64::from(differs(row, bodies, desired(row), targets[row])) * bit(row);
                 }
             }
         };
@@ -160,60 +160,69 @@ impl Guard {
         report
     }
 
-    /// Rows that any pass moved in the last step.
+    /// Returns the rows with targets that a pass changed in the last step.
     pub(crate) fn moved_rows(&self) -> impl Iterator<Item = usize> {
         (0..).zip(&self.parts).flat_map(|(part, of)| rows(part, of.moved))
     }
 
-    /// Those of 64 rows that any pass moved in the last step, a bit each.
+    /// Returns the rows among 64 with targets that a pass changed in the last step, one bit per row.
     pub(crate) fn moved(&self, part: usize) -> u64 {
         self.parts[part].moved
     }
 }
 
-/// Puts into `targets` where each row wished to go, as far as it gets: nobody is held apart, nor gets into a solid.
-pub(crate) fn unguarded(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
-    targets.resize(bodies.positions.len(), Pose::default());
+/// Computes `targets` without the guard: the desired poses, limited to each row's reach and kept out of solids. Agents
+/// may overlap each other and walls.
+pub(crate) fn unguarded(
+    bodies: &GuardedBodies<'_>,
+    desired: impl Fn(usize) -> BodyPose + Sync,
+    targets: &mut Vec<BodyPose>,
+) {
+    targets.resize(bodies.positions.len(), BodyPose::default());
     parallel::ranges(&mut targets[..], |rows, targets| {
         for (row, target) in rows.zip(targets) {
-            *target = bodies.solids.lead(row, bodies, within_reach(row, bodies, wished(row)));
+            *target = bodies.solids.lead(row, bodies, within_reach(row, bodies, desired(row)));
         }
     });
 }
 
-/// The same for those who are near a solid only: nobody else's target is touched.
-pub(crate) fn led(bodies: &Bodies<'_>, wished: impl Fn(usize) -> Pose + Sync, targets: &mut Vec<Pose>) {
-    targets.resize(bodies.positions.len(), Pose::default());
+/// Computes the targets as [`unguarded`] does, but only of rows near a solid. Other targets stay unchanged.
+pub(crate) fn led(bodies: &GuardedBodies<'_>, desired: impl Fn(usize) -> BodyPose + Sync, targets: &mut Vec<BodyPose>) {
+    targets.resize(bodies.positions.len(), BodyPose::default());
     parallel::ranges(&mut targets[..], |all, targets| {
         for row in all.clone().step_by(WORD).flat_map(|first| rows(first / WORD, bodies.solids.near(first / WORD))) {
-            targets[row - all.start] = bodies.solids.lead(row, bodies, within_reach(row, bodies, wished(row)));
+            targets[row - all.start] = bodies.solids.lead(row, bodies, within_reach(row, bodies, desired(row)));
         }
     });
 }
 
-/// All parts and their targets.
+/// The state of all rows, and their targets.
 struct Passes<'a> {
     contacts: &'a Contacts,
-    parts: &'a mut [Part],
+    parts: &'a mut [RowRange],
     waiting: &'a mut [Waiting],
-    scratch: &'a mut Vec<Scratch>,
-    targets: &'a mut [Pose],
+    scratch: &'a mut Vec<CertifyScratch>,
+    targets: &'a mut [BodyPose],
 }
 
 impl Passes<'_> {
-    /// Has the next pass look at those of each part that `whom` gives, too.
-    fn look_at(&mut self, whom: impl Fn(usize, &Part, &[Pose]) -> u64 + Sync) {
+    /// Adds to the next pass the rows that `select` returns for each part.
+    fn look_at(&mut self, select: impl Fn(usize, &RowRange, &[BodyPose]) -> u64 + Sync) {
         let targets = &*self.targets;
         parallel::ranges((Words(self.parts), Words(self.waiting)), |rows, (Words(parts), Words(waiting))| {
             for ((first, part), waiting) in rows.step_by(WORD).zip(parts).zip(waiting) {
-                *waiting.0.get_mut() |= whom(first / WORD, part, targets);
+                *waiting.0.get_mut() |= select(first / WORD, part, targets);
             }
         });
     }
 
-    /// Looks at all who wait, moves those for whom `target` has a new target, and has the next pass look at them again
-    /// and at those whom they could touch. Gives how many have a new target, be it the same as before.
-    fn run(&mut self, target: impl Fn(&mut Part, &mut Scratch, usize, &[Pose]) -> Option<Pose> + Sync) -> usize {
+    /// Evaluates all waiting rows and applies the new poses that `target` returns. If the target of a row changed, the
+    /// row and the rows that it could touch wait for the next pass. Returns the number of rows with a new pose,
+    /// including poses equal to the old ones.
+    fn run(
+        &mut self,
+        target: impl Fn(&mut RowRange, &mut CertifyScratch, usize, &[BodyPose]) -> Option<BodyPose> + Sync,
+    ) -> usize {
         let Self { contacts, parts, waiting, scratch, targets } = self;
         let busy = waiting.iter_mut().map(|waiting| waiting.0.get_mut().count_ones() as usize).sum();
         let both = (Words(parts), Words(waiting));
@@ -231,7 +240,7 @@ impl Passes<'_> {
                 }
             }
         });
-        // divided as before: the same ranges have the same memory
+        // the work is divided as before, so each range finds its buffers
         let both = (Words(parts), &mut targets[..]);
         parallel::ranges_if_busy(both, busy, scratch, |scratch, part_rows, (Words(parts), targets)| {
             let mut poses = scratch.targets.iter();
@@ -252,22 +261,22 @@ impl Passes<'_> {
     }
 }
 
-/// The bit of a row in the sets of its part.
+/// Returns the bit of a row in the sets of its part.
 #[inline]
 fn bit(row: usize) -> u64 {
     1 << (row % WORD)
 }
 
-/// The rows of a set, lowest first.
+/// Returns the rows of a set in ascending order.
 fn rows(part: usize, set: u64) -> impl Iterator<Item = usize> {
     ones(set).map(move |at| part * WORD + at)
 }
 
-/// The wish of a row, as far as it can go in a step. One that is not a number is no wish at all; the heading of a disc
-/// is left alone.
+/// Returns the desired pose of a row, limited to the row's reach in a step. A position that is not finite leaves the
+/// body at its place. The heading of a disc stays unchanged.
 #[inline]
-pub(crate) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose {
-    let (from, to, reach) = (bodies.place(row), wish.place(), bodies.reach[row]);
+pub(crate) fn within_reach(row: usize, bodies: &GuardedBodies<'_>, desired: BodyPose) -> BodyPose {
+    let (from, to, reach) = (bodies.place(row), desired.place(), bodies.reach[row]);
     let motion = to - from;
     let place = if motion.length_squared() <= reach * reach {
         from + motion
@@ -276,21 +285,21 @@ pub(crate) fn within_reach(row: usize, bodies: &Bodies<'_>, wish: Pose) -> Pose 
     } else {
         from
     };
-    let turns = !bodies.is_disc(row) && wish.heading.is_finite();
-    let heading = if turns { wish.heading } else { bodies.headings[row] };
-    Pose { heading, ..wish }.with_place(place)
+    let turns = !bodies.is_disc(row) && desired.heading.is_finite();
+    let heading = if turns { desired.heading } else { bodies.headings[row] };
+    BodyPose { heading, ..desired }.with_place(place)
 }
 
-/// Whether a target is off the wish by more than a hundredth of the way, or of a thousandth of the body.
+/// Whether a target is off the desired pose by more than 1 % of the displacement, or of a thousandth of the radius.
 #[inline]
-fn differs(row: usize, bodies: &Bodies<'_>, wish: Pose, target: Pose) -> bool {
-    let turned = !bodies.is_disc(row) && wish.heading != target.heading;
-    // most are where they wished to be
-    turned || wish.place() != target.place() && is_off(row, bodies, wish.place(), target.place())
+fn differs(row: usize, bodies: &GuardedBodies<'_>, desired: BodyPose, target: BodyPose) -> bool {
+    let turned = !bodies.is_disc(row) && desired.heading != target.heading;
+    // most targets equal the desired poses
+    turned || desired.place() != target.place() && is_off(row, bodies, desired.place(), target.place())
 }
 
 #[cold]
-fn is_off(row: usize, bodies: &Bodies<'_>, wish: Vec3, target: Vec3) -> bool {
-    let tolerance = wish.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
-    !wish.is_finite() || wish.distance(target) > tolerance
+fn is_off(row: usize, bodies: &GuardedBodies<'_>, desired: Vec3, target: Vec3) -> bool {
+    let tolerance = desired.distance(bodies.place(row)).max(1e-3 * bodies.radii[row]) * 1e-2;
+    !desired.is_finite() || desired.distance(target) > tolerance
 }

@@ -1,59 +1,61 @@
-//! Who and what each body could touch in this step: a complete list.
+//! Contacts: for each body a complete list of the bodies and walls that it could touch in this step.
 
-use super::Bodies;
-use super::lists::Lists;
+use super::GuardedBodies;
+use super::lists::ContactLists;
 use crate::perceive::{Grid, Near};
 use crate::space::{NearWalls, Walls};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// For each body, the others and the walls within its reach and theirs; but two who are both in a pile do not count: so a
-/// step costs no more than there are bodies, however many begin in one spot.
+/// The bodies and walls within the reach of each body. Two bodies that are both in a pile are not in each other's
+/// lists, so the cost of a step is linear in the number of bodies even if all of them start at one point.
 #[derive(Clone, Debug, Default)]
 pub struct Contacts {
-    others: Lists<Vec<Near>>,
-    /// Nothing, or the number of edges, the edges, the discs.
-    walls: Lists<NearWalls>,
-    /// Bodies and those that tell them of contacts they do not look for.
-    told: Vec<(u32, u32)>,
+    others: ContactLists<Vec<Near>>,
+    /// Per row: nothing, or the number of edges, then the edges, then the discs.
+    walls: ContactLists<NearWalls>,
+    /// Pairs (body, body that found it): contacts that the first body does not search for itself.
+    reported: Vec<(u32, u32)>,
 }
 
-/// What a row has seen of those whom it meets.
+/// The result of an earlier neighbour search of a row, among the bodies that it collides with.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<'a> {
-    /// The nearest, nearest first.
+pub struct RowContacts<'a> {
+    /// The nearest bodies, nearest first.
     pub nearest: &'a [u32],
-    /// Within which distance it looked.
+    /// The range of the search, metres.
     pub range: f32,
-    /// Whether these are all that are within the range.
+    /// Whether the list holds all bodies within the range.
     pub all: bool,
 }
 
-/// Ranges are a little wider than the sums, for the rounding of squares.
+/// Ranges are slightly larger than the sums, because squares are rounded.
 const PAD: f32 = 1.0001;
 
-/// As many discs of its size can touch a disc: who overlaps more others than this, by more than touching, is in a *pile*.
+/// At most six discs of equal size can touch a disc. A body that overlaps more than six others, by more than touching,
+/// is in a *pile*.
 const PILE: usize = 6;
-/// Part of the least radius within which, beyond its own, a centre is that tells of a pile: who is there overlaps.
+/// A body counts as overlapping another if the distance of the centres is less than its radius plus this fraction of
+/// the least radius.
 const DEEP: f32 = 0.8;
 
-/// How bodies find each other: everybody looks as far as is needed for all who are not larger than usual or than they
-/// are; the few who are larger tell.
+/// The search for contacts. A body searches as far as is needed for all bodies that are not larger than the usual size
+/// or than itself. The few larger bodies report their contacts to the smaller ones.
 #[derive(Clone, Copy)]
-struct Search<'a> {
-    bodies: &'a Bodies<'a>,
+struct ContactSearch<'a> {
+    bodies: &'a GuardedBodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
-    /// Size of everybody and range within which two touch, if all are alike.
+    /// The size of all bodies and the range within which two touch, if all bodies are alike.
     alike: Option<(f32, f32)>,
     /// The least radius.
     least: f32,
 }
 
-impl<'a> Search<'a> {
-    fn new(bodies: &'a Bodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
+impl<'a> ContactSearch<'a> {
+    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
         let least = bodies.radii.values().iter().copied().fold(f32::INFINITY, f32::min);
         let mut search = Self { bodies, numbers, grid, alike: None, least };
-        let Bodies { altitudes, cores, radii, reach, positions, .. } = bodies;
+        let GuardedBodies { altitudes, cores, radii, reach, positions, .. } = bodies;
         let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
         if uniform.is_some() && !positions.is_empty() {
             search.alike = Some((search.size(0), search.range(0, 0)));
@@ -61,7 +63,7 @@ impl<'a> Search<'a> {
         search
     }
 
-    /// How far from its centre a body can touch something in the step.
+    /// Returns how far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
         match self.alike {
@@ -70,14 +72,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// How far the centres of two can be apart that touch, of which the first is not smaller.
+    /// Returns the greatest distance of the centres at which two bodies can touch. The first must not be the smaller
+    /// one.
     #[inline]
     fn range(&self, a: usize, b: usize) -> f32 {
         let bodies = self.bodies;
         (bodies.bound(a) + bodies.bound(b) + bodies.reach[a] + bodies.reach[b]) * PAD
     }
 
-    /// Calls `found` for those who can touch `row` and are not larger than `limit`.
+    /// Calls `found` for the bodies that can touch `row` and are not larger than `limit`.
     #[inline]
     fn look(&self, row: usize, limit: f32, mut found: impl FnMut(usize)) {
         let range = (self.size(row) + limit) * (PAD * PAD);
@@ -89,10 +92,10 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// Adds to `found` those who can touch `row` of those it has seen. Whether they are all there are, if who can touch
-    /// it is within `reach`.
+    /// Adds to `found` the bodies that can touch `row` among those of an earlier search. Returns whether they are
+    /// complete, given that every body that can touch the row is within `reach`.
     #[inline]
-    fn take(&self, row: usize, reach: f32, seen: Seen<'_>, found: &mut Vec<u32>) -> bool {
+    fn take(&self, row: usize, reach: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
         let at = self.bodies.positions[row];
         for &other in seen.nearest {
             let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
@@ -106,14 +109,14 @@ impl<'a> Search<'a> {
         seen.all && seen.range > reach
     }
 
-    /// Whether two can touch whose centres are this far apart in the plan.
+    /// Whether two bodies can touch, given the squared distance of their centres in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
         if let Some((_, range)) = self.alike {
             return distance_squared <= range * range;
         }
         let Self { bodies, numbers, .. } = self;
-        // rounded in the same way whoever asks
+        // the order of the operands does not depend on the caller, so both rows get the same rounding
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
         let range = if rank(a) < rank(b) { self.range(b, a) } else { self.range(a, b) };
         let discs = bodies.is_disc(a) && bodies.is_disc(b);
@@ -121,18 +124,18 @@ impl<'a> Search<'a> {
         distance_squared + above * above <= range * range
     }
 
-    /// Whether `row` is in a pile.
+    /// Whether `row` is in a pile. `meets` is as for [`Contacts::collect`].
     fn is_piled(
         &self,
         row: usize,
         meets: &impl Fn(usize, usize) -> bool,
-        seen: Option<Seen<'_>>,
+        seen: Option<RowContacts<'_>>,
         found: &mut Vec<Near>,
     ) -> bool {
-        let Bodies { positions, altitudes, radii, .. } = self.bodies;
+        let GuardedBodies { positions, altitudes, radii, .. } = self.bodies;
         let reach = radii[row] + DEEP * self.least;
-        // most have seen enough to tell
-        if let Some(Seen { nearest, range, all }) = seen {
+        // the earlier search decides most cases
+        if let Some(RowContacts { nearest, range, all }) = seen {
             let is_deep = |&&other: &&u32| positions[row].distance_squared(positions[other as usize]) < reach * reach;
             let deep = nearest.iter().take(PILE + 1).take_while(is_deep).count();
             if deep > PILE && altitudes.uniform().is_some() {
@@ -153,21 +156,21 @@ impl<'a> Search<'a> {
 }
 
 impl Contacts {
-    /// Collects all pairs that could touch, by a grid over the bodies' positions, and all walls. `meets` tells
-    /// whether two rows are solid to each other, the same whichever comes first. `seen` may know the nearest of all
-    /// whom a row meets.
+    /// Collects all pairs that could touch, and all walls. `grid` holds the positions of the bodies. `meets` says
+    /// whether two rows collide with each other; it must be symmetric. `seen` may return the nearest bodies that a row
+    /// collides with, from an earlier search.
     pub fn collect<'a>(
         &mut self,
-        bodies: &Bodies<'_>,
+        bodies: &GuardedBodies<'_>,
         numbers: &[u32],
         grid: &Grid,
         walls: &Walls,
         meets: impl Fn(usize, usize) -> bool + Sync,
-        seen: impl Fn(usize) -> Option<Seen<'a>> + Sync,
+        seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
-        let search = Search::new(bodies, numbers, grid);
+        let search = ContactSearch::new(bodies, numbers, grid);
         let (usual, largest) = self.tell(search, &meets);
-        let told = &self.told;
+        let reported = &self.reported;
         let piles = AtomicBool::new(false);
         self.others.fill(
             bodies.positions.len(),
@@ -188,9 +191,11 @@ impl Contacts {
                             others.push(other as u32);
                         }
                     });
-                    if !told.is_empty() {
-                        let first = told.partition_point(|&(of, _)| of < row as u32);
-                        others.extend(told[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by));
+                    if !reported.is_empty() {
+                        let first = reported.partition_point(|&(of, _)| of < row as u32);
+                        others.extend(
+                            reported[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by),
+                        );
                     }
                 }
                 if others.len() > start + 1 {
@@ -204,20 +209,21 @@ impl Contacts {
         self.collect_walls(bodies, walls);
     }
 
-    /// Has everybody in a pile know those who know them: who are not in a pile.
+    /// Adds to the lists of piled bodies the contacts found by bodies that are not in a pile.
     fn answer(&mut self, numbers: &[u32]) {
-        self.told.clear();
+        self.reported.clear();
         for row in 0..numbers.len() {
             let unknown = |&&other: &&u32| !self.others.of(other as usize).contains(&(row as u32));
-            self.told.extend(self.others.of(row).iter().filter(unknown).map(|&other| (other, row as u32)));
+            self.reported.extend(self.others.of(row).iter().filter(unknown).map(|&other| (other, row as u32)));
         }
-        self.told.sort_unstable();
-        self.others.add(&self.told, |other| numbers[other as usize]);
+        self.reported.sort_unstable();
+        self.others.add(&self.reported, |other| numbers[other as usize]);
     }
 
-    /// Has those who are larger than usual tell those whom they can touch; gives the usual size, and the largest.
-    fn tell(&mut self, search: Search<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
-        self.told.clear();
+    /// Collects the contacts of bodies larger than usual for the bodies that they can touch. Returns the usual size and
+    /// the largest size.
+    fn tell(&mut self, search: ContactSearch<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
+        self.reported.clear();
         if let Some((size, _)) = search.alike {
             return (size, size);
         }
@@ -233,21 +239,21 @@ impl Contacts {
             let size = search.size(row);
             search.look(row, size, |other| {
                 if search.size(other) < size && meets(row, other) {
-                    self.told.push((other as u32, row as u32));
+                    self.reported.push((other as u32, row as u32));
                 }
             });
         }
-        self.told.sort_unstable();
+        self.reported.sort_unstable();
         (usual, largest)
     }
 
-    /// Collects the walls only: nobody is known to touch another.
-    pub fn collect_walls_only(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
+    /// Collects the walls only and leaves the lists of bodies empty.
+    pub fn collect_walls_only(&mut self, bodies: &GuardedBodies<'_>, walls: &Walls) {
         self.others.clear();
         self.collect_walls(bodies, walls);
     }
 
-    fn collect_walls(&mut self, bodies: &Bodies<'_>, walls: &Walls) {
+    fn collect_walls(&mut self, bodies: &GuardedBodies<'_>, walls: &Walls) {
         if walls.is_empty() {
             self.walls.clear();
             return;
@@ -266,18 +272,18 @@ impl Contacts {
         );
     }
 
-    /// Rows of the bodies that `row` could touch, in the order of their numbers.
+    /// Returns the rows of the bodies that `row` could touch, in the order of their numbers.
     #[inline]
     pub fn of(&self, row: usize) -> &[u32] {
         self.others.of(row)
     }
 
-    /// Wall edges that `row` could touch, nearest first.
+    /// Returns the wall edges that `row` could touch, nearest first.
     pub fn edges_of(&self, row: usize) -> &[u32] {
         self.walls_of(row).0
     }
 
-    /// Solid discs that `row` could touch, nearest first.
+    /// Returns the solid discs that `row` could touch, nearest first.
     pub fn discs_of(&self, row: usize) -> &[u32] {
         self.walls_of(row).1
     }
@@ -294,7 +300,7 @@ impl Contacts {
         self.walls.of(row).is_empty()
     }
 
-    /// Those of 64 rows that can touch anybody or any wall, a bit each.
+    /// Returns the rows among 64 that can touch a body or a wall, one bit per row.
     pub(crate) fn touching(&self, part: usize) -> u64 {
         self.others.some(part) | self.walls.some(part)
     }

@@ -1,19 +1,19 @@
 //! Cores of the bodies at the start of a step.
 
-use super::Bodies;
+use super::GuardedBodies;
 use crate::space::Core;
 use glam::Vec2;
 
-/// Cores of the bodies at the start of a step: kept for those who are no discs, if there are any.
+/// Cores of the bodies at the start of a step. Only cores of bodies that are not discs are stored.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cores {
     kept: Vec<Core>,
-    /// Place of each row's core among the kept; empty if all bodies are discs.
+    /// Index of each row's core among the stored ones; empty if all bodies are discs.
     places: Vec<u32>,
 }
 
 impl Cores {
-    pub fn rebuild(&mut self, bodies: &Bodies<'_>) {
+    pub fn rebuild(&mut self, bodies: &GuardedBodies<'_>) {
         self.kept.clear();
         self.places.clear();
         if bodies.cores.values().iter().all(|&core| core == Vec2::ZERO) {
@@ -27,7 +27,7 @@ impl Cores {
         }
     }
 
-    pub fn of(&self, row: usize, bodies: &Bodies<'_>) -> Core {
+    pub fn of(&self, row: usize, bodies: &GuardedBodies<'_>) -> Core {
         if bodies.is_disc(row) {
             return Core::point(bodies.positions[row].as_dvec2());
         }

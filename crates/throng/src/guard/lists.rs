@@ -1,39 +1,40 @@
-//! A list for every row, flat.
+//! A list of numbers for every row, in flat memory.
 
 use crate::parallel::{self, WORD, Words};
 
-/// A list of numbers for every row: flat in parts that threads fill each on its own, with memory of its own.
+/// A list of numbers for every row. The rows are divided into parts of 64. Threads fill the parts independently, each
+/// with its own scratch memory.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Lists<S = ()> {
-    parts: Vec<Part>,
+pub(super) struct ContactLists<S = ()> {
+    parts: Vec<ListPart>,
     scratch: Vec<S>,
 }
 
 #[derive(Clone, Debug)]
-struct Part {
-    /// Where the list of each row starts, and where the last one ends.
+struct ListPart {
+    /// Start of each row's list, and the end of the last list.
     starts: [u32; WORD + 1],
     items: Vec<u32>,
-    /// Rows whose lists are not empty, a bit each.
+    /// Rows with a list that is not empty, one bit per row.
     some: u64,
 }
 
-/// Items that there is room for from the start, in a part: most lists are short.
+/// Initial capacity for the items of a part. Most lists are short.
 const ROOM: usize = 3 * WORD;
 
-impl<S: Default + Send> Lists<S> {
-    /// Makes the lists anew of all parts that are not to be kept: `list(scratch, row, items)` adds the items of a row and
-    /// leaves alone what is there.
+impl<S: Default + Send> ContactLists<S> {
+    /// Rebuilds the lists of all parts for which `keep` returns false. `list(scratch, row, items)` appends the items of
+    /// a row and must not change what is there.
     pub fn fill(
         &mut self,
         rows: usize,
         keep: impl Fn(usize) -> bool + Sync,
         list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync,
     ) {
-        let empty = || Part { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0 };
+        let empty = || ListPart { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0 };
         self.parts.resize_with(rows.div_ceil(WORD), empty);
         parallel::ranges_with(Words(&mut self.parts), &mut self.scratch, |scratch, part_rows, Words(parts)| {
-            for (first, Part { starts, items, some }) in part_rows.step_by(WORD).zip(parts) {
+            for (first, ListPart { starts, items, some }) in part_rows.step_by(WORD).zip(parts) {
                 if keep(first / WORD) {
                     continue;
                 }
@@ -51,18 +52,18 @@ impl<S: Default + Send> Lists<S> {
         });
     }
 
-    /// Adds items to the lists of rows, sorted by row, and sorts these lists.
-    pub fn add(&mut self, told: &[(u32, u32)], rank: impl Fn(u32) -> u32) {
+    /// Adds items to the lists of rows and sorts these lists by `rank`. The pairs (row, item) must be sorted by row.
+    pub fn add(&mut self, added: &[(u32, u32)], rank: impl Fn(u32) -> u32) {
         let part_of = |row: u32| row as usize / WORD;
-        for mut told in told.chunk_by(|a, b| part_of(a.0) == part_of(b.0)) {
-            let part = &mut self.parts[part_of(told[0].0)];
-            let mut items = Vec::with_capacity(part.items.len() + told.len());
+        for mut added in added.chunk_by(|a, b| part_of(a.0) == part_of(b.0)) {
+            let part = &mut self.parts[part_of(added[0].0)];
+            let mut items = Vec::with_capacity(part.items.len() + added.len());
             let mut from = 0;
             for (at, end) in part.starts[1..].iter_mut().enumerate() {
                 let start = items.len();
                 items.extend(&part.items[from..*end as usize]);
-                let (own, others) = told.split_at(told.partition_point(|&(row, _)| row as usize % WORD <= at));
-                told = others;
+                let (own, others) = added.split_at(added.partition_point(|&(row, _)| row as usize % WORD <= at));
+                added = others;
                 items.extend(own.iter().map(|&(_, item)| item));
                 items[start..].sort_unstable_by_key(|&item| rank(item));
                 part.some |= u64::from(items.len() > start) << at;
@@ -73,17 +74,17 @@ impl<S: Default + Send> Lists<S> {
         }
     }
 
-    /// Leaves nobody a list.
+    /// Removes all lists.
     pub fn clear(&mut self) {
         self.parts.clear();
     }
 
-    /// The rows of a part whose lists are not empty, a bit each.
+    /// Returns the rows of a part with a list that is not empty, one bit per row.
     pub fn some(&self, part: usize) -> u64 {
         self.parts.get(part).map_or(0, |part| part.some)
     }
 
-    /// The list of a row; empty if there are none.
+    /// Returns the list of a row; empty if there are no lists.
     #[inline]
     pub fn of(&self, row: usize) -> &[u32] {
         let Some(part) = self.parts.get(row / WORD) else { return &[] };

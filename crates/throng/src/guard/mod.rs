@@ -1,74 +1,84 @@
-//! What is certain: no two bodies, and no body and wall, ever interpenetrate.
+//! The guard: no two bodies, and no body and wall, ever interpenetrate.
 //!
-//! The guard takes the displacement that each agent would make in a step and returns one that is safe, changed as
-//! little as it can. It knows nothing of models, goals or speeds, so it holds for any model and any time step. Into what is
-//! [solid](Solids) to a group nobody of it gets, guarded or not.
+//! The guard takes the displacement that each agent would make in a step and returns a safe one, changed as little as
+//! possible. It does not depend on models, goals or speeds, so it holds for any model and any time step. It also keeps
+//! the agents of a group out of the group's [solids](Solids), whether the agents are guarded or not.
 //!
 //! # Why it holds
-//! A body is everything within its radius of its *core*. The core of a disc is a point at its altitude: the disc is a
-//! sphere. Other cores, and walls, stand upright without end: whatever they have to do with others is seen in the plan,
-//! where their cores are rectangles, and altitudes do not matter. Let `R` be the sum of two radii; over the step all bodies move and turn evenly, each by its own displacement and angle.
+//! A body is the set of points within its radius of its *core*. The core of a disc is a point at the disc's altitude:
+//! the disc is a sphere. Other cores, and walls, stand upright and extend up and down without limit. A pair with such a
+//! core or a wall is judged in the plan, where the cores are rectangles and altitudes do not matter. Let `R` be the sum
+//! of two radii. Over the step each body moves at a constant velocity and turns at a constant rate.
 //!
-//! 1. A pair is *safe* if the distance of its cores is at least `R`, less a slack of 1e-6 `R`, all through the step. A
-//!    pair closer than that at the start (a bad start) is safe if it is never closer than at the start; where cores
-//!    overlap, the least shift that parts them counts as a negative distance. The same for a body and a wall.
-//!    - Two discs: the least of `|xj - xi + t (dj - di)|` over the step, in space, is known exactly.
-//!    - Other cores (`sweep.rs`): along any fixed direction the gap between two cores is at most their distance, and
-//!      the least of `n . (q(t) - p(t))` over their corners. A corner at `r` from a centre that turns by `a` runs along
-//!      `n` with a second derivative of at most `r a^2`. So between its values at two times the gap sags no deeper than
-//!      a parabola of that curvature, and if that stays above what is needed, the pair is safe between the two times.
-//!      The normals between the nearest points at both times are tried, and the time is halved where neither shows it.
-//!      For two that stand nothing sags, and the normal shows their distance: standing is safe.
-//! 2. Every agent has a *cell* (`cell.rs`): along the normal to each near neighbour no point of its core gets farther,
-//!    by moving and turning together, than half the gap between the two beyond where the core reached (none if there is
-//!    no gap), and towards each near wall at most the gap. Two agents that both stay in their cells are safe: along that
-//!    normal they close at most the gap, so at every moment the distance of the cores, which is at least the gap along
-//!    it, is at least `R`. An edge of a wall lies wholly beyond the line across its nearest point, hence a cell is safe
-//!    for walls too. The ground is a side of every cell, at the altitude of the centre. Who is on it and does not want to
-//!    leave it has the cell's cut with the ground. Standing still is in every cell.
-//! 3. All start free. In each round every agent that is in an unsafe pair with any other, or unsafe with a wall,
-//!    while free, is *clamped*: moved into its cell, its turn kept if there is room for it, halved, or given up. A
-//!    clamped agent stays clamped. After eight rounds, or when nobody new is clamped, the rest: if rounds ran out
-//!    everybody who is still free is clamped. Each agent is clamped at most once, so this ends, and at the end every
-//!    pair is either safe by check (one of the two is free) or safe by 2 (both are clamped).
-//! 4. Rounding: what is checked is the motion that rounding leaves, `fl(x + d) - x`, and the turn to the heading that is
-//!    kept, in `f64`. A clamped result is checked against its cell after rounding; if rounding took it out it is
-//!    shortened, and failing that the agent stands.
+//! 1. A pair is *safe* if the distance of its cores is at least `R`, less a slack of 1e-6 `R`, throughout the step. A
+//!    pair that starts closer than that (a bad start) is safe if it is never closer than at the start. Where cores
+//!    overlap, their distance is the negative length of the shortest translation that separates them. The same holds
+//!    for a body and a wall.
+//!    - Two discs: the least of `|xj - xi + t (dj - di)|` over the step, in space, has a closed form.
+//!    - Other cores (`sweep.rs`): along any fixed direction `n` the gap between two cores, the least of
+//!      `n . (q(t) - p(t))` over their corners, is at most their distance. A corner at distance `r` from a centre that
+//!      turns by `a` moves along `n` with a second derivative of at most `r a^2`. So between its values at two times
+//!      the gap sags no deeper than a parabola of that curvature. If the parabola stays above the required distance,
+//!      the pair is safe between the two times. The test tries the normals between the nearest points at both times. If
+//!      neither shows safety, it halves the time interval. For two cores that stand still nothing sags and the normal
+//!      gives their distance: standing still is safe.
+//! 2. Every agent has a *cell* (`cell.rs`). Along the normal to each near neighbour no point of its core may move
+//!    farther, by translation and rotation together, than half the gap between the two beyond the present extent of the
+//!    core (not at all if there is no gap). Towards each near wall the limit is the whole gap. Two agents that both
+//!    stay in their cells are safe: along that normal they close at most the gap, so the distance of the cores, which
+//!    is at least the gap along the normal, stays at least `R`. An edge of a wall lies entirely beyond the line through
+//!    its nearest point across the normal, hence a cell is safe for walls too. The ground is a side of every cell, at
+//!    the altitude of the centre. If an agent and its target are on the ground, the agent's cell is cut with the
+//!    ground. Standing still is in every cell.
+//! 3. All agents start free. In each round every free agent in an unsafe pair with another agent, or unsafe with a
+//!    wall, is *clamped*: its target is moved into its cell. Its turn is kept if the cell has room for it, else halved,
+//!    else dropped. A clamped agent stays clamped. The rounds end when no agent is newly clamped. If eight rounds are
+//!    not enough, every free agent is clamped. Each agent is clamped at most once, so the rounds end. Then every pair
+//!    is safe, either by the check (one of the two is free) or by 2 (both are clamped).
+//! 4. Rounding: the check uses the motion after rounding, `fl(x + d) - x`, and the turn to the stored heading, in
+//!    `f64`. A clamped result is checked against its cell after rounding. If rounding moved it out of the cell the
+//!    motion is shortened. If that fails too the agent stands still.
 //!
-//! 5. A *solid* (`solids.rs`) is a surface in space that nobody of a group gets into; a body counts as the ball about its
-//!    centre that holds it at any heading, so turning does not matter. The *room* at a point is its distance from the
-//!    surface, negative on the wrong side: along a way of length `l` it changes by no more than `l`. A motion is safe
-//!    if the room never gets less than the radius, or than at the start where that is less. It is, if what the room is more
-//!    than needed at the start is no less than the length, or if that at both ends together is. Where this does
-//!    not show it, a ball of the radius that is needed is swept along the way ([`Surface::sweep`](crate::space::surface::Surface::sweep)),
-//!    which must touch nothing, and at its end the room must be enough. The room at the end is that of the very place where the body
-//!    will be, so that rounding does not add up from step to step. Who starts with its centre on the wrong side has
-//!    no ball that could be swept: it is held to end no deeper than it began.
+//! 5. A *solid* (`solids.rs`) is a surface in space that the agents of a group cannot enter. A body counts as the ball
+//!    about its centre that holds it at any heading, so rotation does not matter. The *clearance* at a point is its
+//!    distance from the surface, negative on the wrong side. Along a path of length `l` it changes by at most `l`. A
+//!    motion is safe if the clearance never falls below the radius, or below its value at the start if that is less.
+//!    This holds if the clearance at the start exceeds the required one by at least the length, or if the excesses at
+//!    both ends add up to at least the length. Where neither is true, a ball of the required radius is swept along the
+//!    path ([`Surface::sweep`](crate::space::surface::Surface::sweep)): it must touch nothing, and the clearance at the
+//!    end must be sufficient. The end is the rounded position of the body, so that rounding errors do not add up from
+//!    step to step. An agent that starts with its centre on the wrong side has no ball to sweep: it must not end deeper
+//!    than it started.
 //!
-//!    A solid stands, so whether a motion is safe with it depends on nobody else, and no side of a cell is needed for it. (One
-//!    would not do: beyond the plane across the nearest point there is more of what is not convex.) Instead whoever is
-//!    near one is *led*: the end is pushed out of it, the way turned along what it touches, four times at most, else
-//!    cut short, else given up; the first that is safe counts. Relaxing and clamping lead before anything
-//!    else is checked: what comes of them is safe with solids, and a clamped result in its cell as well. Standing is safe.
-//!    Who has more room at the start than its radius, a skin, and its reach, cannot touch a solid and is not led.
+//!    A solid does not move, so the safety of a motion with a solid does not depend on other agents, and cells need no
+//!    sides for solids. (Such a side would not be enough: a surface that is not convex has parts beyond the plane
+//!    through its nearest point.) Instead, an agent near a solid is *led*: its target is pushed out of the solid, or
+//!    its motion is redirected along the surface, up to four times, else cut short, else dropped. The first safe result
+//!    counts. Relaxation and clamping lead before all other checks, so that their results are safe with solids, and a
+//!    clamped result is in its cell as well. Standing still is safe. An agent with a clearance at the start greater
+//!    than the sum of its radius, a skin and its reach cannot touch a solid and is not led.
 //!
-//! Only a bad start can have somebody overlap more than six others by more than touching. Two who are both in such a *pile*
-//! (`contacts.rs`) are not held apart: they walk out of it through each other, as their models have them, until fewer overlap.
+//! Only a bad start can make an agent overlap more than six others by more than touching. Two agents that are both in
+//! such a *pile* (`contacts.rs`) are not kept apart: they leave the pile through each other, as their models direct
+//! them.
 //!
-//! The heading of a disc touches nobody: the guard leaves it alone. Two who are both unguarded are not held apart, nor
-//! is one who is unguarded held off walls; off solids it is.
+//! The heading of a disc cannot cause a contact, so the guard leaves it unchanged. Two unguarded agents are not kept
+//! apart. An unguarded agent is not kept off walls, but off solids.
 //!
-//! Only pairs that can meet need a look: nobody moves farther in space than its `reach`, hence in the plan neither, and turning leaves a body within the disc
-//! about its centre that holds it at any heading; pairs whose discs are farther apart than both reaches are safe.
+//! Only pairs that can meet are checked. No agent moves farther in space than its `reach`, hence not in the plan
+//! either. A body that turns stays within the disc about its centre that holds it at any heading. A pair is safe if the
+//! gap between these discs exceeds the sum of both reaches.
 //!
-//! Before certifying, a few symmetric relaxations (`relax.rs`) part the pairs that would collide: position-based, as
-//! Weiss et al. (MIG 2017) resolve contacts. They make clamping rare; nothing depends on them.
+//! Before certification, a few symmetric relaxations (`relax.rs`) push apart the pairs that would collide,
+//! position-based as Weiss et al. (MIG 2017) resolve contacts. They make clamping rare. The proof does not depend on
+//! them.
 //!
-//! # What it costs
-//! What relaxing or a round finds about an agent depends on its own target, on those of whom it could touch (`contacts.rs`),
-//! and on nothing else that changes. So who can touch nobody and nothing is never looked at; nor is who is seen at a glance to pass
-//! everybody, nor later anybody for whom none of these targets has changed since the last look (`certify.rs`). The
-//! result is that of looking at everybody every time, bit for bit.
+//! # Cost
+//! The result of a relaxation or of a round for an agent depends only on its own target and on the targets of the
+//! agents that it could touch (`contacts.rs`). So agents that can touch nothing are never evaluated, nor are agents
+//! that a cheap test shows to be safe with all their contacts. In later passes an agent is evaluated only if one of
+//! these targets changed since its last evaluation (`certify.rs`). The result is bit-identical to that of evaluating
+//! every agent in every pass.
 
 mod cell;
 mod certify;
@@ -85,7 +95,7 @@ mod sweep;
 
 pub use certify::{Guard, Report};
 pub(crate) use certify::{led, unguarded, within_reach};
-pub use contacts::{Contacts, Seen};
+pub use contacts::{Contacts, RowContacts};
 pub use safe::{SLACK, nearest_approach};
 pub use solids::Solids;
 
@@ -94,12 +104,12 @@ use glam::{Vec2, Vec3};
 
 /// Bodies at the start of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Bodies<'a> {
+pub struct GuardedBodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
     /// Heights of the centres above the ground, not negative.
     pub altitudes: &'a Column<f32>,
-    /// Directions, radians counter-clockwise from +x.
+    /// Headings, radians counter-clockwise from +x.
     pub headings: &'a [f32],
     /// Half extents of the cores, along and across the heading; zero for discs.
     pub cores: &'a Column<Vec2>,
@@ -107,63 +117,64 @@ pub struct Bodies<'a> {
     pub radii: &'a Column<f32>,
     /// How far each may move in the step at most, in space, metres.
     pub reach: &'a Column<f32>,
-    /// Who is kept from overlapping: of two, one at least must be.
+    /// Whether the guard keeps each body from overlapping. A pair is kept apart if at least one of the two is guarded.
     pub guarded: &'a Column<bool>,
-    /// What nobody gets into, and who is near it.
+    /// The solids, and the rows that are near a solid.
     pub solids: &'a Solids,
-    /// Of each 64 rows, whether they, and all whom the guard can have them meet, wish to stand where they stood in the last
-    /// step, and the guard left them there: their contacts and targets are those of that step. None beyond the end.
+    /// Per block of 64 rows: whether it sleeps. A block sleeps if the desired poses of its rows, and of all rows that
+    /// the guard can bring into contact with them, are where they stood in the last step, and the guard left them
+    /// there. Contacts and targets of a sleeping block are those of the last step. Blocks beyond the end do not sleep.
     pub resting: &'a [bool],
 }
 
-/// Over how many contacts, one after the other, the motion of one may change that of another.
+/// Length of the longest chain of contacts along which the motion of one agent can change that of another in a step.
 pub(crate) const PASSES: usize = relax::ITERATIONS + certify::ROUNDS + 1;
 
-impl Bodies<'_> {
-    /// Whether a body is a disc: centres and radii say everything about it.
+impl GuardedBodies<'_> {
+    /// Whether a body is a disc: its centre and radius describe it completely.
     #[inline]
     fn is_disc(&self, row: usize) -> bool {
         self.cores[row] == Vec2::ZERO
     }
 
-    /// Radius of the disc about the centre that holds the body at any heading.
+    /// Returns the bounding radius: that of the disc about the centre that holds the body at any heading.
     #[inline]
     fn bound(&self, row: usize) -> f32 {
         self.radii[row] + self.cores[row].length()
     }
 
-    /// Whether 64 rows rest.
+    /// Whether a block of 64 rows sleeps.
     #[inline]
     fn rest(&self, part: usize) -> bool {
         self.resting.get(part) == Some(&true)
     }
 
-    /// The centre of a body, in space.
+    /// Returns the centre of a body in space.
     #[inline]
     fn place(&self, row: usize) -> Vec3 {
         self.positions[row].extend(self.altitudes[row])
     }
 }
 
-/// Where a body is, or is to be.
+/// The pose of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
-    /// Its centre.
+pub struct BodyPose {
+    /// The centre.
     pub position: Vec2,
-    /// Height of its centre above the ground.
+    /// Height of the centre above the ground.
     pub altitude: f32,
-    /// Its direction, radians counter-clockwise from +x, -pi to pi.
+    /// The heading, radians counter-clockwise from +x, -pi to pi.
     pub heading: f32,
 }
 
-impl Pose {
-    /// Its centre, in space.
+impl BodyPose {
+    /// Returns the centre in space.
     #[inline]
     pub fn place(&self) -> Vec3 {
         self.position.extend(self.altitude)
     }
 
-    /// The pose with its centre here, on the ground if that is below it.
+    /// Returns the pose with its centre at `place`, or on the ground above it if `place` is below the ground.
     #[inline]
     pub(crate) fn with_place(self, place: Vec3) -> Self {
         Self { position: place.truncate(), altitude: place.z.max(0.0), ..self }

@@ -1,22 +1,24 @@
-//! Parts pairs that would collide, before the guard certifies: symmetric, position-based, a few rounds.
+//! Relaxation: pushes apart pairs that would collide, before the guard certifies. Symmetric and position-based, in a
+//! few iterations.
 
-use super::Pose;
+use super::BodyPose;
 use super::safe::passes;
-use super::solid::Solid;
-use super::sweep::Sweep;
+use super::solid::GuardedObjects;
+use super::sweep::CoreSweep;
 use glam::{DVec2, DVec3};
 
-/// How often everybody who may have to is moved.
+/// Number of iterations in which every row that may need it is moved.
 pub(super) const ITERATIONS: usize = 4;
-/// Part of the sum of radii that relaxed pairs keep between them.
+/// Fraction of the sum of radii that relaxed pairs keep between them.
 pub(super) const SKIN: f64 = 0.01;
-/// Two who are closer by this part of the sum of radii overlap; less is rounding.
+/// Two bodies overlap if they are closer than the sum of radii by more than this fraction of it. Less is rounding.
 const OVERLAP: f64 = 1e-4;
-/// Part of what two can move in a step by which those who overlap are parted in it: a bad start ends without a shove.
+/// Fraction of what two bodies can move in a step by which overlapping bodies are moved apart per step. A bad start is
+/// resolved gradually.
 const PART: f64 = 0.125;
 
-/// Whether a quick look shows that `row` is relaxed and safe. It looks at discs away from walls and solids only.
-pub(super) fn is_clear(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
+/// Whether a cheap test shows that `row` is relaxed and safe. The test covers only discs away from walls and solids.
+pub(super) fn is_clear(row: usize, solid: GuardedObjects<'_>, targets: &[BodyPose]) -> bool {
     let radius = f64::from(solid.bodies.radii[row]);
     let motion = solid.motion(row, targets[row]);
     solid.is_disc(row)
@@ -29,9 +31,9 @@ pub(super) fn is_clear(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
         })
 }
 
-/// Where `row` goes that the nearest to it come no closer than they may, and into no solid; its motion becomes no longer
-/// than its reach.
-pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
+/// Returns the target of `row` after one relaxation: away from neighbours and walls that it would come too close to,
+/// and out of solids. The motion is limited to the row's reach.
+pub(super) fn relaxed(row: usize, solid: GuardedObjects<'_>, targets: &[BodyPose]) -> BodyPose {
     let bodies = solid.bodies;
     let motion = solid.motion(row, targets[row]);
     let radius = f64::from(bodies.radii[row]);
@@ -64,7 +66,7 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     } else {
         let own = solid.sweep(row, targets[row]);
         for (core, size) in solid.standing(row) {
-            push += parting_cores(&own, &Sweep::still(core), radius + size, reach).extend(0.0);
+            push += parting_cores(&own, &CoreSweep::still(core), radius + size, reach).extend(0.0);
         }
     }
     if solid.is_grounded(row, targets[row]) {
@@ -78,15 +80,15 @@ pub(super) fn relaxed(row: usize, solid: Solid<'_>, targets: &[Pose]) -> Pose {
     bodies.solids.lead(row, bodies, target)
 }
 
-/// The distance to keep from what is at `distance` now and touches at `radii`.
+/// Returns the distance to keep from an object that is at `distance` now and in contact at `radii`.
 pub(super) fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
     let overlaps = distance < radii * (1.0 - OVERLAP);
     (radii * (1.0 + SKIN)).min(if overlaps { distance + PART * reach } else { f64::INFINITY })
 }
 
-/// How the motion of a core must change so that at the end it is not nearer to another than its clearance, along the
-/// line between their nearest points.
-fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
+/// Returns the change of a core's motion after which the core ends no nearer to another core than its clearance, along
+/// the line between their nearest points.
+fn parting_cores(own: &CoreSweep, other: &CoreSweep, radii: f64, reach: f64) -> DVec2 {
     let apart = own.start.separation(&other.start);
     if apart.distance - own.closing(other) >= radii * (1.0 + SKIN) {
         return DVec2::ZERO;
@@ -96,15 +98,15 @@ fn parting_cores(own: &Sweep, other: &Sweep, radii: f64, reach: f64) -> DVec2 {
     apart.normal * (end - clearance).clamp(-2.0 * clearance.max(0.0), 0.0)
 }
 
-/// How a relative motion must change so that `offset + t * motion` comes no nearer than `clearance` on its way: a
-/// push at the nearest approach. A pair that starts nearer is pushed back to its clearance as far as it moves away
-/// less than that.
+/// Returns the change of a relative motion after which `offset + t * motion` comes no nearer than `clearance`: a push
+/// at the nearest approach. A pair that starts nearer is pushed back to its clearance, less what its motion already
+/// moves it apart.
 #[inline(always)]
 fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     let length_squared = motion.length_squared();
     let t = if length_squared > 0.0 { (-offset.dot(motion) / length_squared).clamp(0.0, 1.0) } else { 1.0 };
     let starts_near = offset.length_squared() < clearance * clearance;
-    // from inside the skin only the end of the motion can be put right
+    // inside the skin only the end of the motion can be corrected
     let t = if starts_near { 1.0 } else { t };
     let nearest = offset + motion * t;
     let distance = nearest.length();
@@ -112,7 +114,7 @@ fn parting(offset: DVec3, motion: DVec3, clearance: f64) -> DVec3 {
     if deficit <= 0.0 {
         return DVec3::ZERO;
     }
-    // through each other: part along the line they began on
+    // the bodies would pass through each other: push along the line between their start positions
     let normal = if nearest.dot(offset) > 0.0 { nearest / distance } else { offset.normalize_or_zero() };
     normal * (deficit / t.max(0.25)).min(deficit * 2.0)
 }
@@ -131,9 +133,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-        /// Those who pass are neither pushed nor unsafe, and those who do not come near or nearly so.
+        /// Pairs that pass the test are neither pushed nor unsafe. Pairs that fail it come near, or nearly so.
         #[test]
-        fn a_quick_look_tells_who_passes(offset in vector(2.0), motion in vector(3.0), radii in 0.05f32..1.0, haste in 0.0f32..1.0) {
+        fn the_quick_test_finds_safe_pairs(offset in vector(2.0), motion in vector(3.0), radii in 0.05f32..1.0, haste in 0.0f32..1.0) {
             let (radii, motion) = (f64::from(radii), motion * f64::from(haste));
             let clear = radii * (1.0 + SKIN);
             let least = nearest_approach(offset, motion);
@@ -141,7 +143,7 @@ mod tests {
                 prop_assert_eq!(parting(offset, motion, clearance(offset.length(), radii, 1.0)), DVec3::ZERO);
                 prop_assert!(least >= clear && least >= needed(radii, offset.length()));
             } else {
-                // it looks along the line beyond the end of the motion, too
+                // the test also covers the line beyond the end of the motion
                 let line = nearest_approach(offset, motion * 1e9);
                 prop_assert!(line <= clear * (1.0 + 1e-6) + 1e-6, "{line} of {clear}");
             }

@@ -1,16 +1,16 @@
-//! Whether a motion is safe: the pairs of `guard/mod.rs`, 1.
+//! Safety of a motion, as defined in section 1 of `guard/mod.rs`.
 
-use super::Pose;
-use super::solid::Solid;
-use super::sweep::Sweep;
+use super::BodyPose;
+use super::solid::GuardedObjects;
+use super::sweep::CoreSweep;
 use crate::space::nearest_on_segment;
 use glam::{DVec2, DVec3};
 
-/// Part of the sum of radii by which a checked pair may be closer than touching.
+/// Fraction of the sum of radii by which a checked pair may be closer than touching.
 pub const SLACK: f64 = 1e-6;
 
-/// Whether the motion of `row` is safe with everybody and every wall.
-pub(super) fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
+/// Whether the motion of `row` is safe with all other bodies, walls and solids.
+pub(super) fn is_safe(row: usize, solid: GuardedObjects<'_>, targets: &[BodyPose]) -> bool {
     let bodies = solid.bodies;
     let motion = solid.motion(row, targets[row]);
     bodies.solids.is_safe(row, bodies, targets[row])
@@ -28,24 +28,25 @@ pub(super) fn is_safe(row: usize, solid: Solid<'_>, targets: &[Pose]) -> bool {
         } else {
             let radius = f64::from(bodies.radii[row]);
             let own = solid.sweep(row, targets[row]);
-            solid.standing(row).all(|(core, size)| keeps(&own, &Sweep::still(core), radius + size))
+            solid.standing(row).all(|(core, size)| keeps(&own, &CoreSweep::still(core), radius + size))
         }
 }
 
-/// The least distance that two may have who touch at `radii` and are at `distance` now.
+/// Returns the least permitted distance of two bodies that touch at `radii` and are at `distance` now.
 pub(super) fn needed(radii: f64, distance: f64) -> f64 {
     radii.min(distance) - SLACK * radii
 }
 
 /// Whether the motion of two cores is safe.
-fn keeps(own: &Sweep, other: &Sweep, radii: f64) -> bool {
+fn keeps(own: &CoreSweep, other: &CoreSweep, radii: f64) -> bool {
     own.keeps(other, needed(radii, own.start.separation(&other.start).distance))
 }
 
-fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> bool {
+fn walls_are_safe(row: usize, solid: GuardedObjects<'_>, from: DVec2, motion: DVec2) -> bool {
     let radius = f64::from(solid.bodies.radii[row]);
     solid.edges(row).all(|edge| {
-        // a segment and the swept centre: apart at an end of one of them, unless they cross
+        // two segments, the edge and the path of the centre: unless they cross, their distance is that of an end of one
+        // of them
         let at_start = edge.nearest(from).distance(from);
         let to = from + motion;
         let swept = edge
@@ -62,17 +63,17 @@ fn walls_are_safe(row: usize, solid: Solid<'_>, from: DVec2, motion: DVec2) -> b
     })
 }
 
-/// Whether `offset + t * motion` surely comes no nearer than `clearance` for t in [0, 1], nor anything within rounding of
-/// it: the nearest approach without a root or a quotient.
+/// Whether `offset + t * motion` certainly comes no nearer than `clearance` for t in [0, 1], rounding included. The
+/// test needs neither a root nor a quotient.
 #[inline]
 pub(super) fn passes(offset: DVec3, motion: DVec3, clearance: f64) -> bool {
     let room = offset.length_squared() * (1.0 - 1e-9) - clearance * clearance;
     let along = offset.dot(motion);
-    // no branches: nobody could foretell them
+    // without branches, because they would be unpredictable
     (room >= 0.0) & ((along >= 0.0) | (room * motion.length_squared() >= along * along))
 }
 
-/// The least length of `offset + t * motion` for t in [0, 1].
+/// Returns the least length of `offset + t * motion` for t in [0, 1].
 pub fn nearest_approach(offset: DVec3, motion: DVec3) -> f64 {
     let along = -offset.dot(motion);
     if along <= 0.0 {

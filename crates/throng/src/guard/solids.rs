@@ -1,22 +1,22 @@
-//! Solids: surfaces in space that nobody of a group gets into.
+//! Solids: surfaces in space that the agents of a group cannot enter.
 //!
-//! A body counts as the ball about its centre that holds it at any heading. What is needed of a surface is how much
-//! [room](Barrier::room) it leaves at a point and what a ball [touches](Surface::sweep) on its way; `guard/mod.rs`, 5, says
-//! why that is enough.
+//! A body counts as the ball about its centre that holds it at any heading. A surface must provide the
+//! [clearance](Barrier::room) at a point and what a ball [touches](Surface::sweep) along a line. Section 5 of
+//! `guard/mod.rs` shows why that is enough.
 
 use super::relax::{SKIN, clearance};
-use super::{Bodies, Pose};
+use super::{BodyPose, GuardedBodies};
 use crate::agent::{Column, GroupId};
 use crate::parallel::{self, WORD, Words};
-use crate::space::surface::{Barrier, Room, Surface, Sweep, rounding};
+use crate::space::surface::{Barrier, BarrierClearance, Surface, Sweep, rounding};
 use glam::Vec3;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// A surface and its free side.
-type Side = Barrier<Arc<dyn Surface>>;
+type SurfaceSide = Barrier<Arc<dyn Surface>>;
 
-/// What nobody of a group gets into, by group, and who is near it in this step.
+/// The solids of each group, and the rows that are near a solid in this step.
 ///
 /// ```
 /// use glam::Vec3;
@@ -26,57 +26,58 @@ type Side = Barrier<Arc<dyn Surface>>;
 ///
 /// let mut solids = Solids::default();
 /// solids.add(Barriers::default().with(Sphere::new(Vec3::ZERO, 1.0)?, SeenFrom::Outside).0);
-/// assert!(!solids.is_near(0), "nobody was looked for");
+/// assert!(!solids.is_near(0), "`find` was not called yet");
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Solids {
-    groups: Vec<Vec<Side>>,
-    /// Of every row.
-    known: Vec<Known>,
-    /// Who can touch a solid in this step, a bit each; nothing where no group has one.
+    groups: Vec<Vec<SurfaceSide>>,
+    /// The known clearance of every row.
+    known: Vec<KnownClearance>,
+    /// Rows that can touch a solid in this step, one bit per row; empty if no group has a solid.
     near: Vec<u64>,
 }
 
-/// The room that a group's solids leave at a place. It stays true whoever is in the row: who is not far from there needs no
-/// other look.
+/// The clearance that a group's solids leave at a place. The value does not depend on which agent is in the row. A row
+/// near that place needs no new query.
 #[derive(Clone, Copy, Debug, Default)]
-struct Known {
+struct KnownClearance {
     place: Vec3,
     room: f32,
-    /// Group, counted from 1; 0: nothing is known.
+    /// Index of the group plus 1; 0 if nothing is known.
     group: u32,
 }
 
-/// How often a motion that is blocked is turned along what blocks it.
+/// How often a blocked motion is redirected along the surface that blocks it.
 const SLIDES: usize = 4;
-/// Parts of the way to what blocks a motion that are tried.
+/// Fractions of the distance to the blocking surface that are tried.
 const SHORT: [f32; 3] = [0.999, 0.9, 0.5];
-/// A slope up which nobody on the ground is pushed: the least part of a normal along the ground.
+/// Least horizontal component of a normal that is used to push a body on the ground out of a slope.
 const STEEP: f32 = 0.25;
 
 impl Solids {
-    /// Adds the solids of the next group, each with the side where its agents may be; none leave all of space to them.
-    pub fn add(&mut self, sides: Vec<Side>) {
+    /// Adds the solids of the next group, each with the side on which the group's agents may be. An empty list leaves
+    /// all of space free.
+    pub fn add(&mut self, sides: Vec<SurfaceSide>) {
         self.groups.push(sides);
     }
 
-    /// Gives a group that was added other solids.
-    pub fn set(&mut self, group: usize, sides: Vec<Side>) {
+    /// Replaces the solids of a group.
+    pub fn set(&mut self, group: usize, sides: Vec<SurfaceSide>) {
         self.groups[group] = sides;
-        // what room they left is known of the former ones
+        // the known clearances belong to the former solids
         self.known.clear();
     }
 
-    /// Finds out who can touch a solid in the step that begins. `group` tells whose solids count for a row.
-    pub fn find(&mut self, bodies: &Bodies<'_>, group: &Column<GroupId>) {
+    /// Finds the rows that can touch a solid in the step that begins. `group` is the group of each row.
+    pub fn find(&mut self, bodies: &GuardedBodies<'_>, group: &Column<GroupId>) {
         self.near.clear();
         let Self { groups, known, near } = self;
         if groups.iter().all(Vec::is_empty) {
             return;
         }
         let count = bodies.positions.len();
-        known.resize(count, Known::default());
+        known.resize(count, KnownClearance::default());
         near.resize(count.div_ceil(WORD), 0);
         let groups = &groups[..];
         parallel::ranges((Words(near), &mut known[..]), |rows, (Words(near), known)| {
@@ -97,56 +98,58 @@ impl Solids {
         self.near(row / WORD) >> (row % WORD) & 1 == 1
     }
 
-    /// Whether any group has one, so that somebody may be near it.
+    /// Whether any group has a solid, so that a row may be near one.
     pub(crate) fn are_near(&self) -> bool {
         !self.near.is_empty()
     }
 
-    /// Those of 64 rows that can touch a solid, a bit each.
+    /// Returns the rows among 64 that can touch a solid, one bit per row.
     #[inline]
     pub(crate) fn near(&self, part: usize) -> u64 {
         self.near.get(part).copied().unwrap_or(0)
     }
 
-    /// Those of a vector of rows that can touch a solid, a bit each.
+    /// Returns the rows of a SIMD vector that can touch a solid, one bit per row.
     #[inline]
     pub(crate) fn near_of(&self, rows: Range<usize>) -> u64 {
-        // rows of a vector are in one word
+        // all rows of a vector are in one word
         let from_first = self.near(rows.start / WORD) >> (rows.start % WORD);
         from_first & (u64::MAX >> (WORD - rows.len().clamp(1, WORD)))
     }
 
-    /// The solids that a row can touch.
+    /// Returns the solids that a row can touch.
     #[inline]
-    fn sides(&self, row: usize) -> &[Side] {
+    fn sides(&self, row: usize) -> &[SurfaceSide] {
         if self.is_near(row) { &self.groups[self.known[row].group as usize - 1] } else { &[] }
     }
 
-    /// The room that its solids leave at a place to a row that can touch one.
+    /// Returns the clearance that the solids which `row` can touch leave at a place, metres.
     pub(crate) fn room(&self, row: usize, place: Vec3) -> f32 {
         least_room(self.sides(row), place)
     }
 
     /// Whether the motion of a row to a target is safe with all solids.
-    pub(super) fn is_safe(&self, row: usize, bodies: &Bodies<'_>, target: Pose) -> bool {
+    pub(super) fn is_safe(&self, row: usize, bodies: &GuardedBodies<'_>, target: BodyPose) -> bool {
         let sides = self.sides(row);
-        sides.is_empty() || Way::of(row, bodies, target).block(sides, target.place()).is_none()
+        sides.is_empty() || BallMotion::of(row, bodies, target).block(sides, target.place()).is_none()
     }
 
-    /// The target, or where that leads without getting into a solid: along it, or up to it, or away from one that it is in.
+    /// Returns the target if it is safe. Otherwise returns a pose along the surface, in front of it, or farther out of
+    /// a surface that the body is in.
     #[inline]
-    pub(super) fn lead(&self, row: usize, bodies: &Bodies<'_>, target: Pose) -> Pose {
+    pub(super) fn lead(&self, row: usize, bodies: &GuardedBodies<'_>, target: BodyPose) -> BodyPose {
         let sides = self.sides(row);
         if sides.is_empty() {
             return target;
         }
-        target.with_place(Way::of(row, bodies, target).lead(sides, target.place()))
+        target.with_place(BallMotion::of(row, bodies, target).lead(sides, target.place()))
     }
 }
 
-impl Known {
-    /// The room at a place, or less of which no more than what `matters` is sure.
-    fn room(&mut self, place: Vec3, group: usize, sides: &[Side], matters: f32) -> f32 {
+impl KnownClearance {
+    /// Returns the clearance at a place. A clearance of at least `matters` may be underestimated, but not below
+    /// `matters`.
+    fn room(&mut self, place: Vec3, group: usize, sides: &[SurfaceSide], matters: f32) -> f32 {
         let group = group as u32 + 1;
         let surely = self.room - self.place.distance(place) - 2.0 * rounding(place).max(rounding(self.place));
         if self.group == group && surely >= matters {
@@ -157,36 +160,36 @@ impl Known {
     }
 }
 
-fn least_room(sides: &[Side], place: Vec3) -> f32 {
+fn least_room(sides: &[SurfaceSide], place: Vec3) -> f32 {
     sides.iter().map(|side| side.room(place).distance).fold(f32::INFINITY, f32::min)
 }
 
 /// The motion of a ball in a step.
 #[derive(Clone, Copy)]
-struct Way {
+struct BallMotion {
     from: Vec3,
     radius: f32,
-    /// How far it goes at most.
+    /// Greatest length of the motion.
     reach: f32,
-    /// Whether it stays on the ground.
+    /// Whether the ball stays on the ground.
     is_flat: bool,
 }
 
-/// What blocks a motion: where the ball is then, and which way is out.
+/// The first contact of a motion: the distance until then, and the direction out of the surface.
 #[derive(Clone, Copy)]
-struct Block {
+struct Blocking {
     distance: f32,
     out: Vec3,
 }
 
-impl Way {
-    fn of(row: usize, bodies: &Bodies<'_>, target: Pose) -> Self {
+impl BallMotion {
+    fn of(row: usize, bodies: &GuardedBodies<'_>, target: BodyPose) -> Self {
         let is_flat = bodies.altitudes[row] == 0.0 && target.altitude == 0.0;
         Self { from: bodies.place(row), radius: bodies.bound(row), reach: bodies.reach[row], is_flat }
     }
 
-    /// A place where the ball may go straight to, near to a goal.
-    fn lead(&self, sides: &[Side], goal: Vec3) -> Vec3 {
+    /// Returns a place near `goal` that the ball may move to in a straight line.
+    fn lead(&self, sides: &[SurfaceSide], goal: Vec3) -> Vec3 {
         let mut goal = goal;
         let mut first = None;
         for _ in 0..SLIDES {
@@ -204,17 +207,17 @@ impl Way {
         places.find(|&place| place != self.from && self.block(sides, place).is_none()).unwrap_or(self.from)
     }
 
-    /// A goal, pushed out of what the ball would overlap there.
-    fn pushed(&self, sides: &[Side], goal: Vec3) -> Vec3 {
+    /// Returns the goal, pushed out of the surfaces that the ball would overlap there.
+    fn pushed(&self, sides: &[SurfaceSide], goal: Vec3) -> Vec3 {
         let mut pushed = goal;
         for side in sides {
-            let Room { distance, out } = side.room(pushed);
+            let BarrierClearance { distance, out } = side.room(pushed);
             let most = self.radius * (1.0 + SKIN as f32);
             if distance < most {
                 let here = side.room(self.from).distance;
                 let clearance = clearance(here.into(), self.radius.into(), self.reach.into()) as f32;
                 let along = self.out(out);
-                // up a slope it takes more
+                // on a slope the horizontal push must be longer
                 let rise = along.dot(out).max(STEEP);
                 pushed += along * ((clearance - distance).max(0.0) / rise);
             }
@@ -226,18 +229,20 @@ impl Way {
         }
     }
 
-    /// The way out for it, as a unit vector; none where it cannot go that way.
+    /// Returns the direction out as a unit vector, in the plane for a ball on the ground; zero if that has no component
+    /// in the plane.
     fn out(&self, out: Vec3) -> Vec3 {
         if self.is_flat { out.with_z(0.0).normalize_or_zero() } else { out }
     }
 
-    /// A place, or the one on the ground if that is below it, or if the ball stays there.
+    /// Returns the place, at least on the ground. A ball that stays on the ground keeps its height.
     fn on_ground(&self, place: Vec3) -> Vec3 {
         place.with_z(if self.is_flat { self.from.z } else { place.z.max(0.0) })
     }
 
-    /// What the ball touches first on its way to a place, or would be in there; none if the way is safe.
-    fn block(&self, sides: &[Side], to: Vec3) -> Option<Block> {
+    /// Returns what the ball touches first on its straight way to a place, or overlaps there; `None` if the way is
+    /// safe.
+    fn block(&self, sides: &[SurfaceSide], to: Vec3) -> Option<Blocking> {
         let length = self.from.distance(to);
         if to == self.from {
             return None;
@@ -246,7 +251,7 @@ impl Way {
         blocks.min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
-    fn block_of(&self, side: &Side, to: Vec3, length: f32) -> Option<Block> {
+    fn block_of(&self, side: &SurfaceSide, to: Vec3, length: f32) -> Option<Blocking> {
         let here = side.room(self.from);
         let needed = self.radius.min(here.distance);
         let slack = rounding(self.from).max(rounding(to));
@@ -256,22 +261,22 @@ impl Way {
         }
         let there = side.room(to);
         let ends_well = there.distance >= needed;
-        // whose centre is where it must not be is held to where it ends
+        // a ball with its centre on the wrong side is judged by its end only
         if ends_well && (needed <= 0.0 || spare + (there.distance - needed) >= length + slack) {
             return None;
         }
         if needed <= 0.0 {
-            return Some(Block { distance: 0.0, out: here.out });
+            return Some(Blocking { distance: 0.0, out: here.out });
         }
         let direction = (to - self.from) / length;
         let hit = side.surface.sweep(&Sweep { origin: self.from, direction, radius: needed, reach: length });
         match hit {
             Some(hit) => {
-                // away from what it touches, whatever side that has
+                // away from the touched point, whichever side the surface has there
                 let away = self.from + direction * hit.distance - hit.point;
-                Some(Block { distance: hit.distance, out: away.normalize_or(here.out) })
+                Some(Blocking { distance: hit.distance, out: away.normalize_or(here.out) })
             }
-            None => (!ends_well).then_some(Block { distance: length, out: there.out }),
+            None => (!ends_well).then_some(Blocking { distance: length, out: there.out }),
         }
     }
 }

@@ -1,29 +1,29 @@
-//! Motion of cores over a step, and whether two keep apart on the way.
+//! Motions of cores over a step, and the test whether two cores keep apart.
 
-use crate::space::{Core, Separation};
+use crate::space::{Core, CoreSeparation};
 use glam::DVec2;
 
-/// A core that moves and turns evenly over the step.
+/// A core that moves and turns at a constant rate over the step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sweep {
-    /// At the start.
+pub(super) struct CoreSweep {
+    /// The core at the start.
     pub start: Core,
-    /// How far it moves.
+    /// Displacement over the step.
     pub motion: DVec2,
-    /// How far it turns, radians.
+    /// Turn over the step, radians.
     pub turn: f64,
 }
 
-/// How often the step is halved in search of a direction along which two keep apart.
+/// How often the step is halved in the search for a separating direction.
 const HALVINGS: u32 = 4;
 
-impl Sweep {
-    /// What stands still.
+impl CoreSweep {
+    /// Returns the sweep of a core that stands still.
     pub fn still(start: Core) -> Self {
         Self { start, motion: DVec2::ZERO, turn: 0.0 }
     }
 
-    /// The core at a part of the step.
+    /// Returns the core at `t`, a fraction of the step.
     pub fn at(&self, t: f64) -> Core {
         let center = self.start.center + self.motion * t;
         if self.turn == 0.0 {
@@ -33,24 +33,26 @@ impl Sweep {
         Core { center, along: DVec2::new(cos, sin).rotate(self.start.along), ..self.start }
     }
 
-    /// Greatest second derivative, by the part of the step, of the way of any of its points along any direction.
+    /// Returns the greatest second derivative, by the fraction of the step, of the position of any point of the core
+    /// along any direction.
     fn curvature(&self) -> f64 {
         self.start.half.length() * self.turn * self.turn
     }
 
-    /// How much farther along `normal` than at the start the core reaches at most because it turns.
+    /// Returns by how much more than at the start the core extends along `normal` at most, because it turns.
     pub fn growth(&self, normal: DVec2) -> f64 {
         let (start, end) = (self.start.extent(normal), self.at(1.0).extent(normal));
         -start - least_between(-start, -end, self.curvature())
     }
 
-    /// How much nearer than at the start two get at most.
+    /// Returns by how much at most the distance of two cores falls over the step.
     pub fn closing(&self, other: &Self) -> f64 {
         let turning = |sweep: &Self| sweep.start.half.length() * sweep.turn.abs();
         (self.motion - other.motion).length() + turning(self) + turning(other)
     }
 
-    /// Whether two are never nearer than `needed`. It may say no where they are not, but never of two that stand.
+    /// Whether two cores are never nearer than `needed`. The test may return false for a pair that keeps apart, but
+    /// never for two cores that stand still.
     pub fn keeps(&self, other: &Self, needed: f64) -> bool {
         self.start.separation(&other.start).distance - self.closing(other) >= needed
             || self.keeps_between(other, needed, (0.0, 1.0), HALVINGS)
@@ -58,7 +60,7 @@ impl Sweep {
 
     fn keeps_between(&self, other: &Self, needed: f64, (from, to): (f64, f64), halvings: u32) -> bool {
         let ends = [from, to].map(|t| (self.at(t), other.at(t)));
-        let apart: [Separation; 2] = ends.map(|(a, b)| a.separation(&b));
+        let apart: [CoreSeparation; 2] = ends.map(|(a, b)| a.separation(&b));
         if apart.iter().any(|at| at.distance < needed) {
             return false;
         }
@@ -76,8 +78,8 @@ impl Sweep {
     }
 }
 
-/// The least value that a function can have on the way from `start` to `end`, if its second derivative is nowhere more
-/// than `curvature` over the whole way: that of the parabola that sags most.
+/// Returns the least value that a function can have between `start` and `end` if its second derivative nowhere exceeds
+/// `curvature` (the whole interval has length 1): the minimum of the parabola that sags most.
 fn least_between(start: f64, end: f64, curvature: f64) -> f64 {
     let change = end - start;
     if change.abs() >= 0.5 * curvature {
@@ -92,12 +94,12 @@ mod tests {
     use glam::Vec2;
     use proptest::prelude::*;
 
-    fn sweep() -> impl Strategy<Value = Sweep> {
+    fn sweep() -> impl Strategy<Value = CoreSweep> {
         let extents = (0.0f32..1.5, prop_oneof![Just(0.0f32), 0.0f32..0.75]).prop_map(|(x, y)| Vec2::new(x, y));
         let place = (-2.0..2.0, -2.0..2.0).prop_map(|(x, y)| DVec2::new(x, y));
         let motion = (-1.0..1.0, -1.0..1.0).prop_map(|(x, y)| DVec2::new(x, y));
         (place, -3.0f32..3.0, extents, motion, prop_oneof![Just(0.0), -2.0..2.0]).prop_map(
-            |(center, heading, half, motion, turn)| Sweep { start: Core::new(center, heading, half), motion, turn },
+            |(center, heading, half, motion, turn)| CoreSweep { start: Core::new(center, heading, half), motion, turn },
         )
     }
 
@@ -109,7 +111,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
         #[test]
-        fn what_is_said_to_keep_apart_does(a in sweep(), b in sweep(), part in 0.0..1.0) {
+        fn cores_reported_to_keep_apart_do(a in sweep(), b in sweep(), part in 0.0..1.0) {
             let needed = a.start.separation(&b.start).distance * part;
             let least = times().map(|t| a.at(t).separation(&b.at(t)).distance).fold(f64::INFINITY, f64::min);
             if a.keeps(&b, needed) {
@@ -120,9 +122,9 @@ mod tests {
         }
 
         #[test]
-        fn who_stands_keeps_apart_and_growth_bounds_the_extent(a in sweep(), b in sweep(), angle in 0.0..7.0) {
+        fn standing_cores_keep_apart_and_growth_bounds_the_extent(a in sweep(), b in sweep(), angle in 0.0..7.0) {
             let apart = a.start.separation(&b.start).distance;
-            prop_assert!(Sweep::still(a.start).keeps(&Sweep::still(b.start), apart - 1e-7));
+            prop_assert!(CoreSweep::still(a.start).keeps(&CoreSweep::still(b.start), apart - 1e-7));
             let normal = DVec2::from_angle(angle);
             let most = times().map(|t| a.at(t).extent(normal)).fold(0.0, f64::max);
             prop_assert!(most <= a.start.extent(normal) + a.growth(normal) + 1e-9);

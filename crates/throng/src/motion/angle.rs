@@ -1,12 +1,13 @@
-//! The angle of a vector, by arithmetic alone: the same bits one by one and in lanes, on every machine.
+//! The angle of a vector, computed with basic arithmetic only: the scalar and SIMD versions give the same bits on every
+//! machine.
 
-use crate::lanes::Vec2s;
+use crate::simd::Vec2s;
 use fearless_simd::prelude::*;
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_2, PI};
 
-/// `atan(a) / a` by powers of `a * a`, for `a` from 0 to 1: the polynomial whose greatest error is least, 1.4e-8. With
-/// rounding an angle is off by at most 4e-7.
+/// Coefficients of `atan(a) / a` in powers of `a * a`, for `a` from 0 to 1: the minimax polynomial, with an error of at
+/// most 1.4e-8. With rounding an angle has an error of at most 4e-7.
 const ARC: [f32; 9] = [
     1.0,
     -0.333_330_93,
@@ -19,7 +20,7 @@ const ARC: [f32; 9] = [
     0.002_903_520_4,
 ];
 
-/// Radians counter-clockwise from +x, -pi to pi; of a vector without length, 0 or pi.
+/// Returns the angle of a vector, radians counter-clockwise from +x, -pi to pi; 0 or pi for a vector of length zero.
 pub(crate) fn angle(v: Vec2) -> f32 {
     let (x, y) = (v.x.abs(), v.y.abs());
     let steep = y > x;
@@ -33,7 +34,7 @@ pub(crate) fn angle(v: Vec2) -> f32 {
     arc.copysign(v.y)
 }
 
-/// The same in every lane.
+/// SIMD version of [`angle`].
 #[inline(always)]
 pub(crate) fn angles<S: Simd>(simd: S, v: Vec2s<S>) -> S::f32s {
     let splat = |value: f32| S::f32s::splat(simd, value);

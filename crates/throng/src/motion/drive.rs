@@ -1,22 +1,24 @@
 //! Bodies that cannot move in every direction at once: Alonso-Mora, Breitenmoser, Rufli, Beardsley, Siegwart, Optimal
 //! reciprocal collision avoidance for multiple non-holonomic robots, DARS 2010.
 //!
-//! A robot with two driven wheels that is to move with a velocity aside of its heading turns while it drives, and so
-//! leaves the straight way for a while. It chooses only velocities that it can follow with at most its tracking error;
-//! and it is taken to be larger by that error, by itself and by all others.
+//! A robot with two driven wheels that is to move with a velocity beside its heading turns while it drives, so it
+//! leaves the straight line for a while. It chooses only velocities that it can follow with at most its tracking error.
+//! Its radius is enlarged by that error, in its own plan and in those of its neighbours.
 
 use super::angle::angle;
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_3, PI};
 
-/// Corners, counter-clockwise from ahead, of the velocities that a body can follow with at most `error` metres beside
-/// the straight way. Between the last corner and the first it is open: straight ahead only the top speed limits it.
+/// Returns the polygon of velocities that a body can follow with a deviation of at most `error` metres from the
+/// straight line: its corners, counter-clockwise from straight ahead. The polygon is open between the last corner and
+/// the first: straight ahead only the top speed limits a velocity.
 ///
-/// Turning evenly by an angle in a time, at the best speed, a body gets speed * time * sin(angle / 2) off (section 3.2
-/// has its square); it turns as fast as it can. The border is convex, so what lies between the corners can be followed too.
+/// A body that turns at a constant rate by an angle in a time, at the best speed, deviates by
+/// `speed * time * sin(angle / 2)` (section 3.2 gives the square). It turns as fast as it can. The region of these
+/// velocities is convex, so the polygon lies within it.
 pub(crate) fn followable(error: f32, heading: f32, max_speed: f32, max_turn_rate: f32) -> [Vec2; 9] {
     let speed = |angle: f32| error * max_turn_rate / (angle * libm::sinf(0.5 * angle));
-    // where the top speed can just be followed; the faster the body turns, the nearer to sideways
+    // the angle at which the top speed can just be followed; the faster the body turns, the larger the angle
     let (mut low, mut first) = (0.0, FRAC_PI_3);
     for _ in 0..12 {
         let middle = 0.5 * (low + first);
@@ -33,16 +35,16 @@ pub(crate) fn followable(error: f32, heading: f32, max_speed: f32, max_turn_rate
     })
 }
 
-/// The part of a chosen speed at which a body drives while it turns by `angle` into the chosen direction: the least
-/// error at the end of the turn.
+/// Returns the fraction of the chosen speed at which a body drives while it turns by `angle` into the chosen direction:
+/// the fraction with the least error at the end of the turn.
 fn part(angle: f32) -> f32 {
     // angle * sin(angle) / (2 - 2 cos(angle)), without the cancellation
     let (sin, cos) = libm::sincosf(0.5 * angle);
     if sin == 0.0 { 1.0 } else { 0.5 * angle * cos / sin }
 }
 
-/// The velocity of the next `step` seconds with which a body of this heading follows the velocity it chose: forwards,
-/// while it turns as fast as it can.
+/// Returns the velocity of the next `step` seconds with which a body of this heading follows its chosen velocity:
+/// forwards, while it turns as fast as it can.
 pub(crate) fn follow(chosen: Vec2, heading: f32, max_turn_rate: f32, step: f32) -> Vec2 {
     let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
     let aside = angle(Vec2::new(forward.dot(chosen), forward.perp_dot(chosen)));
@@ -57,9 +59,10 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Everything within the polygon is followed with at most the error: the motion in small steps of time.
+        /// Every velocity within the polygon is followed with at most the error; the motion is integrated in small time
+        /// steps.
         #[test]
-        fn what_can_be_followed_is(
+        fn velocities_within_the_polygon_can_be_followed(
             error in 0.01f32..0.2, heading in -PI..PI, turn_rate in 1.0f32..12.0, speed in 0.01f32..1.5, angle in -PI..PI,
         ) {
             let corners = followable(error, heading, 1.5, turn_rate);
@@ -74,7 +77,7 @@ mod tests {
                 at += (Vec2::from_angle(towards) * (speed * part(angle) * step)).as_dvec2();
             }
             let off = at.distance((chosen * time).as_dvec2());
-            prop_assert!(off <= f64::from(error) * 1.001 + 1e-5, "{off} beside the way");
+            prop_assert!(off <= f64::from(error) * 1.001 + 1e-5, "{off} off the straight line");
         }
 
         #[test]

@@ -1,19 +1,19 @@
-//! Headings: a body faces where it goes, turns smoothly, and keeps its heading at rest.
+//! Headings: a body faces its direction of motion, turns smoothly, and keeps its heading when it stands.
 
 use super::angle::{angle, angles};
-use crate::lanes::Vec2s;
+use crate::simd::Vec2s;
 use fearless_simd::prelude::*;
 use glam::Vec2;
 use std::f32::consts::PI;
 
-/// Seconds in which a heading makes up all but a third of the way to the direction of motion.
+/// Time constant, seconds, with which a heading approaches the direction of motion (all but 1/e of the angle).
 const TIME: f32 = 0.5;
-/// Below this speed, m/s, the direction of motion says nothing: the heading stays.
+/// Speed, m/s, below which the direction of motion is unreliable: the heading stays.
 const REST: f32 = 0.1;
-/// Above this speed the heading follows fully; in between, in proportion.
+/// Speed, m/s, above which the heading follows fully. Between both speeds it follows in proportion.
 const WALK: f32 = 0.8;
 
-/// The heading after `step` seconds of motion at `velocity`, turning at most at `max_turn_rate`.
+/// Returns the heading after `step` seconds of motion at `velocity`, with a turn rate of at most `max_turn_rate`.
 pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 {
     let speed = velocity.length();
     if speed < REST {
@@ -24,29 +24,29 @@ pub fn turn(heading: f32, velocity: Vec2, step: f32, max_turn_rate: f32) -> f32 
         let certainty = ((speed - REST) / (WALK - REST)).min(1.0);
         return wrap(heading + away * (certainty * part_of(step)));
     }
-    // a limited turn rate is obeyed by the motion already: then the heading is the direction of motion
+    // the motion already obeys a limited turn rate, so the heading can be the direction of motion
     let most = max_turn_rate * step;
     wrap(heading + away.clamp(-most, most))
 }
 
-/// The part of the way to the direction of motion that a heading makes up in a step.
+/// Returns the fraction of the angle to the direction of motion that a heading turns in a step.
 fn part_of(step: f32) -> f32 {
     1.0 - libm::expf(-step / TIME)
 }
 
-/// [`turn`] of those whose turn rate has no limit, many at a time.
+/// SIMD version of [`turn`] for bodies without a limit of the turn rate.
 #[derive(Clone, Copy)]
 pub(crate) struct Turning {
     part: f32,
 }
 
 impl Turning {
-    /// In a step of so many seconds.
+    /// Returns the turning of a step of `step` seconds.
     pub fn of(step: f32) -> Self {
         Self { part: part_of(step) }
     }
 
-    /// The headings after it.
+    /// Returns the headings after the step.
     #[inline(always)]
     pub fn turn<S: Simd>(self, simd: S, headings: S::f32s, velocity: Vec2s<S>) -> S::f32s {
         let splat = |value: f32| S::f32s::splat(simd, value);
@@ -58,13 +58,13 @@ impl Turning {
     }
 }
 
-/// What a body turns to: its motion; one that turns slowly and stands turns on the spot to where it would like to go,
-/// since it cannot set out in any other direction.
+/// Returns the direction that a body turns to: its velocity. A body with a limited turn rate that stands turns on the
+/// spot to its preferred velocity, since it cannot set out in any other direction.
 pub fn faces(velocity: Vec2, preferred: Vec2, max_turn_rate: f32) -> Vec2 {
     if max_turn_rate.is_finite() && velocity.length() < REST { preferred } else { velocity }
 }
 
-/// The same angle between -pi and pi.
+/// Returns an equivalent angle between -pi and pi, for angles between -3 pi and 3 pi.
 pub(crate) fn wrap(angle: f32) -> f32 {
     if angle > PI {
         angle - 2.0 * PI
@@ -75,7 +75,7 @@ pub(crate) fn wrap(angle: f32) -> f32 {
     }
 }
 
-/// [`wrap`] in every lane.
+/// SIMD version of [`wrap`].
 #[inline(always)]
 fn wraps<S: Simd>(simd: S, angle: S::f32s) -> S::f32s {
     let splat = |value: f32| S::f32s::splat(simd, value);
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn who_turns_slowly_turns_before_it_sets_out() {
+    fn a_body_that_turns_slowly_turns_before_it_sets_out() {
         assert_eq!(faces(Vec2::ZERO, Vec2::X, 1.0), Vec2::X);
         assert_eq!(faces(Vec2::Y, Vec2::X, 1.0), Vec2::Y);
         assert_eq!(faces(Vec2::ZERO, Vec2::X, f32::INFINITY), Vec2::ZERO);

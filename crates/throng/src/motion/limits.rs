@@ -3,35 +3,36 @@
 use super::angle::angle;
 use glam::{Vec2, Vec3};
 
-/// What a body can do in one step.
+/// The limits of a body's motion in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Speed it never exceeds, m/s.
+    /// Top speed, m/s.
     pub speed: f32,
-    /// Change of velocity in the step, m/s.
+    /// Greatest change of velocity in the step, m/s.
     pub change: f32,
-    /// Turn of the direction of motion along the ground away from the heading in the step, radians.
+    /// Greatest angle between the horizontal direction of motion and the heading in the step, radians.
     pub turn: f32,
 }
 
-/// The velocity nearest to `wish` that a body with this velocity and heading can have after a step.
-pub fn limit(wish: Vec3, velocity: Vec3, heading: f32, limits: Limits) -> Vec3 {
+/// Returns the velocity nearest to the chosen velocity that a body with this velocity and heading can have after a
+/// step.
+pub fn limit(chosen: Vec3, velocity: Vec3, heading: f32, limits: Limits) -> Vec3 {
     let turns = limits.turn < std::f32::consts::PI;
-    let wish = if turns { turned(wish.truncate(), heading, limits.turn).extend(wish.z) } else { wish };
-    let change = (wish - velocity).clamp_length_max(limits.change);
+    let chosen = if turns { turned(chosen.truncate(), heading, limits.turn).extend(chosen.z) } else { chosen };
+    let change = (chosen - velocity).clamp_length_max(limits.change);
     (velocity + change).clamp_length_max(limits.speed)
 }
 
-/// The part of `wish` that lies within `most` radians of `heading`.
-fn turned(wish: Vec2, heading: f32, most: f32) -> Vec2 {
+/// Returns the part of the chosen velocity that lies within `most` radians of `heading`.
+fn turned(chosen: Vec2, heading: f32, most: f32) -> Vec2 {
     let forward = Vec2::new(libm::cosf(heading), libm::sinf(heading));
-    let aside = angle(Vec2::new(forward.dot(wish), forward.perp_dot(wish)));
+    let aside = angle(Vec2::new(forward.dot(chosen), forward.perp_dot(chosen)));
     if aside.abs() <= most {
-        return wish;
+        return chosen;
     }
     let angle = heading + aside.clamp(-most, most);
     let along = Vec2::new(libm::cosf(angle), libm::sinf(angle));
-    along * wish.dot(along).max(0.0)
+    along * chosen.dot(along).max(0.0)
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! Move: what a body can do. Acceleration and turn limits come before the [guard](crate::guard), headings after it.
-//! [`Vehicle`] is the body that [steering behaviours](crate::steer) steer.
+//! Motion of bodies. Limits of acceleration and turning apply before the [guard](crate::guard), headings after it.
+//! [`Vehicle`] is the body that [steering behaviours](crate::steer) control.
 
 mod angle;
 mod drive;

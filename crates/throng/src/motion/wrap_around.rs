@@ -1,9 +1,9 @@
-//! A world without edges: who leaves it on one side enters on the other.
+//! A world without edges: an agent that leaves it on one side enters it on the opposite side.
 
 use crate::Error;
 use glam::Vec3;
 
-/// A ball that nobody leaves: who does is put back by its diameter, through its middle (OpenSteer,
+/// A ball that wraps around: an agent that leaves it is moved by the diameter, through the centre (OpenSteer,
 /// `sphericalWrapAround`).
 ///
 /// ```
@@ -15,24 +15,24 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrapAround {
-    /// Its middle, metres from the world's origin.
+    /// Centre, metres from the world's origin.
     pub center: Vec3,
-    /// Its radius, metres. Limit: > 0.
+    /// Radius, metres. Limit: > 0.
     pub radius: f32,
 }
 
 impl WrapAround {
-    /// The place on the other side of one beyond the rim; `None` for a place within.
+    /// Returns the opposite place of a place beyond the surface; `None` for a place within.
     pub fn back(&self, place: Vec3) -> Option<Vec3> {
         let offset = place - self.center;
         let out = offset.length();
         (out > self.radius && out.is_finite()).then(|| place - offset * (2.0 * self.radius / out))
     }
 
-    /// What is wrong with it, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
-    /// [`Error::Limit`] for a middle that is not finite, or a radius that is not more than 0.
+    /// [`Error::Limit`] for a centre that is not finite, or a radius that is not greater than 0.
     pub fn check(&self) -> Result<(), Error> {
         for x in self.center.to_array() {
             Error::unless_finite("a coordinate of the middle to wrap around", x.into())?;

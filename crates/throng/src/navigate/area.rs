@@ -1,7 +1,7 @@
-//! Where a path may end: a point, or the part of an area that is on the mesh.
+//! The targets of path searches: a point, or the part of an area that is on the mesh.
 
 use super::error::{NavError, Unreachable};
-use super::interval::{View, Way, clip};
+use super::interval::{IntervalCrossing, IntervalView, clip};
 use super::locate::closest_convex;
 use super::mesh::NavMesh;
 use super::outline::{Shapes, area_shapes, erode, grow};
@@ -10,41 +10,41 @@ use crate::space::nearest_on_segment;
 use glam::DVec2;
 use std::ops::Range;
 
-/// How far inside the area paths end, metres, so that whoever gets there is inside beyond doubt.
+/// Distance inside the area at which paths end, metres, so that an agent that arrives is certainly inside.
 const INSET: f64 = 0.05;
 
-/// Pieces of an area with less than this many square metres are dropped.
+/// Pieces of an area smaller than this, square metres, are dropped.
 const CRUMB: f64 = 1e-12;
 
-/// A goal area, cut to the triangles of one mesh.
+/// A goal area, cut by the triangles of one mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Area {
     corner: DVec2,
     low: DVec2,
     high: DVec2,
     /// Sorted by triangle.
-    pieces: Vec<Piece>,
+    pieces: Vec<AreaPiece>,
     points: Vec<DVec2>,
     islands: Vec<u32>,
-    /// Places of its triangles among the bridges, sorted.
+    /// Positions of the triangles in the order of the bridges, sorted.
     places: Vec<u32>,
     gap: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct AreaPiece {
     triangle: u32,
     from: u32,
     to: u32,
 }
 
 impl NavMesh {
-    /// Cuts a goal area, a polygon of any form, to the mesh. Where it can, the area is taken 5 cm smaller. An area
-    /// that is off the mesh, but within a radius and 1 cm of it, counts as the part of the mesh that is nearest
-    /// (within 5 mm); see [`Area::gap`]. It belongs to this mesh alone.
+    /// Cuts a goal area, a polygon of any form, by the triangles of the mesh. Where possible, the area is shrunk by 5
+    /// cm. An area that is off the mesh, but within a radius and 1 cm of it, counts as the nearest part of the mesh
+    /// (within 5 mm); see [`Area::gap`]. The result is valid for this mesh only.
     ///
     /// # Errors
-    /// The corners cross or are too few. An area out of reach is no error here: [`Area::is_empty`].
+    /// Corners that are too few, or edges that cross. An area out of reach is not an error: see [`Area::is_empty`].
     pub fn area(&self, corners: &[DVec2]) -> Result<Area, NavError> {
         let shapes = area_shapes(&self.lattice, corners)?;
         let mut area = Area { corner: corners[0], ..Area::default() };
@@ -63,7 +63,7 @@ impl NavMesh {
         Ok(area)
     }
 
-    /// The convex pieces of `shapes` on the mesh, each in one triangle.
+    /// Returns the convex pieces of `shapes` on the mesh, each in one triangle.
     fn cut(&self, shapes: &Shapes) -> Result<Vec<(u32, Vec<DVec2>)>, NavError> {
         let parts = triangulate(shapes)?;
         let (mut near, mut first, mut second) = (Vec::new(), Vec::new(), Vec::new());
@@ -86,7 +86,7 @@ impl NavMesh {
         Ok(pieces)
     }
 
-    /// Distance between shapes off the mesh and the mesh, as far as it matters.
+    /// Returns the distance between shapes and the mesh, as far as it is within reach.
     fn gap_to(&self, shapes: &Shapes) -> f64 {
         let reach = DVec2::splat(self.radius + 0.01);
         let mut near = Vec::new();
@@ -111,23 +111,24 @@ impl NavMesh {
 }
 
 impl Area {
-    /// Whether no point of it can be reached from anywhere: it is inside a wall.
+    /// Whether no point of the area is on the mesh: the area is inside a wall.
     pub fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }
 
-    /// Distance between the area and the mesh, metres; zero where they share ground. Paths to an area with a gap end
-    /// this far before it, give or take 5 mm.
+    /// Returns the distance between the area and the mesh, metres; zero where they overlap. Paths to an area with a gap
+    /// end at this distance from it, within 5 mm.
     pub fn gap(&self) -> f64 {
         self.gap
     }
 
-    /// The islands it has parts on, in order.
+    /// Returns the islands that the area has parts on, in order.
     pub fn islands(&self) -> &[u32] {
         &self.islands
     }
 
-    /// The point of it that is nearest as the crow flies, whatever is between; `None` when it is empty.
+    /// Returns the point of the area that is nearest in a straight line, regardless of walls; `None` if the area is
+    /// empty.
     pub fn nearest(&self, point: DVec2) -> Option<DVec2> {
         let mut best: Option<DVec2> = None;
         for piece in &self.pieces {
@@ -153,7 +154,7 @@ impl Area {
                 (self.low, self.high) = (self.low.min(point), self.high.max(point));
             }
             self.points.extend(polygon);
-            self.pieces.push(Piece { triangle, from, to: self.points.len() as u32 });
+            self.pieces.push(AreaPiece { triangle, from, to: self.points.len() as u32 });
             self.places.push(mesh.bridges.place(triangle));
             self.islands.push(mesh.islands[triangle as usize]);
         }
@@ -168,28 +169,28 @@ impl Area {
         from..from + more
     }
 
-    fn polygon(&self, piece: Piece) -> &[DVec2] {
+    fn polygon(&self, piece: AreaPiece) -> &[DVec2] {
         &self.points[piece.from as usize..piece.to as usize]
     }
 }
 
-/// What a search looks for.
-pub(super) enum Target<'a> {
+/// The target of a search.
+pub(super) enum SearchTarget<'a> {
     /// A point of the mesh, and the triangles it is in.
     Point {
-        /// Where.
+        /// Position of the point.
         at: DVec2,
-        /// Sorted.
+        /// The triangles, sorted.
         triangles: &'a [u32],
-        /// Their places among the bridges, sorted.
+        /// Their positions in the order of the bridges, sorted.
         places: &'a [u32],
     },
     /// The nearest point of an area.
     Area(&'a Area),
 }
 
-impl Target<'_> {
-    /// Places of its triangles among the bridges, sorted.
+impl SearchTarget<'_> {
+    /// Returns the positions of the target's triangles in the order of the bridges, sorted.
     pub fn places(&self) -> &[u32] {
         match self {
             Self::Point { places, .. } => places,
@@ -197,12 +198,12 @@ impl Target<'_> {
         }
     }
 
-    /// Whether a search that got to this triangle need not look behind it.
+    /// Whether a search that reaches this triangle does not need to continue behind it.
     pub fn ends_in(&self, triangle: u32) -> bool {
         matches!(self, Self::Point { triangles, .. } if triangles.contains(&triangle))
     }
 
-    /// That it is on an island of one of these triangles.
+    /// Checks that the target is on the island of one of these triangles.
     pub fn check_island(&self, mesh: &NavMesh, triangles: &[u32]) -> Result<(), Unreachable> {
         let home = triangles.iter().map(|&triangle| mesh.islands[triangle as usize]);
         if home.clone().any(|island| self.on_island(mesh, island)) {
@@ -225,15 +226,15 @@ impl Target<'_> {
         }
     }
 
-    /// A lower bound for ways through an interval.
-    pub fn bound(&self, view: &View) -> f64 {
+    /// Returns a lower bound of the lengths of paths through an interval to the target.
+    pub fn bound(&self, view: &IntervalView) -> f64 {
         match self {
             Self::Point { at, .. } => view.bound(*at),
             Self::Area(area) => view.bound_to_box(area.low, area.high),
         }
     }
 
-    /// A box round it.
+    /// Returns the bounding box of the target.
     pub fn bounds(&self) -> (DVec2, DVec2) {
         match self {
             Self::Point { at, .. } => (*at, *at),
@@ -241,9 +242,9 @@ impl Target<'_> {
         }
     }
 
-    /// The shortest way from a point of a triangle to the part of the target in it.
-    pub fn straight(&self, triangle: u32, from: DVec2) -> Option<Way> {
-        let way = |end: DVec2| Way { length: end.distance(from), via: None, end };
+    /// Returns the shortest way from a point of a triangle to the part of the target in the triangle.
+    pub fn straight(&self, triangle: u32, from: DVec2) -> Option<IntervalCrossing> {
+        let way = |end: DVec2| IntervalCrossing { length: end.distance(from), via: None, end };
         match self {
             Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| way(*at)),
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]
@@ -253,8 +254,13 @@ impl Target<'_> {
         }
     }
 
-    /// The shortest straight way through an interval to the part of the target in the triangle behind it.
-    pub fn straight_through(&self, triangle: u32, view: &View, scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+    /// Returns the shortest straight way through an interval to the part of the target in the triangle behind it.
+    pub fn straight_through(
+        &self,
+        triangle: u32,
+        view: &IntervalView,
+        scratch: &mut [Vec<DVec2>; 2],
+    ) -> Option<IntervalCrossing> {
         match self {
             Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| view.straight(*at)).flatten(),
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]
@@ -264,8 +270,8 @@ impl Target<'_> {
         }
     }
 
-    /// The shortest way through an interval to the part of the target in the triangle behind it.
-    pub fn way(&self, triangle: u32, view: &View, scratch: &mut [Vec<DVec2>; 2]) -> Option<Way> {
+    /// Returns the shortest way through an interval to the part of the target in the triangle behind it.
+    pub fn way(&self, triangle: u32, view: &IntervalView, scratch: &mut [Vec<DVec2>; 2]) -> Option<IntervalCrossing> {
         match self {
             Self::Point { at, triangles, .. } => triangles.contains(&triangle).then(|| view.way(*at)),
             Self::Area(area) => area.pieces[area.in_triangle(triangle)]

@@ -1,25 +1,26 @@
-//! Where shortest paths bend: round the corners of walls, taut as a string.
+//! The vertices at which shortest paths bend: convex corners of walls, which a taut string touches.
 
 use super::lattice::turn;
 use super::mesh::NavMesh;
 use super::triangulate::{NONE, Triangles};
 use glam::DVec2;
 
-/// Directions whose sine is less count as parallel.
+/// Directions count as parallel if the sine of the angle between them is less.
 const FLAT: f64 = 1e-9;
 
-/// How a shortest path may bend at a vertex.
+/// How a shortest path can bend at a vertex.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Bend {
-    /// Round the corner of a wall. Seen from there, the wall begins towards the vertex `right` and, counter-clockwise by more
-    /// than a half turn, ends towards the vertex `left`.
+pub(super) enum VertexBend {
+    /// Around the corner of a wall. Seen from the corner, the wall begins towards the vertex `right` and,
+    /// counter-clockwise by more than a half turn, ends towards the vertex `left`.
     Round { right: u32, left: u32 },
-    /// Where the boundary meets itself: any way.
+    /// Where the boundary touches itself: in any direction.
     Pinched,
 }
 
-/// The vertices where a shortest path may bend: those where the boundary turns right, and those where it meets itself.
-pub(super) fn bends(parts: &Triangles) -> Vec<Option<Bend>> {
+/// Returns the vertices where a shortest path can bend: those where the boundary turns right, and those where it
+/// touches itself.
+pub(super) fn bends(parts: &Triangles) -> Vec<Option<VertexBend>> {
     let count = parts.points.len();
     let (mut into, mut out_of, mut walls) = (vec![NONE; count], vec![NONE; count], vec![0_u32; count]);
     for (corners, neighbours) in parts.corners.iter().zip(&parts.neighbours) {
@@ -34,45 +35,47 @@ pub(super) fn bends(parts: &Triangles) -> Vec<Option<Bend>> {
     let bend = |at: usize| match (out_of[at], into[at], walls[at]) {
         (.., 0) => None,
         (right, left, 1) => {
-            (turn(point(left), parts.points[at], point(right)) < 0).then_some(Bend::Round { right, left })
+            (turn(point(left), parts.points[at], point(right)) < 0).then_some(VertexBend::Round { right, left })
         }
-        _ => Some(Bend::Pinched),
+        _ => Some(VertexBend::Pinched),
     };
     (0..count).map(bend).collect()
 }
 
 impl NavMesh {
-    /// Whether a path that comes to a vertex in this direction may bend there: a corner of a wall, and not its face.
+    /// Whether a path that comes to a vertex in this direction can bend there: at a corner that sticks out, not in the
+    /// face of a wall.
     pub(super) fn bends_along(&self, vertex: u32, along: DVec2) -> bool {
         match self.bends[vertex as usize] {
             None => false,
-            Some(Bend::Pinched) => true,
-            Some(Bend::Round { right, left }) => {
+            Some(VertexBend::Pinched) => true,
+            Some(VertexBend::Round { right, left }) => {
                 let [right, left] = self.directions(vertex, [right, left]);
                 !(is_left(along, left) && is_left(right, along))
             }
         }
     }
 
-    /// Where paths lead that bend at a vertex: between pairs of directions, the right one first, at most a half turn apart.
+    /// Returns the directions of paths that bend at a vertex: pairs of limits, the right limit first, at most a half
+    /// turn apart.
     pub(super) fn taut(&self, vertex: u32) -> [Option<[DVec2; 2]>; 2] {
         match self.bends[vertex as usize] {
             None => [None; 2],
-            Some(Bend::Pinched) => [Some([DVec2::X, -DVec2::X]), Some([-DVec2::X, DVec2::X])],
-            Some(Bend::Round { right, left }) => {
+            Some(VertexBend::Pinched) => [Some([DVec2::X, -DVec2::X]), Some([-DVec2::X, DVec2::X])],
+            Some(VertexBend::Round { right, left }) => {
                 let [right, left] = self.directions(vertex, [right, left]);
                 [Some([right, -left]), Some([-right, left])]
             }
         }
     }
 
-    /// Whether a path that comes to a vertex in one direction may go on in another: round the wall, if it does not go
-    /// straight on.
+    /// Whether a path that comes to a vertex in direction `along` can continue in direction `on`: only by turning
+    /// around the wall. Going straight on does not count.
     pub(super) fn bends_to(&self, vertex: u32, along: DVec2, on: DVec2) -> bool {
         match self.bends[vertex as usize] {
             None => false,
-            Some(Bend::Pinched) => true,
-            Some(Bend::Round { right, left }) => {
+            Some(VertexBend::Pinched) => true,
+            Some(VertexBend::Round { right, left }) => {
                 let [right, left] = self.directions(vertex, [right, left]);
                 is_left(left, along) && !is_left(along, on) || is_left(along, right) && !is_left(on, along)
             }
@@ -84,7 +87,7 @@ impl NavMesh {
     }
 }
 
-/// Whether a direction lies to the left of another, beyond doubt.
+/// Whether a direction is clearly to the left of another.
 fn is_left(a: DVec2, of: DVec2) -> bool {
     of.perp_dot(a) > FLAT * of.length() * a.length()
 }

@@ -1,18 +1,19 @@
-//! Edges of the mesh that are the only way between two parts of an island: a search crosses one only towards its goal.
+//! Bridges: edges of the mesh that are the only connection between two parts of an island. A search crosses a bridge
+//! only towards its goal.
 //!
-//! Found by one depth-first search over the triangles (Tarjan: A note on finding the bridges of a graph, Inf. Process.
-//! Lett. 2, 1974). A room with one door is behind a bridge, and so is every blind corner.
+//! They are found by one depth-first search over the triangles (Tarjan, *A note on finding the bridges of a graph*,
+//! Information Processing Letters 2, 1974). A room with one door is behind a bridge, and so is every dead-end corner.
 
 use super::triangulate::NONE;
 
 /// The bridges of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Bridges {
-    /// Place of each triangle in the order of the search.
+    /// The position of each triangle in the order of the search.
     order: Vec<u32>,
-    /// The last place among what the search found from the triangle on.
+    /// The last position among the triangles that the search found from each triangle on.
     last: Vec<u32>,
-    /// Bit k: the edge k is a bridge.
+    /// Bit k is set if edge k is a bridge.
     edges: Vec<u8>,
 }
 
@@ -23,7 +24,7 @@ impl Bridges {
         let mut found = Self { order: vec![NONE; count], last: vec![0; count], edges: vec![0; count] };
         let mut low = vec![NONE; count];
         let mut next = 0;
-        // Triangle, the edge it was entered by, the edge to try next.
+        // triangle, the edge it was entered by, the edge to try next
         let mut stack: Vec<(usize, usize, usize)> = Vec::new();
         for first in 0..count {
             if found.order[first] != NONE {
@@ -68,12 +69,12 @@ impl Bridges {
         found
     }
 
-    /// Place of a triangle in the order that [`Bridges::leads_to`] understands.
+    /// Returns the position of a triangle in the order that [`Bridges::leads_to`] uses.
     pub fn place(&self, triangle: u32) -> u32 {
         self.order[triangle as usize]
     }
 
-    /// Whether crossing `edge` of `triangle` to `next` can be of use on the way to one of the `goals`, sorted places.
+    /// Whether crossing `edge` of `triangle` to `next` can lead to one of the `goals` (sorted positions).
     pub fn leads_to(&self, goals: &[u32], triangle: u32, edge: usize, next: u32) -> bool {
         if self.edges[triangle as usize] & (1 << edge) == 0 {
             return true;

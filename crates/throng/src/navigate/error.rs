@@ -1,9 +1,9 @@
-//! What can be wrong with a floor plan, and why there is no way.
+//! Errors of floor plans, and the reasons why there is no path.
 
 use glam::DVec2;
 use std::fmt;
 
-/// A ring or chain of points of the input, by its place in the slices that were given.
+/// A ring or chain of points of the input, identified by its index in the given slices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
     /// The outer boundary of the walkable area with this index.
@@ -42,14 +42,14 @@ impl fmt::Display for Ring {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NavError {
-    /// A number that must be finite and in a range is not.
+    /// A number is not finite or out of its range.
     #[error("{what} is {value}, but must be {limit}")]
     Limit {
-        /// Which number.
+        /// The number.
         what: &'static str,
-        /// What it was.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// Its permitted range.
         limit: &'static str,
     },
     /// A coordinate is infinite or not a number.
@@ -60,14 +60,14 @@ pub enum NavError {
         /// Index of the point in the ring.
         point: usize,
     },
-    /// Not enough different corners.
+    /// A ring has too few different corners.
     #[error("{ring} has {found} different points, but needs at least {needed}")]
     TooFewCorners {
         /// The ring.
         ring: Ring,
         /// Number of different points.
         found: usize,
-        /// Number it needs.
+        /// Number that is needed.
         needed: usize,
     },
     /// Two edges of a ring cross.
@@ -79,10 +79,10 @@ pub enum NavError {
         first: usize,
         /// Index of the point where the second edge begins.
         second: usize,
-        /// Where they cross.
+        /// Where the edges cross.
         at: DVec2,
     },
-    /// The input spreads further than the lattice reaches.
+    /// The input is wider than the lattice.
     #[error(
         "the floor plan is {size:.0} m wide, but may be at most {limit:.0} m; move far-away parts into a mesh of their own"
     )]
@@ -92,7 +92,7 @@ pub enum NavError {
         /// The limit, metres.
         limit: f64,
     },
-    /// Nothing is left of the ground for a disc of this radius.
+    /// No ground is free for a disc of this radius.
     #[error("no free ground is left for a radius of {radius} m")]
     NoRoom {
         /// The radius.
@@ -103,32 +103,32 @@ pub enum NavError {
     Triangulation(String),
 }
 
-/// Why there is no path.
+/// The reason why there is no path.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreachable {
-    /// The start is not on the mesh, nor near enough to be set on it.
-    #[error("the start ({:.3}, {:.3}) is inside a wall, {} from where one can stand", at.x, at.y, away(*distance))]
+    /// The start is neither on the mesh nor close enough to be moved onto it.
+    #[error("the start ({:.3}, {:.3}) is inside a wall, {} from free ground", at.x, at.y, away(*distance))]
     StartInWall {
         /// The start.
         at: DVec2,
         /// Its distance from the mesh.
         distance: f64,
     },
-    /// The goal is not on the mesh, nor within a radius of it.
-    #[error("the goal ({:.3}, {:.3}) is inside a wall, {} from where one can stand", at.x, at.y, away(*distance))]
+    /// The goal is neither on the mesh nor within a radius of it.
+    #[error("the goal ({:.3}, {:.3}) is inside a wall, {} from free ground", at.x, at.y, away(*distance))]
     GoalInWall {
         /// The goal, or a corner of the goal area.
         at: DVec2,
-        /// Its distance from the mesh; of an area, infinite when further than a radius.
+        /// Its distance from the mesh; for an area farther away than a radius, infinite.
         distance: f64,
     },
-    /// Start and goal lie on different islands of the mesh.
+    /// Start and goal are on different islands of the mesh.
     #[error("there is no way: walls, or gaps narrower than the body, close off the goal")]
     NoWay {
         /// Island of the start.
         from: u32,
-        /// Island of the goal; of an area with several, the first.
+        /// Island of the goal; for an area with several islands, the first.
         to: u32,
     },
     /// A coordinate is infinite or not a number.
@@ -136,7 +136,7 @@ pub enum Unreachable {
     NotFinite,
 }
 
-/// A distance in messages; infinite is farther than looked.
+/// Formats a distance for messages. Infinite stands for farther away than the search reached.
 fn away(distance: f64) -> String {
     if distance.is_finite() { format!("{distance:.3} m") } else { "more than a body's radius".into() }
 }

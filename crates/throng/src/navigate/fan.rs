@@ -1,15 +1,15 @@
-//! The triangles round each vertex of a mesh.
+//! The triangles around each vertex of a mesh.
 
-/// Lists of triangles, one a vertex.
+/// A list of triangles for each vertex.
 #[derive(Clone, Debug)]
 pub(super) struct Fans {
-    /// Where the triangles of each vertex begin, and where the last ones end.
+    /// The start of each vertex's triangles, and the end of the last list.
     starts: Vec<u32>,
     triangles: Vec<u32>,
 }
 
 impl Fans {
-    /// Sorts triangles by their corners.
+    /// Creates the lists from the corners of the triangles.
     pub fn new(vertices: usize, corners: &[[u32; 3]]) -> Self {
         let mut starts = vec![0; vertices + 1];
         for &vertex in corners.as_flattened() {
@@ -32,7 +32,7 @@ impl Fans {
         Self { starts, triangles }
     }
 
-    /// The triangles round a vertex, in order.
+    /// Returns the triangles around a vertex, in order.
     pub fn round(&self, vertex: u32) -> &[u32] {
         let vertex = vertex as usize;
         &self.triangles[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]

@@ -1,36 +1,37 @@
 //! Goals, and journeys from goal to goal.
 
+use crate::Position;
 use crate::agent::GoalId;
 use crate::space::is_inside;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-/// A place to go to, world coordinates in metres.
+/// A destination, world coordinates in metres.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Goal {
-    /// A point. An agent is there when its centre is within `tolerance` of it, or when it touches somebody who has
-    /// arrived there already and the crowd round the point leaves no nearer place (MODELS 1.9).
+    /// A point. An agent has arrived when its centre is within `tolerance` of the point, or when it touches an agent
+    /// that has arrived there already and the crowd around the point leaves no nearer place.
     Point {
         /// The point.
         at: DVec2,
-        /// Distance that counts as there. Limit: > 0.
+        /// Distance from the point that counts as arrived. Limit: > 0.
         tolerance: f32,
     },
-    /// A point in the air, z up from the ground; as a point, with distances in space.
+    /// A point in the air, z up from the ground. The rules for a point apply, with distances in space.
     Air {
         /// The point. Limit of z: 0 to 20000.
         at: DVec3,
-        /// Distance that counts as there. Limit: > 0.
+        /// Distance from the point that counts as arrived. Limit: > 0.
         tolerance: f32,
     },
-    /// An area, the corners of a simple polygon. An agent is there when its centre is inside.
+    /// An area, given by the corners of a simple polygon. An agent has arrived when its centre is inside.
     Area {
-        /// Corners, either way round.
+        /// Corners, in either orientation.
         corners: Vec<DVec2>,
     },
-    /// An area that removes whoever enters it.
+    /// An area that removes every agent that enters it.
     Exit {
-        /// Corners, either way round.
+        /// Corners, in either orientation.
         corners: Vec<DVec2>,
     },
 }
@@ -38,23 +39,49 @@ pub enum Goal {
 /// One stop of a journey.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stop {
-    /// Where.
+    /// The goal of the stop.
     pub goal: GoalId,
     /// Seconds to wait there before going on. Limit: >= 0.
     pub wait: f32,
 }
 
-/// The goals of an agent, one after the other.
+/// The goals of an agent, in order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Journey {
-    /// The stops in order. None: stay.
+    /// The stops in order. Without stops the agent stays.
     pub stops: Vec<Stop>,
-    /// After the last stop, begin again with the first.
+    /// Whether to start again with the first stop after the last.
     pub repeat: bool,
 }
 
+/// Tolerance of a goal made from a position, metres.
+const TOLERANCE: f32 = 0.1;
+
+impl From<Position> for Goal {
+    /// A point on the ground, or in the air if z is greater than 0, with a tolerance of 0.1 m.
+    fn from(Position(at): Position) -> Self {
+        match at.z == 0.0 {
+            true => Self::Point { at: at.truncate(), tolerance: TOLERANCE },
+            false => Self::Air { at, tolerance: TOLERANCE },
+        }
+    }
+}
+
+macro_rules! goal_from_place {
+    ($($place:ty),*) => {
+        $(impl From<$place> for Goal {
+            /// As from a [`Position`].
+            fn from(place: $place) -> Self {
+                Position::from(place).into()
+            }
+        })*
+    };
+}
+
+goal_from_place!(DVec2, DVec3, [f64; 2], [f64; 3], (f64, f64), (f64, f64, f64));
+
 impl Goal {
-    /// The point, or the middle of the corners: where the goal is, roughly.
+    /// Returns the point, or the mean of the corners: an approximate position of the goal.
     pub fn middle(&self) -> DVec2 {
         match self {
             Self::Point { at, .. } => *at,
@@ -65,7 +92,7 @@ impl Goal {
         }
     }
 
-    /// The corners, of a goal that is an area.
+    /// Returns the corners of an area; `None` for a point.
     pub fn corners(&self) -> Option<&[DVec2]> {
         match self {
             Self::Area { corners } | Self::Exit { corners } => Some(corners),
@@ -73,7 +100,8 @@ impl Goal {
         }
     }
 
-    /// The altitude to be at there; `None`: any. Who flies keeps theirs on the way to a goal on the ground.
+    /// Returns the altitude of the goal; `None`: any. A flying agent keeps its altitude on the way to a goal on the
+    /// ground.
     pub fn altitude(&self) -> Option<f64> {
         match self {
             Self::Air { at, .. } => Some(at.z),
@@ -81,7 +109,7 @@ impl Goal {
         }
     }
 
-    /// The distance that counts as there, of a goal that is a point.
+    /// Returns the distance from a goal point that counts as arrived; `None` for an area.
     pub fn tolerance(&self) -> Option<f32> {
         match self {
             Self::Point { tolerance, .. } | Self::Air { tolerance, .. } => Some(*tolerance),
@@ -89,7 +117,8 @@ impl Goal {
         }
     }
 
-    /// How far from the middle a place can be that counts as there, metres: a little more than that.
+    /// Returns the maximum distance from the middle, metres, at which a place can count as arrived, rounded up a
+    /// little.
     pub(crate) fn reach(&self) -> f32 {
         let farthest = |corners: &[DVec2]| {
             let middle = self.middle();
@@ -98,7 +127,7 @@ impl Goal {
         1.0001 * self.tolerance().or_else(|| self.corners().map(farthest)).unwrap_or(f32::INFINITY)
     }
 
-    /// From a place to the point straight on, and the distance that counts as there; `None` for an area.
+    /// Returns the offset from a place to the point, and the distance that counts as arrived; `None` for an area.
     pub fn offset(&self, from: DVec3) -> Option<(DVec3, f32)> {
         match self {
             Self::Point { at, tolerance } => Some(((*at - from.truncate()).extend(0.0), *tolerance)),

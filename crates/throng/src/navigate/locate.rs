@@ -1,4 +1,4 @@
-//! Which triangle is a point in, and which point of the mesh is nearest.
+//! Search for the triangle that contains a point, and for the nearest point of the mesh.
 
 use super::mesh::NavMesh;
 use crate::space::{Cells, nearest_on_segment};
@@ -7,17 +7,17 @@ use glam::DVec2;
 /// A point this near to a triangle counts as in it, metres.
 pub(super) const TOUCH: f64 = 1e-7;
 
-/// Twice the area of a triangle that is no rounding, m2.
+/// Twice the area, m2, above which a triangle is not a product of rounding.
 const CLEARLY: f64 = 1e-9;
 
-/// Sorts triangles into cells, about sixteen a triangle: plans have many small triangles close together.
+/// Sorts triangles into cells, about sixteen cells a triangle: plans have many small triangles close together.
 pub(super) fn sorted(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Cells {
     let reach = DVec2::splat(1e-6);
     let low = vertices.iter().copied().fold(DVec2::INFINITY, DVec2::min) - reach;
     let high = vertices.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + reach;
     let size = high - low;
     let wanted = 16.0 * triangles.len() as f64 + 1.0;
-    // The second bound keeps a long thin plan from having more cells than it wants.
+    // the second bound limits the number of cells of a long thin plan
     let mut cells = Cells::new(low, high, (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted));
     let mut pairs = Vec::new();
     for (index, triangle) in triangles.iter().enumerate() {
@@ -31,7 +31,7 @@ pub(super) fn sorted(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Cells {
     cells
 }
 
-/// Whether a triangle touches a cell, by the separating edges of the triangle.
+/// Whether a triangle touches a cell, by separating axes along the triangle's edges.
 fn touches(cells: &Cells, cell: usize, corners: &[DVec2; 3]) -> bool {
     let half = DVec2::splat(cells.width * 0.5 + 1e-6);
     let centre = cells.low
@@ -44,12 +44,12 @@ fn touches(cells: &Cells, cell: usize, corners: &[DVec2; 3]) -> bool {
 }
 
 impl NavMesh {
-    /// The triangles of the cell of a point: among them all that are within 1e-6 m of it.
+    /// Returns the triangles of the cell of a point. They include all triangles within 1e-6 m of the point.
     fn around(&self, at: DVec2) -> &[u32] {
         self.grid.items(self.grid.cell_of(at))
     }
 
-    /// Triangles whose cells touch a box, in order, each once.
+    /// Finds the triangles in the cells that touch a box, in order, each once.
     pub(super) fn in_box(&self, from: DVec2, to: DVec2, out: &mut Vec<u32>) {
         out.clear();
         out.extend(self.grid.touched(from, to).flat_map(|cell| self.grid.items(cell)));
@@ -57,7 +57,8 @@ impl NavMesh {
         out.dedup();
     }
 
-    /// The triangle that a point is in, or within 1e-7 m of. On an edge, any of those that share it.
+    /// Returns a triangle that contains a point or is within 1e-7 m of it. On an edge it is any of the triangles that
+    /// share the edge.
     pub fn locate(&self, point: DVec2) -> Option<u32> {
         self.holding(point).or_else(|| {
             let touches =
@@ -66,12 +67,12 @@ impl NavMesh {
         })
     }
 
-    /// The first triangle that holds a point.
+    /// Returns the first triangle that contains a point.
     fn holding(&self, point: DVec2) -> Option<u32> {
         self.around(point).iter().copied().find(|&triangle| holds(&self.corners(triangle), point))
     }
 
-    /// The point of the mesh that is nearest to `point`, and its triangle.
+    /// Returns the point of the mesh that is nearest to `point`, and its triangle.
     pub(super) fn stand(&self, point: DVec2) -> (DVec2, Option<u32>) {
         match self.holding(point) {
             None => {
@@ -82,9 +83,9 @@ impl NavMesh {
         }
     }
 
-    /// The same, where it may be in a triangle, which may be one of another mesh.
+    /// As [`stand`](Self::stand), with a guess of the triangle, which may be from another mesh.
     pub(super) fn stand_near(&self, triangle: Option<u32>, point: DVec2) -> (DVec2, Option<u32>) {
-        // beyond doubt in that triangle and in no other
+        // clearly in that triangle and in no other
         let holds = |&triangle: &u32| {
             (triangle as usize) < self.triangles.len()
                 && sides(&self.corners(triangle), point).all(|side| side > CLEARLY)
@@ -92,7 +93,7 @@ impl NavMesh {
         triangle.filter(holds).map_or_else(|| self.stand(point), |triangle| (point, Some(triangle)))
     }
 
-    /// All triangles within `reach` (at most 1e-6 m) of a point, in order.
+    /// Finds all triangles within `reach` (at most 1e-6 m) of a point, in order.
     pub(super) fn touching(&self, point: DVec2, reach: f64, out: &mut Vec<u32>) {
         out.clear();
         out.extend(self.around(point).iter().copied().filter(|&triangle| {
@@ -100,7 +101,7 @@ impl NavMesh {
         }));
     }
 
-    /// The point of the mesh that is nearest to `point`: itself where it is on the mesh.
+    /// Returns the point of the mesh that is nearest to `point`: the point itself where it is on the mesh.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
         if self.holding(point).is_some() {
             return point;
@@ -109,7 +110,8 @@ impl NavMesh {
         let (column, row) = grid.place(point);
         let (mut best, mut nearest) = (f64::INFINITY, point);
         for ring in 0..grid.columns.max(grid.rows) {
-            // Cells of this ring are at least this far away, for points outside the grid too: it is convex.
+            // cells of this ring are at least this far away, also for points outside the grid, because the grid is
+            // convex
             let least = grid.width * (ring.max(1) - 1) as f64;
             if best < least * least {
                 break;
@@ -138,17 +140,18 @@ impl NavMesh {
     }
 }
 
-/// Whether a triangle holds a point, its edges included.
+/// Whether a triangle contains a point, its edges included.
 pub(super) fn holds(corners: &[DVec2; 3], point: DVec2) -> bool {
     sides(corners, point).all(|side| side >= 0.0)
 }
 
-/// How far a point is to the left of each edge of a triangle, times the length of the edge.
+/// Returns the signed distance of a point from each edge of a triangle, positive to the left, times the length of the
+/// edge.
 fn sides(&[a, b, c]: &[DVec2; 3], point: DVec2) -> impl Iterator<Item = f64> {
     [(a, b), (b, c), (c, a)].into_iter().map(move |(a, b)| (b - a).perp_dot(point - a))
 }
 
-/// The point of a convex counter-clockwise polygon nearest to `point`.
+/// Returns the point of a convex counter-clockwise polygon that is nearest to `point`.
 pub(super) fn closest_convex(corners: &[DVec2], point: DVec2) -> DVec2 {
     let mut inside = true;
     let (mut best, mut nearest) = (f64::INFINITY, point);

@@ -1,6 +1,6 @@
-//! The navigation mesh: triangles of the ground that the centre of a disc may be in.
+//! The navigation mesh: triangles of the ground that is free for the centre of a disc.
 
-use super::bend::{Bend, bends};
+use super::bend::{VertexBend, bends};
 use super::bridges::Bridges;
 use super::error::NavError;
 use super::fan::Fans;
@@ -12,15 +12,15 @@ use super::triangulate::{NONE, Triangles, triangulate};
 use crate::space::{Obstacle, Walkable};
 use glam::DVec2;
 
-/// The ground that the centre of a disc may be in, as constrained Delaunay triangles with their neighbours.
+/// The ground that is free for the centre of a disc, as constrained Delaunay triangles with their neighbours.
 ///
-/// Coordinates are those of the input, metres. Far from the origin (5 000 km) f64 leaves only nanometres to the
-/// searches; a caller with map coordinates should give them relative to a local origin.
+/// Coordinates are those of the input, metres. Far from the origin (5 000 km), f64 has a resolution of nanometres only;
+/// a caller with map coordinates should make them relative to a local origin.
 ///
 /// # Precision
-/// The ground is computed on a lattice of 2^-24 m (60 nm), whatever its size, at most 1000 km wide. Walls are grown
-/// by the radius and half a micrometre; arcs round their corners are polygons outside the true arc by at most 4 mm.
-/// A gap wider than two radii and 9 mm is open, a gap narrower than two radii closed.
+/// The ground is computed on a lattice of 2^-24 m (60 nm), whatever its size, at most 1000 km wide. Walls are inflated
+/// by the radius plus half a micrometre. Arcs round their corners are polygons outside the true arc by at most 4 mm. A
+/// gap wider than two radii and 9 mm is open; a gap narrower than two radii is closed.
 #[derive(Clone, Debug)]
 pub struct NavMesh {
     pub(super) radius: f64,
@@ -28,8 +28,8 @@ pub struct NavMesh {
     pub(super) vertices: Vec<DVec2>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) neighbours: Vec<[u32; 3]>,
-    /// How a shortest path may bend at each vertex, if it may.
-    pub(super) bends: Vec<Option<Bend>>,
+    /// How a shortest path can bend at each vertex, if it can.
+    pub(super) bends: Vec<Option<VertexBend>>,
     pub(super) fans: Fans,
     pub(super) tangents: Tangents,
     pub(super) islands: Vec<u32>,
@@ -40,22 +40,22 @@ pub struct NavMesh {
 }
 
 impl NavMesh {
-    /// Builds the mesh for discs of `radius` on the union of the `walkable` areas, less the `obstacles`. Without
-    /// walkable areas everything is ground, in a box round `bounds` and all obstacles with room to pass round them.
+    /// Builds the mesh for discs of `radius` on the union of the `walkable` areas minus the `obstacles`. Without
+    /// walkable areas, the ground is a box around `bounds` and all obstacles with room to pass around them.
     ///
     /// # Errors
-    /// Rings that cross themselves or have too few corners, numbers that are not finite, a radius that is not
-    /// positive, and ground that leaves no room.
+    /// Rings that cross themselves or have too few corners; values that are not finite; a radius that is not positive;
+    /// no free ground.
     ///
     /// ```
     /// use glam::DVec2;
-    /// use throng::{Obstacle, Walkable, navigate::{NavMesh, Search}};
+    /// use throng::{Obstacle, Walkable, navigate::{NavMesh, PathSearch}};
     ///
     /// let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 6.0), (0.0, 6.0)];
     /// let room = Walkable { outer: corners.map(DVec2::from).to_vec(), holes: vec![] };
     /// let wall = Obstacle::Wall { points: vec![DVec2::new(5.0, 0.0), DVec2::new(5.0, 4.0)] };
     /// let mesh = NavMesh::build(&[room], &[wall], 0.3, (DVec2::ZERO, DVec2::ZERO))?;
-    /// let path = mesh.path(&mut Search::new(), DVec2::new(1.0, 1.0), DVec2::new(9.0, 1.0)).unwrap();
+    /// let path = mesh.path(&mut PathSearch::new(), DVec2::new(1.0, 1.0), DVec2::new(9.0, 1.0)).unwrap();
     /// assert!(path.length > 10.0 && path.length < 11.0);
     /// # Ok::<(), throng::navigate::NavError>(())
     /// ```
@@ -92,33 +92,33 @@ impl NavMesh {
         }
     }
 
-    /// The radius it was built for, metres.
+    /// Returns the radius of the discs, metres.
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Corners of the triangles.
+    /// Returns the corners of the triangles.
     pub fn vertices(&self) -> &[DVec2] {
         &self.vertices
     }
 
-    /// Indices of the corners of each triangle, counter-clockwise.
+    /// Returns the indices of the corners of each triangle, counter-clockwise.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// Behind the edge from corner k to corner k + 1 of a triangle: the triangle there, or `None` for a wall.
+    /// Returns the triangle behind the edge from corner k to corner k + 1 of a triangle, or `None` for a wall.
     pub fn neighbour(&self, triangle: u32, edge: usize) -> Option<u32> {
         let neighbour = self.neighbours[triangle as usize][edge];
         (neighbour != NONE).then_some(neighbour)
     }
 
-    /// The boundary rings of the mesh, with the ground to their left.
+    /// Returns the boundary rings of the mesh, with the ground to their left.
     pub fn outline(&self) -> &[Vec<DVec2>] {
         &self.outline
     }
 
-    /// Area of the mesh, square metres.
+    /// Returns the area of the mesh, square metres.
     pub fn area_size(&self) -> f64 {
         (0..self.triangles.len() as u32)
             .map(|triangle| {
@@ -128,29 +128,29 @@ impl NavMesh {
             .sum()
     }
 
-    /// Number of islands: parts of the mesh without a way between them.
+    /// Returns the number of islands: parts of the mesh with no connection between them.
     pub fn island_count(&self) -> u32 {
         self.island_count
     }
 
-    /// The island that a point lies on; `None` off the mesh.
+    /// Returns the island that a point is on; `None` off the mesh.
     pub fn island(&self, point: DVec2) -> Option<u32> {
         self.locate(point).map(|triangle| self.islands[triangle as usize])
     }
 
-    /// Corners of a triangle.
+    /// Returns the corners of a triangle.
     pub(super) fn corners(&self, triangle: u32) -> [DVec2; 3] {
         self.triangles[triangle as usize].map(|vertex| self.vertices[vertex as usize])
     }
 
-    /// Which edge of `triangle` leads to `neighbour`.
+    /// Returns the edge of `triangle` that leads to `neighbour`.
     pub(super) fn edge_to(&self, triangle: u32, neighbour: u32) -> usize {
         let edges = self.neighbours[triangle as usize];
         (0..2).find(|&edge| edges[edge] == neighbour).unwrap_or(2)
     }
 }
 
-/// Numbers the connected parts.
+/// Returns the island of each triangle, and the number of islands.
 fn islands(neighbours: &[[u32; 3]]) -> (Vec<u32>, u32) {
     let mut islands = vec![NONE; neighbours.len()];
     let mut count = 0;
@@ -174,7 +174,7 @@ fn islands(neighbours: &[[u32; 3]]) -> (Vec<u32>, u32) {
     (islands, count)
 }
 
-/// The same corners or neighbours of a triangle, those of another edge first.
+/// Returns the corners or neighbours of a triangle, rotated so that another edge is the first.
 pub(super) fn rotated<T: Copy>([a, b, c]: [T; 3], by: usize) -> [T; 3] {
     match by {
         0 => [a, b, c],

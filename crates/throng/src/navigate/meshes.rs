@@ -1,7 +1,7 @@
-//! Navigation meshes for bodies of many sizes, the areas to reach on them, and the trees of paths that lead to goals, made
-//! when first needed.
+//! Navigation meshes for the sizes of bodies, the goal areas on them, and the path trees to goals. All are built on
+//! first use.
 
-use super::tree::{self, Growth, Scratch, Tree};
+use super::tree::{self, Growth, Tree, TreeScratch};
 use super::{Area, Goal, NavError, NavMesh, Path, Unreachable};
 use crate::agent::GoalId;
 use crate::parallel;
@@ -13,31 +13,31 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub struct Meshes {
     classes: BTreeMap<u32, Class>,
-    /// By size of body and goal.
-    trees: BTreeMap<(u32, GoalId), Kept>,
-    /// How often paths were asked for.
+    /// The trees by size of body and goal.
+    trees: BTreeMap<(u32, GoalId), CachedTree>,
+    /// The number of searches so far.
     asked: u64,
 }
 
-/// A path that somebody asks for.
-pub(crate) struct Asked {
-    /// Who asks.
+/// A request for a path.
+pub(crate) struct PathRequest {
+    /// The row of the agent.
     pub row: usize,
     /// The radius of its body.
     pub radius: f32,
-    /// Where it is.
+    /// The start of the path.
     pub from: DVec2,
-    /// Where it goes.
+    /// The goal of the path.
     pub goal: GoalId,
-    /// The shortest path, and how near to an area counts as there: 0 where its ground can be entered.
+    /// The shortest path, and the distance from an area that counts as arrived: 0 where the area can be entered.
     pub found: Option<Result<(Path, f64), Unreachable>>,
 }
 
-/// A tree that is kept for the next who ask.
+/// A tree that is kept for later requests.
 #[derive(Clone, Debug)]
-struct Kept {
+struct CachedTree {
     tree: Tree,
-    /// When it was asked last.
+    /// The number of the search that used it last.
     asked: u64,
 }
 
@@ -47,20 +47,20 @@ struct Class {
     areas: BTreeMap<GoalId, Option<Area>>,
 }
 
-/// Millimetres that paths keep from walls beyond the body's radius.
+/// Distance that paths keep from walls beyond the body's radius, millimetres.
 const CLEARANCE: f64 = 1.0;
 
-/// Vertices of all trees that are kept, at most: 12 bytes each.
+/// Maximum number of vertices of all trees that are kept: 12 bytes each.
 const MOST_VERTICES: usize = 5_000_000;
 
-/// The size a radius belongs to, in millimetres: rounded up.
+/// Returns the size class of a radius, in millimetres: rounded up.
 fn class_of(radius: f32) -> u32 {
     (f64::from(radius) * 1000.0 - 0.01).ceil() as u32
 }
 
 impl Meshes {
-    /// Makes what agents with these radii on their way to these goals need. `extent` is a box round everything that
-    /// matters where no walkable area is given.
+    /// Builds the meshes and areas for agents with these radii on their way to these goals. Where no walkable area is
+    /// given, `extent` is a box around everything that matters.
     pub(crate) fn prepare(
         &mut self,
         needs: impl Iterator<Item = (f32, GoalId)>,
@@ -81,32 +81,38 @@ impl Meshes {
         }
     }
 
-    /// The mesh for bodies of this radius; `None` if there is no ground for them, or no walls at all.
+    /// Discards the areas and trees of a goal that has changed.
+    pub(crate) fn forget(&mut self, goal: GoalId) {
+        self.trees.retain(|&(_, of), _| of != goal);
+        self.classes.values_mut().for_each(|class| _ = class.areas.remove(&goal));
+    }
+
+    /// Returns the mesh for bodies of this radius; `None` if it has not been built or there is no free ground for them.
     pub fn mesh(&self, radius: f32) -> Option<&NavMesh> {
         self.classes.get(&class_of(radius))?.mesh.as_ref().ok()
     }
 
-    /// Finds the paths that are asked for. Those who go to the same goal share a tree; what they find does not depend on
-    /// which trees are kept.
-    pub(crate) fn find(&mut self, goals: &[Goal], asked: &mut [Asked]) {
+    /// Finds the requested paths. Requests for the same goal and size share a tree. The paths do not depend on which
+    /// trees are kept.
+    pub(crate) fn find(&mut self, goals: &[Goal], asked: &mut [PathRequest]) {
         self.find_keeping(MOST_VERTICES, goals, asked);
     }
 
-    /// The same, and keeps trees of so many vertices at most.
-    fn find_keeping(&mut self, most: usize, goals: &[Goal], asked: &mut [Asked]) {
+    /// As [`find`](Self::find), with a maximum number of vertices of the trees that are kept.
+    fn find_keeping(&mut self, most: usize, goals: &[Goal], asked: &mut [PathRequest]) {
         self.asked += 1;
-        let to = |asked: &Asked| (class_of(asked.radius), asked.goal);
+        let to = |asked: &PathRequest| (class_of(asked.radius), asked.goal);
         asked.sort_by_key(|asked| (to(asked), asked.row));
         let kept: Vec<Option<Tree>> = asked
             .chunk_by(|one, other| to(one) == to(other))
             .map(|asked| Some(self.trees.remove(&to(&asked[0]))?.tree))
             .collect();
-        let mut errands: Vec<Errand<'_>> = asked
+        let mut errands: Vec<PathRequestGroup<'_>> = asked
             .chunk_by_mut(|one, other| to(one) == to(other))
             .zip(kept)
             .map(|(asked, tree)| {
                 let (class, goal) = to(&asked[0]);
-                Errand {
+                PathRequestGroup {
                     class: self.classes.get(&class),
                     id: goal,
                     goal: &goals[goal.index()],
@@ -116,8 +122,8 @@ impl Meshes {
                 }
             })
             .collect();
-        // those asked longest ago make room
-        let wanted: usize = errands.iter().map(Errand::size).sum();
+        // the least recently used trees make room
+        let wanted: usize = errands.iter().map(PathRequestGroup::size).sum();
         let mut used: usize = self.trees.values().map(|kept| kept.tree.size()).sum();
         while used > 0 && used + wanted > most {
             let oldest = self.trees.iter().min_by_key(|(_, kept)| kept.asked).map(|(&key, _)| key);
@@ -127,31 +133,31 @@ impl Meshes {
             errand.keeps = used + errand.size() <= most;
             used += if errand.keeps { errand.size() } else { 0 };
         }
-        parallel::rows(&mut errands, |scratch: &mut Scratch, _, errand| errand.run(scratch));
+        parallel::rows(&mut errands, |scratch: &mut TreeScratch, _, errand| errand.run(scratch));
         let trees: Vec<_> =
             errands.into_iter().filter_map(|errand| Some((to(&errand.asked[0]), errand.tree?))).collect();
-        self.trees.extend(trees.into_iter().map(|(key, tree)| (key, Kept { tree, asked: self.asked })));
+        self.trees.extend(trees.into_iter().map(|(key, tree)| (key, CachedTree { tree, asked: self.asked })));
     }
 }
 
-/// Everybody of one size who asks for paths to one goal.
-struct Errand<'a> {
+/// All requests for paths to one goal by agents of one size.
+struct PathRequestGroup<'a> {
     class: Option<&'a Class>,
     id: GoalId,
     goal: &'a Goal,
-    asked: &'a mut [Asked],
+    asked: &'a mut [PathRequest],
     tree: Option<Tree>,
     /// Whether the tree is kept.
     keeps: bool,
 }
 
-impl Errand<'_> {
-    /// Vertices of the tree that it needs.
+impl PathRequestGroup<'_> {
+    /// Returns the number of vertices of the tree.
     fn size(&self) -> usize {
         self.class.and_then(|class| class.mesh.as_ref().ok()).map_or(0, |mesh| mesh.vertices().len())
     }
 
-    fn run(&mut self, scratch: &mut Scratch) {
+    fn run(&mut self, scratch: &mut TreeScratch) {
         let Self { class, id, goal, asked, tree, keeps } = self;
         let Some(class) = class else {
             asked.iter_mut().for_each(|asked| asked.found = Some(Ok((straight(asked.from, goal), 0.0))));
@@ -176,18 +182,18 @@ impl Errand<'_> {
     }
 }
 
-/// The way in the open: to the point, or a little way into the area.
+/// Returns the path without walls: to the point, or a short distance into the area.
 fn straight(from: DVec2, goal: &Goal) -> Path {
     let end = match goal.corners() {
         None => goal.middle(),
         Some(corners) if is_inside(corners, from) => from,
-        // a tenth of the way from the rim to the middle
+        // a tenth of the distance from the rim to the middle
         Some(corners) => nearest_on_ring(corners, from).lerp(goal.middle(), 0.1),
     };
     Path { start: from, corners: vec![end], length: from.distance(end) }
 }
 
-/// The point of a closed ring nearest to `p`.
+/// Returns the point of a closed ring nearest to `p`.
 pub(crate) fn nearest_on_ring(corners: &[DVec2], p: DVec2) -> DVec2 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let nearest = edges.map(|(&a, &b)| crate::space::nearest_on_segment(a, b, p));
@@ -218,9 +224,9 @@ mod tests {
             for asked in asked.chunks(at_once) {
                 let ask = |&(row, goal): &(usize, GoalId)| {
                     let from = DVec2::new(0.5 + 0.3 * row as f64, 19.4);
-                    Asked { row, radius: 0.2, from, goal, found: None }
+                    PathRequest { row, radius: 0.2, from, goal, found: None }
                 };
-                let mut asked: Vec<Asked> = asked.iter().map(ask).collect();
+                let mut asked: Vec<PathRequest> = asked.iter().map(ask).collect();
                 meshes.find_keeping(most, &goals, &mut asked);
                 assert!(meshes.trees.values().map(|kept| kept.tree.size()).sum::<usize>() <= most);
                 found.extend(asked.into_iter().map(|asked| (asked.row, asked.found.unwrap().unwrap())));

@@ -1,7 +1,7 @@
-//! How do I get there: goals, journeys, the navigation mesh and the paths on it.
+//! Navigation: goals, journeys, the navigation mesh and the paths on it.
 //!
-//! [`NavMesh::build`] turns ground and obstacles into the triangles that the centre of a disc may be in;
-//! [`NavMesh::path`] finds shortest ways on them, and a [`Route`] keeps an agent on its way from step to step.
+//! [`NavMesh::build`] turns ground and obstacles into triangles of the ground that is free for the centre of a disc.
+//! [`NavMesh::path`] finds shortest paths on them, and a [`Route`] guides an agent along its path from step to step.
 
 mod area;
 mod bend;
@@ -20,13 +20,13 @@ mod outline;
 mod passage;
 mod path;
 mod polyanya;
+mod progress;
 mod refuge;
 mod route;
 mod script;
 mod standing;
 mod sweep;
 mod tangents;
-mod travel;
 mod tree;
 mod triangulate;
 mod visible;
@@ -36,14 +36,14 @@ pub use error::{NavError, Ring, Unreachable};
 pub use goal::{Goal, Journey, Stop};
 pub(crate) use legs::{Leg, Legs};
 pub use mesh::NavMesh;
-pub(crate) use meshes::Asked;
 pub use meshes::Meshes;
+pub(crate) use meshes::PathRequest;
 pub(crate) use meshes::nearest_on_ring;
 pub(crate) use outline::union;
 pub use path::Path;
-pub use polyanya::Search;
+pub use polyanya::PathSearch;
+pub use progress::{RouteProgress, Standing, Turn};
 pub(crate) use refuge::Refuge;
 pub use route::{Heading, Route};
 pub use script::{Keyframe, Script};
 pub(crate) use standing::StandingPlaces;
-pub use travel::{Standing, Travel, Turn};

@@ -1,26 +1,26 @@
-//! The free ground as polygons with holes: walkable areas united, obstacles and a radius taken off.
+//! The free ground as polygons with holes: the union of walkable areas minus obstacles and a margin of a radius.
 
 use super::error::{NavError, Ring};
-use super::inflate::{Brush, disc};
+use super::inflate::{Inflation, disc};
 use super::lattice::{Lattice, LatticePoint, WIDEST, steps, turn};
 use crate::space::{Obstacle, Walkable};
 use glam::DVec2;
 use i_overlay::core::{fill_rule::FillRule, overlay::Overlay, overlay::ShapeType, overlay_rule::OverlayRule};
 
-/// Polygons with holes: each a list of contours, the ground to their left.
+/// Polygons with holes: each is a list of contours with the ground to their left.
 pub(super) type Shapes = Vec<Vec<Vec<LatticePoint>>>;
 
-/// More contours than this are united before they are taken off the ground.
+/// Number of contours above which they are united before they are subtracted from the ground.
 const MANY: usize = 64;
-/// Contours that are united all at once, at most.
+/// Maximum number of contours that are united in one operation.
 const GROUP: usize = 8;
-/// A boundary with more corners than this is cut into pieces, so that their strips can be united in groups.
+/// Number of corners above which a boundary is cut into pieces, so that their strips can be united in groups.
 const LONG: usize = 4096;
 /// Edges of a piece of a boundary.
 const PIECE: usize = 8;
 
-/// The free ground for the centre of a disc of `radius`. Without walkable areas the ground is the box `bounds`, grown
-/// so that there is a way round every obstacle.
+/// Returns the free ground for the centre of a disc of `radius`. Without walkable areas the ground is the box `bounds`,
+/// extended so that there is a path around every obstacle.
 pub(super) fn free_ground(
     walkable: &[Walkable],
     obstacles: &[Obstacle],
@@ -41,26 +41,26 @@ pub(super) fn free_ground(
     if free.is_empty() { Err(NavError::NoRoom { radius }) } else { Ok((lattice, free)) }
 }
 
-/// `shapes` without what is nearer than `radius` to their boundary.
+/// Returns `shapes` without the points nearer than `radius` to their boundary.
 pub(super) fn erode(shapes: &Shapes, radius: f64) -> Shapes {
     let mut solid = Vec::new();
     strips(shapes, radius, &mut solid);
     subtract(shapes, &solid)
 }
 
-/// `shapes` and what is nearer than `radius` to them.
+/// Returns `shapes` and all points nearer than `radius` to them.
 pub(super) fn grow(shapes: &Shapes, radius: f64) -> Shapes {
-    let brush = Brush::new(radius);
+    let brush = Inflation::new(radius);
     let grown: Vec<_> = shapes.iter().flatten().map(|contour| brush.ring(contour)).collect();
     Overlay::from_subj(&grown).overlay(OverlayRule::Subject, FillRule::Positive)
 }
 
-/// The corners of an area of any form as shapes.
+/// Returns an area of any form, given by its corners, as shapes.
 pub(super) fn area_shapes(lattice: &Lattice, corners: &[DVec2]) -> Result<Shapes, NavError> {
     Ok(fill(&ring(lattice, corners, Ring::Goal, 3)?))
 }
 
-/// A box round everything, checked for size.
+/// Returns a box around all areas and obstacles, and checks its size.
 fn extent(
     walkable: &[Walkable],
     obstacles: &[Obstacle],
@@ -117,9 +117,9 @@ fn extent(
     if low.is_finite() && high.is_finite() { Ok((low, high)) } else { Err(NavError::NoRoom { radius }) }
 }
 
-/// Outlines round all obstacles.
+/// Returns the inflated outlines of all obstacles.
 fn solids(lattice: &Lattice, obstacles: &[Obstacle], radius: f64) -> Result<Vec<Vec<LatticePoint>>, NavError> {
-    let brush = Brush::new(radius);
+    let brush = Inflation::new(radius);
     let mut solid = Vec::new();
     for (index, obstacle) in obstacles.iter().enumerate() {
         let name = Ring::Obstacle { index };
@@ -146,7 +146,8 @@ fn solids(lattice: &Lattice, obstacles: &[Obstacle], radius: f64) -> Result<Vec<
     Ok(solid)
 }
 
-/// The union of walkable areas, as disjoint ones. A single area stays as it is; others are rounded to the lattice.
+/// Returns the union of walkable areas, as disjoint areas. A single area is unchanged; others are rounded to the
+/// lattice.
 pub(crate) fn union(areas: Vec<Walkable>) -> Result<Vec<Walkable>, NavError> {
     if areas.len() < 2 {
         return Ok(areas);
@@ -161,7 +162,7 @@ pub(crate) fn union(areas: Vec<Walkable>) -> Result<Vec<Walkable>, NavError> {
     Ok(unite(&lattice, &areas)?.into_iter().map(walkable).collect())
 }
 
-/// The union of walkable areas.
+/// Returns the union of walkable areas.
 fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
     let mut union = Overlay::new(64);
     for (area, ground) in walkable.iter().enumerate() {
@@ -175,9 +176,9 @@ fn unite(lattice: &Lattice, walkable: &[Walkable]) -> Result<Shapes, NavError> {
     Ok(union.overlay(OverlayRule::Subject, FillRule::Positive))
 }
 
-/// Outlines of the strips along the boundary of `shapes`, on their inside.
+/// Adds outlines of the strips along the boundary of `shapes`, on their inside.
 fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
-    let brush = Brush::new(radius);
+    let brush = Inflation::new(radius);
     for contour in shapes.iter().flatten() {
         if contour.len() > LONG {
             let closed = [contour, &contour[..1]].concat();
@@ -193,13 +194,13 @@ fn strips(shapes: &Shapes, radius: f64, solid: &mut Vec<Vec<LatticePoint>>) {
     }
 }
 
-/// Contours that go round the same ground as these together, fewer if there are many.
+/// Returns contours around the same ground as these together; fewer contours if there are many.
 fn merge(contours: Vec<Vec<LatticePoint>>) -> Vec<Vec<LatticePoint>> {
     if contours.len() > MANY { united(contours) } else { contours }
 }
 
-/// The union of contours. Neighbours are united first: crossings of all with all would take memory and time by the square of
-/// their number.
+/// Returns the union of contours. Neighbours are united first, because intersecting all contours at once takes memory
+/// and time in the square of their number.
 fn united(mut parts: Vec<Vec<LatticePoint>>) -> Vec<Vec<LatticePoint>> {
     if parts.len() > GROUP {
         let middle = |contour: &[LatticePoint], across: fn(&LatticePoint) -> i64| {
@@ -218,19 +219,19 @@ fn united(mut parts: Vec<Vec<LatticePoint>>) -> Vec<Vec<LatticePoint>> {
     Overlay::from_subj(&parts).overlay(OverlayRule::Subject, FillRule::Positive).concat()
 }
 
-/// `shapes` without what `solid` goes round.
+/// Returns `shapes` without the inside of `solid`.
 fn subtract(shapes: &Shapes, solid: &[Vec<LatticePoint>]) -> Shapes {
     let mut difference = Overlay::from_subj(shapes);
     difference.add_source(solid, ShapeType::Clip);
     difference.overlay(OverlayRule::Difference, FillRule::Positive)
 }
 
-/// The inside of a ring, either way round, also where it touches itself.
+/// Returns the inside of a ring, in either orientation; the ring can touch itself.
 fn fill(ring: &[LatticePoint]) -> Shapes {
     Overlay::from_subj(ring).overlay(OverlayRule::Subject, FillRule::NonZero)
 }
 
-/// The corners of a ring on the lattice, each once, checked for crossings.
+/// Returns the distinct corners of a ring on the lattice, and checks the ring for crossings.
 fn ring(lattice: &Lattice, corners: &[DVec2], name: Ring, needed: usize) -> Result<Vec<LatticePoint>, NavError> {
     if let Some(point) = corners.iter().position(|at| !at.is_finite()) {
         return Err(NavError::NotFinite { ring: name, point });
@@ -252,7 +253,8 @@ fn ring(lattice: &Lattice, corners: &[DVec2], name: Ring, needed: usize) -> Resu
     Ok(points)
 }
 
-/// The first two edges of a ring that cross, by a sweep along x; touching is no crossing.
+/// Returns two edges of a ring that cross, by a sweep along x, and the point where they cross. Touching is not
+/// crossing.
 fn crossing(ring: &[LatticePoint]) -> Option<(usize, usize, DVec2)> {
     let end = |edge: usize| ring[(edge + 1) % ring.len()];
     let span = |edge: usize| (ring[edge].x.min(end(edge).x), ring[edge].x.max(end(edge).x));

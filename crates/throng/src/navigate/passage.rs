@@ -1,34 +1,34 @@
-//! Passages at the corners of a path: where an agent that keeps its lateral place goes through them.
+//! Passages at the corners of a path, and the place where an agent that keeps its lateral position goes through them.
 
 use super::Path;
 use super::mesh::NavMesh;
 use glam::DVec2;
 
-/// Half of the width that a passage has at most, metres.
+/// Half of the maximum width of a passage, metres.
 const WIDEST: f64 = 1.0;
-/// An agent this near to a passage has passed it, metres.
+/// Distance before a passage at which it counts as passed, metres.
 const PASSED: f64 = 0.1;
-/// How much farther from the corner than from the walls beside it the place is, at most.
+/// Maximum ratio of the distance from the corner to the distance from the walls beside it.
 const MITRE: f64 = 1.15;
 
-/// Metres to each side of a path up to which its width is measured, and between two places where it is.
+/// Maximum distance to each side of a path at which its width is measured, and the spacing of the measurements, metres.
 const BROAD: f64 = 5.0;
 const BETWEEN_LOOKS: f64 = 0.25;
 
-/// How a path bends at a corner.
+/// The bend of a path at a corner.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bend {
+pub(super) struct CornerBend {
     corner: DVec2,
-    /// Unit vector away from the corner, half way between the directions in which the path comes and goes on.
+    /// Unit vector away from the corner, on the bisector of the directions in which the path comes and goes on.
     away: DVec2,
-    /// Unit vector across that, the way the path goes.
+    /// Unit vector across `away`, in the direction of the path.
     along: DVec2,
     /// Metres from the corner for each metre from the walls.
     mitre: f64,
 }
 
-impl Bend {
-    /// The bend at the middle one of three points; none if the path goes straight on.
+impl CornerBend {
+    /// Returns the bend at the middle of three points; none if the path goes straight on.
     pub fn of([before, corner, after]: [DVec2; 3]) -> Option<Self> {
         let (come, go) = ((corner - before).try_normalize()?, (after - corner).try_normalize()?);
         let away = (come - go).try_normalize()?;
@@ -36,28 +36,28 @@ impl Bend {
         Some(Self { corner, away, along, mitre: (1.0 / along.dot(come).max(1.0 / MITRE)) })
     }
 
-    /// Whether an agent is beyond it.
+    /// Whether an agent has passed the corner.
     pub fn is_passed(&self, at: DVec2) -> bool {
         (at - self.corner).dot(self.along) > -PASSED
     }
 
-    /// Half of the width of the passage.
+    /// Returns half of the width of the passage.
     pub fn half_width(&self, mesh: &NavMesh) -> f64 {
         0.5 * mesh.reach(self.corner, self.corner + self.away * (2.0 * WIDEST))
     }
 
-    /// Unit vector across the way from `at` to the corner, away from the wall that it bends round.
+    /// Returns the unit vector across the way from `at` to the corner, away from the wall that the path bends around.
     pub fn across(&self, at: DVec2) -> DVec2 {
         let across = (self.corner - at).perp().normalize_or_zero();
         if across.dot(self.away) < 0.0 { -across } else { across }
     }
 
-    /// Where an agent that is `off` metres from the walls goes through.
+    /// Returns the place where an agent that keeps `off` metres from the walls goes through.
     pub fn place(&self, off: f64, half_width: f64) -> DVec2 {
         self.corner + self.away * (off * self.mitre).min(half_width)
     }
 
-    /// Whether the straight way from `at` to `to` goes through farther out than `place`.
+    /// Whether the straight way from `at` to `to` passes farther from the corner than `place`.
     pub fn is_outside(&self, at: DVec2, to: DVec2, place: DVec2) -> bool {
         let way = to - at;
         way.perp_dot(place - at) * way.perp_dot(self.corner - at) > 0.0
@@ -65,7 +65,8 @@ impl Bend {
 }
 
 impl NavMesh {
-    /// Width of the narrowest place on the last metres of a path on the mesh, metres, from wall to wall; 2 [`BROAD`] at most.
+    /// Returns the minimum width, metres from wall to wall, of the last `metres` of a path on the mesh; at most 2
+    /// [`BROAD`].
     pub(crate) fn narrowest(&self, path: &Path, metres: f64) -> f64 {
         let mut left = metres;
         let mut narrowest = 2.0 * BROAD;
@@ -88,17 +89,17 @@ impl NavMesh {
     }
 }
 
-/// Half of the widths of the passages at the corners of a path, as far as they are known.
+/// Half of the widths of the passages at the corners of a path, measured when first needed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Passages(Vec<f64>);
 
 impl Passages {
-    /// Forgets those at a corner and beyond.
+    /// Discards the widths from a corner on.
     pub fn forget_from(&mut self, index: usize) {
         self.0.truncate(index);
     }
 
-    /// That at a corner; it is found the first time.
+    /// Returns the half width at a corner; the first call computes it.
     pub fn half_width(&mut self, index: usize, find: impl Fn() -> f64) -> f64 {
         if self.0.len() <= index {
             self.0.resize(index + 1, f64::NAN);
@@ -118,7 +119,7 @@ impl PartialEq for Passages {
 
 #[cfg(test)]
 mod tests {
-    use crate::navigate::{NavMesh, Search};
+    use crate::navigate::{NavMesh, PathSearch};
     use crate::space::Walkable;
     use glam::DVec2;
 
@@ -136,7 +137,7 @@ mod tests {
     fn a_door_is_the_narrowest_place() {
         let mesh = rooms();
         let narrowest = |from: [f64; 2], to: [f64; 2], metres: f64| {
-            let path = mesh.path(&mut Search::new(), from.into(), to.into()).unwrap();
+            let path = mesh.path(&mut PathSearch::new(), from.into(), to.into()).unwrap();
             mesh.narrowest(&path, metres)
         };
         for from in [[-5.0, 0.0], [-5.0, 5.0], [-0.5, 5.0]] {

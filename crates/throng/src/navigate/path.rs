@@ -1,28 +1,28 @@
-//! Asking for paths: what is asked, moved on to the mesh, and what comes back.
+//! Path queries: moving start and goal onto the mesh, and the resulting path.
 
-use super::area::{Area, Target};
+use super::area::{Area, SearchTarget};
 use super::error::Unreachable;
 use super::interval::{GRAZE, SNAP};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
-use super::polyanya::Search;
-use super::tree::{self, Growth, Scratch};
+use super::polyanya::PathSearch;
+use super::tree::{self, Growth, TreeScratch};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// A shortest path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Path {
-    /// Where it begins: the point of the mesh nearest to the start that was asked for.
+    /// The start: the point of the mesh nearest to the requested start.
     pub start: DVec2,
-    /// The points where it bends, in order, then its end. Without `start`.
+    /// The points where the path bends, in order, then its end. Without `start`.
     pub corners: Vec<DVec2>,
     /// Its length from `start`, metres.
     pub length: f64,
 }
 
 impl Path {
-    /// The path through these points, those left out where it does not bend.
+    /// Returns the path through these points, without the points where it does not bend.
     pub(super) fn through(start: DVec2, points: Vec<DVec2>, length: f64) -> Self {
         let mut before = start;
         let mut corners = Vec::with_capacity(points.len());
@@ -40,12 +40,13 @@ impl Path {
 }
 
 impl NavMesh {
-    /// The shortest path between two points. A start off the mesh is moved to the nearest point of it, within two
-    /// radii and 1 m; a goal within a radius and 1 cm, so that the path to a goal close to a wall ends before the wall.
+    /// Returns the shortest path between two points. A start off the mesh is moved to the nearest point of the mesh if
+    /// that is within two radii and 1 m. A goal off the mesh is moved if that is within a radius and 1 cm, so a path to
+    /// a goal close to a wall ends before the wall.
     ///
     /// # Errors
-    /// Why there is none.
-    pub fn path(&self, search: &mut Search, from: DVec2, to: DVec2) -> Result<Path, Unreachable> {
+    /// The reason why there is no path.
+    pub fn path(&self, search: &mut PathSearch, from: DVec2, to: DVec2) -> Result<Path, Unreachable> {
         let start = self.start_point(from)?;
         let (mut triangles, mut places) = std::mem::take(&mut search.goal);
         let target = self.point_target(to, &mut triangles, &mut places);
@@ -54,40 +55,44 @@ impl NavMesh {
         found
     }
 
-    /// The shortest path to the nearest point of an area, nearest along the path.
+    /// Returns the shortest path to an area. It ends at the point of the area that is nearest along the path.
     ///
     /// # Errors
-    /// Why there is none.
-    pub fn path_to(&self, search: &mut Search, from: DVec2, area: &Area) -> Result<Path, Unreachable> {
+    /// The reason why there is no path.
+    pub fn path_to(&self, search: &mut PathSearch, from: DVec2, area: &Area) -> Result<Path, Unreachable> {
         let start = self.start_point(from)?;
         search.run(self, start, &self.area_target(area)?)
     }
 
-    /// The shortest paths of many to one point, as [`path`](Self::path) finds them one by one: here they share what they
-    /// have in common. Of several as short as each other it may be another.
+    /// Returns the shortest paths from many points to one. The lengths are those of [`path`](Self::path), but the
+    /// searches share common work. Where several paths are equally short, the result can be another of them.
     pub fn paths(&self, from: &[DVec2], to: DVec2) -> Vec<Result<Path, Unreachable>> {
         let (mut triangles, mut places) = Default::default();
         self.all_paths(from, self.point_target(to, &mut triangles, &mut places))
     }
 
-    /// The shortest paths of many to the nearest point of an area, as [`path_to`](Self::path_to) finds them one by one.
+    /// Returns the shortest paths from many points to an area, as [`path_to`](Self::path_to).
     pub fn paths_to(&self, from: &[DVec2], area: &Area) -> Vec<Result<Path, Unreachable>> {
         self.all_paths(from, self.area_target(area))
     }
 
-    fn all_paths(&self, from: &[DVec2], target: Result<Target<'_>, Unreachable>) -> Vec<Result<Path, Unreachable>> {
-        let (mut tree, mut scratch) = (None, Scratch::default());
+    fn all_paths(
+        &self,
+        from: &[DVec2],
+        target: Result<SearchTarget<'_>, Unreachable>,
+    ) -> Vec<Result<Path, Unreachable>> {
+        let (mut tree, mut scratch) = (None, TreeScratch::default());
         let growth = Growth::of(from.len());
         from.iter().map(|&from| tree::path(&mut tree, self, &target, (from, growth), &mut scratch)).collect()
     }
 
-    /// A point as what paths lead to; the lists are memory.
+    /// Returns a point as the target of a search; the lists are buffers.
     pub(super) fn point_target<'a>(
         &self,
         to: DVec2,
         triangles: &'a mut Vec<u32>,
         places: &'a mut Vec<u32>,
-    ) -> Result<Target<'a>, Unreachable> {
+    ) -> Result<SearchTarget<'a>, Unreachable> {
         if !to.is_finite() {
             return Err(Unreachable::NotFinite);
         }
@@ -100,18 +105,18 @@ impl NavMesh {
         places.clear();
         places.extend(triangles.iter().map(|&triangle| self.bridges.place(triangle)));
         places.sort_unstable();
-        Ok(Target::Point { at, triangles, places })
+        Ok(SearchTarget::Point { at, triangles, places })
     }
 
-    /// An area as what paths lead to.
-    pub(super) fn area_target<'a>(&self, area: &'a Area) -> Result<Target<'a>, Unreachable> {
+    /// Returns an area as the target of a search.
+    pub(super) fn area_target<'a>(&self, area: &'a Area) -> Result<SearchTarget<'a>, Unreachable> {
         if area.is_empty() {
             return Err(Unreachable::GoalInWall { at: area.corner(), distance: f64::INFINITY });
         }
-        Ok(Target::Area(area))
+        Ok(SearchTarget::Area(area))
     }
 
-    /// Where a path from somewhere begins: on the mesh.
+    /// Returns the start of a path: the nearest point of the mesh.
     pub(super) fn start_point(&self, from: DVec2) -> Result<DVec2, Unreachable> {
         if !from.is_finite() {
             return Err(Unreachable::NotFinite);

@@ -1,14 +1,14 @@
-//! Exact Euclidean shortest paths on the mesh: Polyanya (Cui, Harabor, Grastien: Compromise-free pathfinding on a
-//! navigation mesh, IJCAI 2017).
+//! Exact Euclidean shortest paths on the mesh: Polyanya (Cui, Harabor, Grastien, *Compromise-free pathfinding on a
+//! navigation mesh*, IJCAI 2017).
 //!
-//! A node of the search is an interval on an edge, seen from a root where the path bends last. Expanding it projects
-//! the view through the triangle ahead on its two other edges; at an end of the interval that is a convex corner of a
-//! wall the path may bend into what is out of view, with that corner as a new root. A* on intervals, with the exact
-//! distance through the interval as its bound, gives the exact shortest path.
+//! A node of the search is an interval on an edge, seen from a root, the last bend of the path. Expanding a node
+//! projects the view through the triangle ahead onto its two other edges. At an end of the interval that is a convex
+//! corner of a wall, the path can bend into the area out of view, with that corner as a new root. A* on intervals, with
+//! the exact distance through the interval as its bound, gives the exact shortest path.
 
-use super::area::Target;
+use super::area::SearchTarget;
 use super::error::Unreachable;
-use super::interval::{GRAZE, SNAP, View, Way};
+use super::interval::{GRAZE, IntervalCrossing, IntervalView, SNAP};
 use super::locate::TOUCH;
 use super::mesh::{NavMesh, rotated};
 use super::path::Path;
@@ -18,52 +18,52 @@ use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashMap};
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// Scratch memory of path queries: reuse it, so that they allocate nothing but their results. Results do not depend
-/// on what it was used for before, nor on the mesh.
+/// Scratch memory of path queries. If it is reused, queries allocate nothing but their results. Results do not depend
+/// on earlier queries, nor on their meshes.
 #[derive(Clone, Debug, Default)]
-pub struct Search {
-    nodes: Vec<Node>,
+pub struct PathSearch {
+    nodes: Vec<SearchNode>,
     finals: Vec<Final>,
     open: BinaryHeap<Entry>,
-    /// Marks entries of the table below as of this query.
+    /// The number of this query: entries of the tables below with another number are out of date.
     query: u32,
-    /// Per vertex: the query, and the length of the shortest path to it that is known.
+    /// For each vertex: the query, and the length of the shortest known path to it.
     roots: Vec<(u32, f64)>,
-    /// Per edge of a triangle and root: the latest node that enters there and sees from there.
-    latest: HashMap<u64, u32, BuildHasherDefault<Mixer>>,
+    /// For each edge of a triangle and root: the latest node that enters through that edge with that root.
+    latest: HashMap<u64, u32, BuildHasherDefault<KeyHasher>>,
     start_triangles: Vec<u32>,
-    /// Triangles of a goal point, and their places among the bridges.
+    /// Triangles of a goal point, and their positions in the order of the bridges.
     pub(super) goal: (Vec<u32>, Vec<u32>),
     scratch: [Vec<DVec2>; 2],
     expanded: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    view: View,
-    /// Vertex that is the root; [`NONE`] for the start.
+struct SearchNode {
+    view: IntervalView,
+    /// The vertex at the root; [`NONE`] for the start.
     root: u32,
     /// Length of the path to the root.
     length: f64,
     parent: u32,
-    /// The triangle ahead, and its edge that holds the interval.
+    /// The triangle ahead, and its edge that contains the interval.
     triangle: u32,
     edge: u8,
-    /// The node that entered by the same edge before, seen from the same root.
+    /// The previous node that entered through the same edge with the same root.
     sibling: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Final {
     parent: u32,
-    way: Way,
+    way: IntervalCrossing,
 }
 
-/// Mixes the bits of a key: quick, and the same everywhere.
+/// A fast hash of a key, the same on every platform.
 #[derive(Clone, Copy, Debug, Default)]
-struct Mixer(u64);
+struct KeyHasher(u64);
 
-impl Hasher for Mixer {
+impl Hasher for KeyHasher {
     fn write(&mut self, bytes: &[u8]) {
         bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
     }
@@ -78,7 +78,7 @@ impl Hasher for Mixer {
     }
 }
 
-/// Ordered by the bound, then by age.
+/// An entry of the queue, ordered by the bound, then by age.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     bound: f64,
@@ -104,13 +104,13 @@ impl PartialEq for Entry {
 }
 impl Eq for Entry {}
 
-impl Search {
-    /// New scratch memory.
+impl PathSearch {
+    /// Creates scratch memory.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// How many nodes the latest query expanded.
+    /// Returns the number of nodes that the latest query expanded.
     pub fn expanded(&self) -> u32 {
         self.expanded
     }
@@ -130,8 +130,8 @@ impl Search {
         self.query += 1;
     }
 
-    /// The shortest path from a point of the mesh to the target.
-    pub(super) fn run(&mut self, mesh: &NavMesh, start: DVec2, target: &Target<'_>) -> Result<Path, Unreachable> {
+    /// Returns the shortest path from a point of the mesh to the target.
+    pub(super) fn run(&mut self, mesh: &NavMesh, start: DVec2, target: &SearchTarget<'_>) -> Result<Path, Unreachable> {
         self.reset(mesh);
         let mut around = std::mem::take(&mut self.start_triangles);
         mesh.touching(start, TOUCH, &mut around);
@@ -147,9 +147,9 @@ impl Search {
             for edge in 0..3 {
                 let next = mesh.neighbours[triangle as usize][edge];
                 if next != NONE && around.binary_search(&next).is_err() {
-                    let view = View { root: start, left: corners[edge], right: corners[(edge + 1) % 3] };
-                    // Looking out of the triangle, the beginning of its edge is on the right.
-                    let view = View { left: view.right, right: view.left, ..view };
+                    let view = IntervalView { root: start, left: corners[edge], right: corners[(edge + 1) % 3] };
+                    // looking out of the triangle, the beginning of its edge is on the right
+                    let view = IntervalView { left: view.right, right: view.left, ..view };
                     self.push(mesh, target, NONE, (NONE, 0.0), (triangle, edge), view);
                 }
             }
@@ -165,11 +165,11 @@ impl Search {
                 self.expand(mesh, target, entry.index, &node);
             }
         }
-        // On one island there is a way; only rounding at a needle-thin triangle could hide it.
+        // on one island there is a path; only rounding at a needle-thin triangle can hide it
         Err(Unreachable::NoWay { from: target.first_island(mesh), to: target.first_island(mesh) })
     }
 
-    fn expand(&mut self, mesh: &NavMesh, target: &Target<'_>, index: u32, node: &Node) {
+    fn expand(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, index: u32, node: &SearchNode) {
         let triangle = node.triangle;
         if let Some(way) = target.way(triangle, &node.view, &mut self.scratch) {
             self.finish(index, node.length, way);
@@ -186,7 +186,7 @@ impl Search {
         let ahead = view.ahead([a, b, c]);
         let (left, right) = ahead.sides;
 
-        // The same root goes on seeing what is between the ends of the interval.
+        // the same root sees the part between the ends of the interval
         if ahead.sees_corner {
             self.reached(ic, node.length + view.root.distance(c));
         }
@@ -195,30 +195,30 @@ impl Search {
                 self.push(mesh, target, index, (node.root, node.length), edge, view);
             }
         }
-        // What is out of view is seen from a corner that the path bends round.
+        // the part out of view is seen from a corner that the path bends around
         if left > -GRAZE && at_left && mesh.bends[ia as usize].is_some() && node.root != ia {
             let bend = (ia, node.length + view.root.distance(a));
-            self.push(mesh, target, index, bend, left_edge, View { root: a, left: a, right: c });
+            self.push(mesh, target, index, bend, left_edge, IntervalView { root: a, left: a, right: c });
             let end = if left > GRAZE { view.hit(a, c, b) } else { c };
-            self.push(mesh, target, index, bend, right_edge, View { root: a, left: c, right: end });
+            self.push(mesh, target, index, bend, right_edge, IntervalView { root: a, left: c, right: end });
         }
         if right < GRAZE && at_right && mesh.bends[ib as usize].is_some() && node.root != ib {
             let bend = (ib, node.length + view.root.distance(b));
-            self.push(mesh, target, index, bend, right_edge, View { root: b, left: c, right: b });
+            self.push(mesh, target, index, bend, right_edge, IntervalView { root: b, left: c, right: b });
             let end = if right < -GRAZE { view.hit(b, a, c) } else { c };
-            self.push(mesh, target, index, bend, left_edge, View { root: b, left: end, right: c });
+            self.push(mesh, target, index, bend, left_edge, IntervalView { root: b, left: end, right: c });
         }
     }
 
-    /// Adds a node that looks out of `from` (a triangle and its edge), unless it cannot be of use.
+    /// Adds a node that looks out of `from` (a triangle and its edge), unless it cannot be part of a shortest path.
     fn push(
         &mut self,
         mesh: &NavMesh,
-        target: &Target<'_>,
+        target: &SearchTarget<'_>,
         parent: u32,
         (root, length): (u32, f64),
         (triangle, edge): (u32, usize),
-        view: View,
+        view: IntervalView,
     ) {
         let next = mesh.neighbours[triangle as usize][edge];
         if next == NONE || !mesh.bridges.leads_to(target.places(), triangle, edge, next) {
@@ -244,13 +244,13 @@ impl Search {
             sibling = other.sibling;
         }
         let index = self.nodes.len() as u32;
-        let node = Node { view, root, length, parent, triangle: next, edge: back as u8, sibling: *latest };
+        let node = SearchNode { view, root, length, parent, triangle: next, edge: back as u8, sibling: *latest };
         *latest = index;
         self.nodes.push(node);
         self.enter(length + target.bound(&view), index, false);
     }
 
-    /// Notes that there is a path of this length to a vertex.
+    /// Records that there is a path of this length to a vertex.
     fn reached(&mut self, vertex: u32, length: f64) {
         let best = &mut self.roots[vertex as usize];
         if best.0 != self.query || length < best.1 {
@@ -258,15 +258,23 @@ impl Search {
         }
     }
 
-    /// Length of the shortest path to a vertex that is known.
+    /// Returns the length of the shortest known path to a vertex.
     fn best(&self, vertex: u32) -> f64 {
         let best = self.roots[vertex as usize];
         if best.0 == self.query { best.1 } else { f64::INFINITY }
     }
 
-    /// Whether every path through an interval is longer than another that is known: to its root, or by way of an end
-    /// of its edge. By way of an end, the advantage is least at the far end of the interval.
-    fn is_longer(&self, mesh: &NavMesh, triangle: u32, edge: usize, root: u32, length: f64, view: &View) -> bool {
+    /// Whether every path through an interval is longer than another known path: to its root, or through an end of its
+    /// edge. For a path through an end, the advantage is smallest at the far end of the interval.
+    fn is_longer(
+        &self,
+        mesh: &NavMesh,
+        triangle: u32,
+        edge: usize,
+        root: u32,
+        length: f64,
+        view: &IntervalView,
+    ) -> bool {
         let corners = mesh.triangles[triangle as usize];
         let (a, b) = (corners[edge], corners[(edge + 1) % 3]);
         let by = |vertex: u32, far: DVec2| {
@@ -277,7 +285,7 @@ impl Search {
         root != NONE && length > self.best(root) + GRAZE || by(a, view.right) || by(b, view.left)
     }
 
-    fn finish(&mut self, parent: u32, length: f64, way: Way) {
+    fn finish(&mut self, parent: u32, length: f64, way: IntervalCrossing) {
         let index = self.finals.len() as u32;
         self.finals.push(Final { parent, way });
         self.enter(length + way.length, index, true);
@@ -288,7 +296,7 @@ impl Search {
         self.open.push(Entry { bound, age, index, is_final });
     }
 
-    /// The path that ends in a final entry.
+    /// Returns the path that ends in a final entry.
     fn path(&self, start: DVec2, entry: Entry) -> Path {
         let Final { parent, way } = self.finals[entry.index as usize];
         let mut corners = vec![way.end];
@@ -307,8 +315,8 @@ impl Search {
     }
 }
 
-/// Whether all that `inner` sees is seen by `outer`, from the same root on the same edge.
-fn covers(outer: &View, inner: &View) -> bool {
+/// Whether `outer` sees everything that `inner` sees, from the same root on the same edge.
+fn covers(outer: &IntervalView, inner: &IntervalView) -> bool {
     let along = outer.right - outer.left;
     let length = along.length();
     (inner.left - outer.left).dot(along) >= -SNAP * length && (inner.right - outer.right).dot(along) <= SNAP * length

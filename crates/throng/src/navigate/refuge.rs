@@ -1,8 +1,8 @@
-//! Where to wait for others to pass: the nearest place that is out of their ways.
+//! Refuges: the nearest place outside the paths of other agents, to wait until they have passed.
 //!
-//! The ground is a lattice of cells pulled on to the mesh: each cell stands for its point of the mesh nearest to its
-//! middle, and neighbours are joined where one sees the other. A passage that is hardly wider than a body is then a
-//! chain of cells, however it lies. Shortest ways over them are Dijkstra's.
+//! The ground is a lattice of cells on the mesh: each cell stands for the point of the mesh nearest to its centre, and
+//! neighbours are linked where they are visible from each other. So a passage hardly wider than a body is a chain of
+//! cells, whatever its direction. Shortest paths over the cells are found by Dijkstra's algorithm.
 
 use super::mesh::NavMesh;
 use super::path::Path;
@@ -13,13 +13,13 @@ use std::collections::BinaryHeap;
 
 /// Width of a cell, in radii of the mesh.
 const CELL: f64 = 1.25;
-/// Cells from the middle to each side.
+/// Number of cells from the middle to each side.
 const HALF: usize = 64;
 const SIDE: usize = 2 * HALF + 1;
-/// Part of its radius that a way keeps from what is in the way: who stands there may touch.
+/// Part of a disc's radius that a path keeps from it, so that an agent in contact with the disc can start.
 const TOUCHES: f64 = 0.99;
 
-/// The ground round a point, searched again and again.
+/// The ground around a point, with the looked-up cells kept for further searches.
 #[derive(Debug)]
 pub(crate) struct Refuge<'a> {
     mesh: &'a NavMesh,
@@ -39,7 +39,8 @@ impl<'a> Refuge<'a> {
         self.mesh
     }
 
-    /// The way to the nearest place that `found` accepts, round what is `blocked`. `None`: there is none near.
+    /// Returns the path to the nearest place that `found` accepts, around the discs in `blocked`. `None`: there is no
+    /// such place nearby.
     pub fn nearest(&mut self, from: DVec2, blocked: &[Disc], found: impl Fn(DVec2) -> bool) -> Option<Path> {
         let start = self.mesh.nearest(from);
         let path = |corners, length| Some(Path { start, corners, length });
@@ -68,7 +69,8 @@ impl<'a> Refuge<'a> {
         None
     }
 
-    /// Goes on from a place in a cell to the cells round it. Lengths are never negative: their bits are in order.
+    /// Continues from a place in a cell to the cells around it. Lengths are never negative, so their bits are in the
+    /// order of their values.
     fn spread(
         &mut self,
         (place, length, cell, before): (DVec2, f64, usize, usize),
@@ -100,7 +102,7 @@ impl<'a> Refuge<'a> {
         inside.then(|| cell.y as usize * SIDE + cell.x as usize)
     }
 
-    /// The point of the mesh that a cell stands for; `None` if it is off the mesh.
+    /// Returns the point of the mesh that a cell stands for; `None` if the cell is off the mesh.
     fn place(&mut self, cell: usize) -> Option<DVec2> {
         *self.places[cell].get_or_insert_with(|| {
             let middle = self.low + (DVec2::new((cell % SIDE) as f64, (cell / SIDE) as f64) + 0.5) * self.width;

@@ -1,85 +1,86 @@
-//! An agent on its way: the corners of its path that are still ahead, kept up to date at little cost.
+//! Routes: the corners of an agent's path that are still ahead, updated at low cost.
 
 use super::mesh::NavMesh;
-use super::passage::{Bend, Passages};
+use super::passage::{CornerBend, Passages};
 use super::path::Path;
-use super::visible::{Sight, Wall};
+use super::visible::{BlockingEdge, VisibleItem};
 use crate::space::nearest_on_outline;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// An agent that has moved this far looks again at what it can see, metres.
+/// Distance moved after which an agent checks visibility again, metres.
 const LOOK: f64 = 0.1;
 
-/// Near a corner it looks at every step: so near that the next corner is likely to come into view, metres.
+/// Distance from a corner within which visibility is checked in every step, because the next corner is about to come
+/// into view, metres.
 const NEAR: f64 = 0.25;
 
-/// How many of the corners dropped last it may go back to: a rounded corner of a wall is some of them.
+/// Number of the last dropped corners that the agent can go back to: a rounded corner of a wall consists of several.
 const BACK: usize = 8;
 
-/// How much longer than the straight line the way by such a corner may be, in radii. Who would really have to turn back
-/// plans again: else it might drift off and turn back for ever.
+/// Maximum detour through such a corner, in radii. For a longer detour, which really turns back, the agent plans a new
+/// path: otherwise it could drift off and turn back endlessly.
 const BACK_DETOUR: f64 = 0.25;
 
-/// What an agent should head for.
+/// The point that an agent heads for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Heading {
     /// The next corner of the path.
     Corner(DVec2),
     /// The end of the path: no corner is left before it.
     End(DVec2),
-    /// The path does not hold any more, its next corner is out of sight: plan a new one.
+    /// The path is no longer valid: its next corner is not visible. Plan a new path.
     Lost,
 }
 
-/// The part of a path that an agent still has before it.
+/// The part of a path that an agent still has ahead.
 ///
-/// It looks only now and then, when the agent has moved or is near a corner: two rays on the mesh. A corner is dropped
-/// as soon as the one after it is in view. When the next corner has gone out of view (the agent was pushed round a
-/// corner) and one of those dropped before is in view and not out of the way, the agent goes by that; else the route is
-/// lost.
+/// Visibility is checked by two rays on the mesh, only when the agent has moved or is near a corner. A corner is
+/// dropped as soon as the corner after it is visible. If the next corner is no longer visible (the agent was pushed
+/// around a corner), the agent goes through an earlier corner that is visible and close to its way. Otherwise the route
+/// is lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "Saved")]
+#[serde(from = "SavedRoute")]
 pub struct Route {
-    /// Where the path begins.
+    /// The start of the path.
     start: DVec2,
     /// All corners of the path, its end last.
     corners: Vec<DVec2>,
-    /// Index of the next one.
+    /// Index of the next corner.
     next: u32,
-    /// Where the agent looked last.
+    /// The agent's position at the last check of visibility.
     looked: Option<DVec2>,
     lost: bool,
-    /// Where the agent goes through the next passage, as it found when it looked last.
+    /// Where the agent goes through the next passage, from the last check.
     place: Option<DVec2>,
-    /// Half of the widths of the passages at the corners, as far as they are known.
+    /// Half of the widths of the passages at the corners, measured when first needed.
     #[serde(skip_serializing)]
     passages: Passages,
-    /// Length of the way from the next corner on, metres.
+    /// Length of the path from the next corner on, metres.
     #[serde(skip_serializing)]
     beyond: f64,
     #[serde(skip_serializing)]
-    guess: Guess,
+    guess: SearchHint,
 }
 
-/// What the last look found: where to look first the next time. No answer depends on it.
+/// Results of the last check that speed up the next one. No result depends on them.
 #[derive(Clone, Copy, Debug, Default)]
-struct Guess {
-    /// The triangle the agent was in.
+struct SearchHint {
+    /// The triangle that the agent was in.
     triangle: Option<u32>,
     /// The wall that hid the corner after the next.
-    wall: Option<Wall>,
+    wall: Option<BlockingEdge>,
 }
 
-impl PartialEq for Guess {
+impl PartialEq for SearchHint {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-/// What of a route is saved.
+/// The saved part of a route.
 #[derive(Deserialize)]
-struct Saved {
+struct SavedRoute {
     start: DVec2,
     corners: Vec<DVec2>,
     next: u32,
@@ -88,8 +89,8 @@ struct Saved {
     place: Option<DVec2>,
 }
 
-impl From<Saved> for Route {
-    fn from(Saved { start, corners, next, looked, lost, place }: Saved) -> Self {
+impl From<SavedRoute> for Route {
+    fn from(SavedRoute { start, corners, next, looked, lost, place }: SavedRoute) -> Self {
         let (passages, guess) = Default::default();
         let mut route = Self { start, corners, next, looked, lost, place, passages, beyond: 0.0, guess };
         route.go_on_to(next);
@@ -98,22 +99,23 @@ impl From<Saved> for Route {
 }
 
 impl Route {
-    /// The route along a path.
+    /// Creates the route along a path.
     pub fn new(path: &Path) -> Self {
         let (start, corners) = (path.start, path.corners.clone());
-        Saved { start, corners, next: 0, looked: None, lost: false, place: None }.into()
+        SavedRoute { start, corners, next: 0, looked: None, lost: false, place: None }.into()
     }
 
-    /// What to head for from `position`. Call it every step; once it says [`Heading::Lost`] it says so until it is
-    /// replaced.
+    /// Returns the point to head for from `position`. Call it in every step. Once it has returned [`Heading::Lost`], it
+    /// does so until the route is replaced.
     pub fn advance(&mut self, mesh: &NavMesh, position: DVec2) -> Heading {
         self.advance_taut(mesh, position);
         self.heading()
     }
 
-    /// The same, for an agent that keeps its lateral place: it goes through the passage at each corner as far from it as it is
-    /// from the walls on that side, but no farther than the middle, and into an `area` where that is nearest to it. `off` tells
-    /// how far it is from walls, in metres: those from which a direction leads away.
+    /// As [`advance`](Self::advance), for an agent that keeps its lateral position. It goes through the passage at each
+    /// corner at the same distance from the corner as it keeps from the walls on that side, but at most in the middle
+    /// of the passage, and enters an `area` at the nearest point. `off` returns the agent's distance, metres, from the
+    /// walls that a direction leads away from.
     pub(crate) fn advance_in_place(
         &mut self,
         mesh: &NavMesh,
@@ -133,7 +135,7 @@ impl Route {
         }
     }
 
-    /// Lets the way end at the nearest point of an area, if that is in sight.
+    /// Moves the end of the route to the nearest point of an area, if that is visible.
     fn end_near(&mut self, mesh: &NavMesh, position: DVec2, area: &[DVec2]) {
         let end = nearest_on_outline(area, position);
         let (eye, here) = mesh.stand_near(self.guess.triangle, position);
@@ -141,17 +143,18 @@ impl Route {
             && let Some(last) = self.corners.last_mut()
         {
             *last = end;
-            // the last bend is another one now
+            // this changes the last bend
             self.passages.forget_from(self.corners.len().saturating_sub(2));
         }
     }
 
-    /// Where an agent that keeps its lateral place goes through the next passage; none if it may head for the next corner.
+    /// Returns where an agent that keeps its lateral position goes through the next passage; none if it can head for
+    /// the next corner.
     fn find_place(&mut self, mesh: &NavMesh, at: DVec2, off: impl Fn(DVec2) -> f64) -> Option<DVec2> {
         let (next, last) = (self.next as usize, self.corners.len() - 1);
         let point = |index: usize| if index == 0 { self.start } else { self.corners[index - 1] };
-        let bend = |index: usize| Bend::of([point(index), point(index + 1), point(index + 2)]);
-        // a taut string leaves corners before the agent has passed them
+        let bend = |index: usize| CornerBend::of([point(index), point(index + 1), point(index + 2)]);
+        // a taut path drops corners before the agent has passed them
         let mut first = next;
         while first > next.saturating_sub(BACK) && bend(first - 1).is_some_and(|bend| !bend.is_passed(at)) {
             first -= 1;
@@ -179,7 +182,7 @@ impl Route {
         }
     }
 
-    /// Drops the corners that it may; tells whether it looked.
+    /// Drops corners where possible. Returns whether it checked visibility.
     fn advance_taut(&mut self, mesh: &NavMesh, position: DVec2) -> bool {
         let Some(&aim) = self.corners.get(self.next as usize) else { return false };
         let near = !self.is_last() && position.distance_squared(aim) < NEAR * NEAR;
@@ -192,7 +195,7 @@ impl Route {
         looks
     }
 
-    /// Whether its next corner is its end.
+    /// Whether the next corner is the end.
     pub(crate) fn is_last(&self) -> bool {
         self.next as usize + 1 == self.corners.len()
     }
@@ -205,7 +208,7 @@ impl Route {
         while let Some(&corner) = self.corners.get(furthest + 1)
             && !self.guess.wall.is_some_and(|wall| mesh.is_in_the_way(wall, eye, corner))
         {
-            if let Sight::Blocked(wall) = mesh.sight(here, eye, corner) {
+            if let VisibleItem::Blocked(wall) = mesh.sight(here, eye, corner) {
                 self.guess.wall = wall;
                 break;
             }
@@ -215,7 +218,7 @@ impl Route {
         if furthest > next {
             self.go_on_to(furthest as u32);
         } else if sees(next) {
-            // goes on
+            // the next corner is still valid
         } else if let Some(back) = (next.saturating_sub(BACK)..next).rev().find(|&corner| sees(corner))
             && self.detour(eye, back) < BACK_DETOUR * mesh.radius()
         {
@@ -231,24 +234,24 @@ impl Route {
         self.beyond = ahead.array_windows().map(|[a, b]| a.distance(*b)).sum();
     }
 
-    /// How much longer the way to the next corner is by one of those before it.
+    /// Returns how much longer the way to the next corner is through an earlier corner.
     fn detour(&self, eye: DVec2, back: usize) -> f64 {
         let way = &self.corners[back..=self.next as usize];
         let along: f64 = way.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
         way[0].distance(eye) + along - way[way.len() - 1].distance(eye)
     }
 
-    /// The points still ahead, the next one first.
+    /// Returns the points still ahead, the next one first.
     pub fn corners(&self) -> impl ExactSizeIterator<Item = DVec2> + '_ {
         self.corners.get(self.next as usize..).unwrap_or_default().iter().copied()
     }
 
-    /// The end of the path.
+    /// Returns the end of the path.
     pub fn end(&self) -> Option<DVec2> {
         self.corners.last().copied()
     }
 
-    /// Length of the way still ahead from `position`, metres.
+    /// Returns the length of the path still ahead from `position`, metres.
     pub fn remaining(&self, position: DVec2) -> f64 {
         self.corners().next().map_or(0.0, |corner| corner.distance(position) + self.beyond)
     }

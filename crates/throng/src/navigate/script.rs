@@ -1,36 +1,36 @@
-//! Scripts: where a moving obstacle is when.
+//! Scripts: prescribed motion of moving obstacles.
 
 use crate::Error;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// Where something is to be at a time.
+/// A position and heading at a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Keyframe {
-    /// When, seconds from the start of the world. Limit: >= 0, later than the keyframe before.
+    /// Time, seconds from the start of the world. Limit: >= 0, later than the keyframe before.
     pub time: f64,
-    /// Where its centre is, world coordinates.
+    /// Position of the centre, world coordinates.
     pub at: DVec2,
-    /// Direction of its body, radians counter-clockwise from +x. From 0 to 6.28 it turns once round.
+    /// Heading of the body, radians counter-clockwise from +x. From 0 to 6.28 it makes one full turn.
     pub heading: f64,
 }
 
-/// Where a moving obstacle is when: a door, a vehicle on its round. Between two keyframes it moves and turns evenly;
-/// before the first it is where that says, after the last where that says.
+/// The prescribed motion of a moving obstacle: a door, or a vehicle on its round. Between two keyframes, position and
+/// heading are interpolated linearly; before the first and after the last keyframe they are constant.
 ///
-/// An agent with a script goes where the script is at the end of each sub-step, at most at its own `max_speed` and
-/// `max_turn_rate`; its group's model, its journey and the limit of its acceleration do not matter. The
-/// [guard](crate::guard) holds it as it holds everybody: a door that somebody stands in waits, and then catches up.
+/// An agent with a script moves to the script's position at the end of each sub-step, at most at its `max_speed` and
+/// `max_turn_rate`. The model of its group, its journey and its acceleration limit have no effect. The
+/// [guard](crate::guard) applies as to every agent: a door with an agent in its way waits, then catches up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Script {
-    /// At least one, by time.
+    /// At least one, in order of time.
     pub keyframes: Vec<Keyframe>,
-    /// After the last keyframe, begin again with the first.
+    /// Whether to start again with the first keyframe after the last.
     pub repeat: bool,
 }
 
 impl Script {
-    /// Where the script is at a time.
+    /// Returns position and heading at a time.
     pub fn at(&self, time: f64) -> Keyframe {
         let (Some(first), Some(last)) = (self.keyframes.first(), self.keyframes.last()) else {
             return Keyframe { time, ..Keyframe::default() };

@@ -1,8 +1,8 @@
-//! Places to stand in a goal area: a hexagonal lattice, each place with its depth.
+//! Standing places in a goal area: a hexagonal lattice of places, each with its depth.
 //!
-//! The depth of a place is its distance, on ways inside the area, from the part of the border through which the area
-//! can be entered. An area that is filled from its greatest depth is never plugged at its entrance. The lattice has
-//! two levels: a third of its places is comfortable (a body's width is free between two bodies), all of them together
+//! The depth of a place is its distance, along paths inside the area, from the part of the border through which the
+//! area can be entered. If agents fill an area from its greatest depth, they never block its entrance. The lattice has
+//! two levels. A third of its places is comfortable: a body's width is free between two bodies. All places together
 //! leave 15 % of a body's width between two bodies.
 
 use super::meshes::nearest_on_ring;
@@ -11,42 +11,43 @@ use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Distance of two neighbouring places, in radii: the holes of a triangular lattice of spacing 4 are so far from it.
+/// Distance of neighbouring places, in radii: the distance of a hole of a triangular lattice of spacing 4 from its
+/// points.
 pub(crate) const SPACING: f64 = 2.309_401_076_758_503;
-/// Places keep this part of a radius from the border of the area, so that a small push does not move an agent out.
+/// Distance of places from the border of the area, in radii, so that a small push does not move an agent out.
 const INSET: f64 = 0.5;
-/// Distance of two points of the border that are tested for being open, in radii.
+/// Distance of the points of the border that are tested for being open, in radii.
 const BORDER_STEP: f64 = 0.25;
-/// Points of the border that are tested, at most.
+/// Maximum number of points of the border that are tested.
 const MOST_BORDER: f64 = 4096.0;
-/// Offsets of the lattice that are tried across the rows: the one with most places is taken.
+/// Number of offsets of the lattice across the rows that are tried: the offset with most places is used.
 const PHASES: u32 = 4;
-/// Points of the grid that is searched where the lattice is full, at most.
+/// Maximum number of points of the finer grid that is searched when the lattice is full.
 const MOST_CRANNIES: usize = 4096;
 
 const STEPS: [(i32, i32); 6] = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
 
-/// A place to stand.
+/// A place to stand at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StandingPlace {
     /// World coordinates.
     pub at: DVec2,
-    /// Metres from the open part of the border, on ways inside the area.
+    /// Metres from the open part of the border, along paths inside the area.
     pub depth: f64,
-    /// Whether it belongs to the comfortable third.
+    /// Whether the place belongs to the comfortable third.
     pub comfortable: bool,
 }
 
-/// The places to stand in a goal area, for bodies of one radius.
+/// The standing places in a goal area, for bodies of one radius.
 #[derive(Clone, Debug)]
 pub(crate) struct StandingPlaces {
     places: Vec<StandingPlace>,
-    /// A finer grid of points, searched where the lattice is full.
+    /// A finer grid of points, searched when the lattice is full.
     crannies: Vec<DVec2>,
     comfortable: usize,
 }
 
-/// A frame along the longest edge of the area.
+/// A coordinate frame along the longest edge of the area.
 struct Frame {
     origin: DVec2,
     along: DVec2,
@@ -83,8 +84,8 @@ impl Frame {
 }
 
 impl StandingPlaces {
-    /// The places in the polygon `corners` for bodies of a radius. `has_room` tells whether a body can stand at a point.
-    /// A spacing that would give more than `most` places is made wider.
+    /// Creates the places in the polygon `corners` for bodies of a radius. `has_room` returns whether a body can stand
+    /// at a point. The spacing is widened so that there are at most about `most` places.
     pub fn new(corners: &[DVec2], radius: f64, most: usize, has_room: impl Fn(DVec2) -> bool) -> Self {
         let frame = Frame::of(corners);
         let widest = frame.size().x * frame.size().y;
@@ -93,7 +94,7 @@ impl StandingPlaces {
         let lattice = |least: f64| {
             let phases = (0..PHASES).map(|phase| {
                 let shift = f64::from(phase) / f64::from(PHASES);
-                Lattice::new(&frame, spacing, shift, |p| inset(p, least) && has_room(p))
+                HexLattice::new(&frame, spacing, shift, |p| inset(p, least) && has_room(p))
             });
             phases.reduce(|best, next| if next.count > best.count { next } else { best })
         };
@@ -121,9 +122,8 @@ impl StandingPlaces {
         self.places.is_empty()
     }
 
-    /// Chooses a place for an agent at `from` that is deeper than `least`: the deepest of the free ones among the
-    /// `demand` places nearest to the agent, else the nearest free one.
-    /// `None`: no place is free.
+    /// Returns a place for an agent at `from`, deeper than `least`: the deepest free place among the `demand` places
+    /// nearest to the agent, else the nearest free place. `None`: no place is free.
     pub fn choose(
         &self,
         from: DVec2,
@@ -160,7 +160,7 @@ impl StandingPlaces {
             place.depth > least && is_free(place.at)
         };
         let (region, beyond) = near.split_at(demand.min(near.len()));
-        // sorted by distance: of places of the same depth the nearest comes last and is taken
+        // sorted by distance: of places with the same depth the nearest comes last and is taken
         let deepest = region.iter().rev().filter(fits).max_by(|(_, a), (_, b)| {
             let depth = |&index: &usize| self.places[index].depth;
             depth(a).total_cmp(&depth(b))
@@ -168,14 +168,14 @@ impl StandingPlaces {
         deepest.or_else(|| beyond.iter().find(fits)).map(|&(_, index)| self.places[index])
     }
 
-    /// The depth of the place nearest to a point.
+    /// Returns the depth of the place nearest to a point.
     pub fn depth_near(&self, at: DVec2) -> f64 {
         let nearest = self.places.iter().min_by(|a, b| a.at.distance_squared(at).total_cmp(&b.at.distance_squared(at)));
         nearest.map_or(0.0, |place| place.depth)
     }
 }
 
-/// Points of the border of an area on which a body can stand: there the area can be entered.
+/// Returns points of the border of an area at which a body can stand: there the area can be entered.
 fn openings(corners: &[DVec2], radius: f64, has_room: &impl Fn(DVec2) -> bool) -> Vec<DVec2> {
     let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
     let around: f64 = edges().map(|(a, b)| a.distance(*b)).sum();
@@ -188,22 +188,22 @@ fn openings(corners: &[DVec2], radius: f64, has_room: &impl Fn(DVec2) -> bool) -
 }
 
 /// A hexagonal lattice of points, by rows.
-struct Lattice {
+struct HexLattice {
     spacing: f64,
     columns: i32,
     /// `None`: no body can stand there.
     points: Vec<Option<DVec2>>,
-    /// Column of the first point of row 0; rows are sheared by half a column each.
+    /// Column of the first point of row 0; each row is sheared by half a column.
     first: i32,
     count: usize,
 }
 
-impl Lattice {
+impl HexLattice {
     fn new(frame: &Frame, spacing: f64, shift: f64, fits: impl Fn(DVec2) -> bool) -> Self {
         let height = spacing * 0.75f64.sqrt();
         let size = frame.size();
         let rows = (size.y / height).floor() as i32 + 2;
-        // a row begins half a column farther than the one before it
+        // each row begins half a column farther than the row before
         let first = -(rows / 2 + 1);
         let columns = (size.x / spacing).floor() as i32 + 2 - first;
         let mut points = Vec::with_capacity((rows * columns).max(0) as usize);
@@ -230,7 +230,7 @@ impl Lattice {
         })
     }
 
-    /// The places, with their depths: shortest ways over the lattice from the openings (Dijkstra's).
+    /// Returns the places with their depths: shortest paths over the lattice from the openings (Dijkstra's algorithm).
     fn places(
         &self,
         openings: &[DVec2],
@@ -267,7 +267,7 @@ impl Lattice {
         let all = self.points.iter().enumerate().filter_map(|(at, p)| {
             let (column, row) = (at as i32 % self.columns + self.first, at as i32 / self.columns);
             let comfortable = (column - row).rem_euclid(3) == 0;
-            // in an area that cannot be entered all places are alike
+            // in an area that cannot be entered all places have the same depth
             let depth = if can_be_entered { depth[at] } else { 0.0 };
             Some(StandingPlace { at: (*p)?, depth, comfortable })
         });

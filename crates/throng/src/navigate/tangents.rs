@@ -1,27 +1,28 @@
-//! Which corners of walls see each other so that a taut string may bend round both: the edges of all shortest paths but for
-//! their ends. Those of a corner are found by a sweep when they are first asked for.
+//! Tangents: pairs of corners of walls that are visible from each other and around both of which a taut path can bend.
+//! All edges of shortest paths except the first and the last are tangents. The tangents of a corner are found by a
+//! sweep when first needed.
 
 use super::mesh::NavMesh;
-use super::sweep::Sweep;
+use super::sweep::ViewSweep;
 use std::sync::OnceLock;
 
 /// The tangents of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Tangents {
-    /// Of each vertex: the vertices that its tangents lead to, in order.
+    /// For each vertex: the vertices that its tangents lead to, in order.
     of: Vec<OnceLock<Box<[u32]>>>,
 }
 
 impl Tangents {
-    /// Those of so many vertices, still to be found.
+    /// Creates the tangents of this number of vertices, none of them computed yet.
     pub fn new(vertices: usize) -> Self {
         Self { of: vec![OnceLock::new(); vertices] }
     }
 }
 
 impl NavMesh {
-    /// The vertices that the tangents of a vertex lead to, in order.
-    pub(super) fn tangents(&self, vertex: u32, sweep: &mut Sweep) -> &[u32] {
+    /// Returns the vertices that the tangents of a vertex lead to, in order.
+    pub(super) fn tangents(&self, vertex: u32, sweep: &mut ViewSweep) -> &[u32] {
         self.tangents.of[vertex as usize].get_or_init(|| {
             let at = self.vertices[vertex as usize];
             let mut found = Vec::new();

@@ -1,22 +1,25 @@
-//! The shortest paths from everywhere to one target: a tree over the corners of walls, for all who go there.
+//! The shortest paths from everywhere to one target: a tree over the corners of walls, shared by all agents with that
+//! target.
 //!
-//! A shortest path is straight but where it bends round corners. So the shortest path from a corner is known from those
-//! of the corners that its tangents lead to, and Dijkstra's algorithm finds them all, the nearest first (Rohnert: Shortest
-//! paths in the plane with convex polygonal obstacles, Inf. Process. Lett. 23, 1986). A path from anywhere else leads by
-//! one of the corners in its own sight.
+//! A shortest path is straight except where it bends around corners. So the shortest path from a corner follows from
+//! those of the corners that its tangents lead to, and Dijkstra's algorithm finds them all, the nearest first (Rohnert,
+//! *Shortest paths in the plane with convex polygonal obstacles*, Information Processing Letters 23, 1986). A path from
+//! any other point leads through a corner that is visible from the point.
 //!
-//! The tree grows as far as it is asked for: to all sides, the nearest first, for many starts; towards the start (A*: Hart, Nilsson,
-//! Raphael: A formal basis for the heuristic determination of minimum cost paths, IEEE Trans. SSC 4, 1968) for few, which leaves out most
-//! of the ground. What it tells depends neither on that nor on what it was asked before: lengths are sums from the target on, the same in
-//! any order, and of equal ones the vertex with the lower number is taken; from a point all ways on are compared.
+//! The tree grows as far as needed. For many starts it grows to all sides, the nearest corners first. For few starts it
+//! grows towards each start (A*: Hart, Nilsson, Raphael, *A formal basis for the heuristic determination of minimum
+//! cost paths*, IEEE Transactions on Systems Science and Cybernetics 4, 1968), which leaves out most of the ground.
+//! Results do not depend on the kind of growth or on earlier queries: lengths are sums from the target on, the same in
+//! any order; of equal lengths the vertex with the lower number is taken; and all continuations from a point are
+//! compared.
 
-use super::area::Target;
+use super::area::SearchTarget;
 use super::error::Unreachable;
-use super::interval::{GRAZE, Way};
+use super::interval::{GRAZE, IntervalCrossing};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
 use super::path::Path;
-use super::sweep::Sweep;
+use super::sweep::ViewSweep;
 use super::triangulate::NONE;
 use glam::DVec2;
 use std::cmp::Reverse;
@@ -25,12 +28,12 @@ use std::collections::BinaryHeap;
 /// The shortest paths to one target on one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
-    /// Of each vertex: the length of the shortest path from it that is known.
+    /// For each vertex: the length of the shortest known path from it.
     lengths: Vec<f64>,
-    /// The vertex that the path goes on to; [`NONE`] for the target.
+    /// The next vertex of the path from each vertex; [`NONE`] for the target.
     next: Vec<u32>,
-    /// Bits of lengths, and vertices, whose paths may still become shorter. Lengths are never negative: their bits are
-    /// in order.
+    /// Bits of lengths, and vertices that are not final yet. Lengths are never negative, so their bits are in the order
+    /// of their values.
     open: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
@@ -44,29 +47,31 @@ pub(super) enum Growth {
 }
 
 impl Growth {
-    /// The faster one for so many starts at once.
+    /// Returns the faster growth for this number of starts.
     pub fn of(starts: usize) -> Self {
         if starts > FEW { Self::Around } else { Self::Toward }
     }
 }
 
-/// For so many starts at most a tree grows towards each: every time that takes a look at all open vertices.
+/// Maximum number of starts for which a tree grows towards each start: growing towards a start visits all open
+/// vertices.
 const FEW: usize = 4;
 
-/// Memory of questions.
+/// Scratch memory of queries.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    sweep: Sweep,
+pub(super) struct TreeScratch {
+    sweep: ViewSweep,
     around: Vec<u32>,
     seen: Vec<(u32, f64)>,
     polygons: [Vec<DVec2>; 2],
-    /// Bits of the least length of a path from the start through an open vertex, bits of the length of that vertex, and the vertex.
+    /// Bits of a lower bound of the length of a path from the start through an open vertex, bits of the length from
+    /// that vertex, and the vertex.
     front: BinaryHeap<Reverse<(u64, u64, u32)>>,
-    /// Vertices that may see the target.
+    /// Vertices that may be visible from the target.
     candidates: Vec<u32>,
 }
 
-/// The shortest way to go on from a point.
+/// The first part of the shortest path from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum On {
     /// To a vertex.
@@ -75,13 +80,13 @@ enum On {
     Straight(DVec2),
 }
 
-/// The shortest path from somewhere to the target, by a tree that is planted when it is first needed.
+/// Returns the shortest path from a point to the target, by a tree that is created when first needed.
 pub(super) fn path(
     tree: &mut Option<Tree>,
     mesh: &NavMesh,
-    target: &Result<Target<'_>, Unreachable>,
+    target: &Result<SearchTarget<'_>, Unreachable>,
     (from, growth): (DVec2, Growth),
-    scratch: &mut Scratch,
+    scratch: &mut TreeScratch,
 ) -> Result<Path, Unreachable> {
     let start = mesh.start_point(from)?;
     let target = target.as_ref().map_err(|&why| why)?;
@@ -89,8 +94,8 @@ pub(super) fn path(
 }
 
 impl Tree {
-    /// A tree that has only begun to grow: those who see the target are known.
-    fn new(mesh: &NavMesh, target: &Target<'_>, scratch: &mut Scratch) -> Self {
+    /// Creates a tree with the vertices that are visible from the target.
+    fn new(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Self {
         let count = mesh.vertices.len();
         let mut tree = Self { lengths: vec![f64::INFINITY; count], next: vec![NONE; count], open: BinaryHeap::new() };
         let mut candidates = std::mem::take(&mut scratch.candidates);
@@ -104,18 +109,18 @@ impl Tree {
         tree
     }
 
-    /// Vertices that it has room for.
+    /// Returns the number of vertices that the tree has memory for.
     pub fn size(&self) -> usize {
         self.lengths.len()
     }
 
-    /// The shortest path from a point of the mesh.
+    /// Returns the shortest path from a point of the mesh.
     fn path(
         &mut self,
         mesh: &NavMesh,
-        target: &Target<'_>,
+        target: &SearchTarget<'_>,
         (start, growth): (DVec2, Growth),
-        scratch: &mut Scratch,
+        scratch: &mut TreeScratch,
     ) -> Result<Path, Unreachable> {
         let mut around = std::mem::take(&mut scratch.around);
         mesh.touching(start, TOUCH, &mut around);
@@ -123,7 +128,7 @@ impl Tree {
         let found = reached.map(|()| self.go_on(mesh, target, (start, &around, growth), scratch));
         scratch.around = around;
         let Some((length, on)) = found? else {
-            // on one island there is a way; only rounding at a needle-thin triangle could hide it
+            // on one island there is a path; only rounding at a needle-thin triangle can hide it
             return Err(Unreachable::NoWay { from: target.first_island(mesh), to: target.first_island(mesh) });
         };
         let mut points = Vec::new();
@@ -142,20 +147,20 @@ impl Tree {
         Ok(Path::through(start, points, length))
     }
 
-    /// How to go on from a point, and how long that is. Of ways as long as each other the one is taken that goes straight
-    /// for the longest, of those the left one.
+    /// Returns the length of the shortest path from a point, and its first part. Of paths with the same length, the
+    /// path with the longest first part is taken; of those, the leftmost.
     fn go_on(
         &mut self,
         mesh: &NavMesh,
-        target: &Target<'_>,
+        target: &SearchTarget<'_>,
         (start, around, growth): (DVec2, &[u32], Growth),
-        scratch: &mut Scratch,
+        scratch: &mut TreeScratch,
     ) -> Option<(f64, On)> {
-        let Scratch { sweep, seen, polygons, .. } = scratch;
+        let TreeScratch { sweep, seen, polygons, .. } = scratch;
         let offset = |vertex: u32| mesh.vertices[vertex as usize] - start;
-        let mut straight: Option<Way> = None;
+        let mut straight: Option<IntervalCrossing> = None;
         let mut shortest = f64::INFINITY;
-        let mut offer = |shortest: &mut f64, way: Option<Way>| {
+        let mut offer = |shortest: &mut f64, way: Option<IntervalCrossing>| {
             straight = shorter(straight, way);
             *shortest = straight.map_or(*shortest, |way| shortest.min(way.length));
         };
@@ -182,7 +187,7 @@ impl Tree {
 
         let open = seen.iter().filter(|&&(vertex, _)| !self.is_done(vertex));
         let nearest = open.fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
-        // the paths of those seen that are not done are at least as long as the first that is open
+        // the paths through seen vertices that are not final are at least as long as through the first open vertex
         let lacks = |tree: &Self, shortest: f64| {
             tree.open.peek().is_some_and(|&Reverse((bits, _))| nearest + f64::from_bits(bits) <= shortest + GRAZE)
         };
@@ -199,7 +204,7 @@ impl Tree {
         }
         let seen = scratch.seen.iter().map(|&(vertex, distance)| distance + self.lengths[vertex as usize]);
         shortest = seen.fold(shortest, f64::min);
-        if let Some(Way { length, end, .. }) = straight.filter(|way| way.length <= shortest + GRAZE) {
+        if let Some(IntervalCrossing { length, end, .. }) = straight.filter(|way| way.length <= shortest + GRAZE) {
             return Some((length, On::Straight(end)));
         }
         let by =
@@ -213,21 +218,22 @@ impl Tree {
             .map(|(length, _, vertex)| (length, On::By(vertex)))
     }
 
-    /// Whether the path from a vertex is known and cannot become shorter.
+    /// Whether the path from a vertex is known and final.
     fn is_done(&self, vertex: u32) -> bool {
         let length = self.lengths[vertex as usize];
         length.is_finite() && self.open.peek().is_none_or(|&Reverse(first)| (length.to_bits(), vertex) < first)
     }
 
-    /// The length of the path by way of a vertex, if that is among those seen, which are given with their distances.
+    /// Returns the length of the path through a vertex, if the vertex is among those seen, which are given with their
+    /// distances.
     fn by_way_of(&self, vertex: u32, seen: &[(u32, f64)]) -> Option<f64> {
         let place = seen.binary_search_by_key(&vertex, |&(vertex, _)| vertex).ok()?;
         Some(seen[place].1 + self.lengths[vertex as usize])
     }
 
-    /// Finishes the path from one more vertex, the one that has the shortest, and tells which; `None` where another path
-    /// was shorter.
-    fn grow(&mut self, mesh: &NavMesh, target: &Target<'_>, scratch: &mut Scratch) -> Option<u32> {
+    /// Finalises the path from the open vertex with the shortest path, and returns that vertex; `None` for an entry
+    /// that is out of date.
+    fn grow(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Option<u32> {
         let Reverse((bits, vertex)) = self.open.pop()?;
         if bits != self.lengths[vertex as usize].to_bits() {
             return None;
@@ -236,14 +242,15 @@ impl Tree {
         Some(vertex)
     }
 
-    /// Grows by the vertices through which a path from `start` may be no longer than `shortest`, or than what is found on the way: an open
-    /// vertex is as far from the start as the crow flies, or farther.
+    /// Expands all open vertices through which a path from `start` can be no longer than `shortest` or than a path
+    /// found meanwhile. The lower bound of such a path is the vertex's length plus its straight distance from the
+    /// start.
     fn grow_toward(
         &mut self,
         mesh: &NavMesh,
-        target: &Target<'_>,
+        target: &SearchTarget<'_>,
         (start, mut shortest): (DVec2, f64),
-        scratch: &mut Scratch,
+        scratch: &mut TreeScratch,
     ) {
         let mut front = std::mem::take(&mut scratch.front);
         let through = |length: f64, vertex: u32| length + mesh.vertices[vertex as usize].distance(start);
@@ -253,7 +260,7 @@ impl Tree {
             }));
         };
         enter(self, &mut front);
-        // twice, so that all vertices of paths that are compared below have all their ways on
+        // twice the tolerance, so that all vertices of the paths compared below have all their continuations
         while let Some(&Reverse((least, bits, vertex))) = front.peek()
             && f64::from_bits(least) <= shortest + 2.0 * GRAZE
         {
@@ -271,8 +278,8 @@ impl Tree {
         scratch.front = front;
     }
 
-    /// Offers the path from a vertex to all that its tangents lead to.
-    fn expand(&mut self, mesh: &NavMesh, target: &Target<'_>, vertex: u32, scratch: &mut Scratch) {
+    /// Offers the path from a vertex to all vertices that its tangents lead to.
+    fn expand(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, vertex: u32, scratch: &mut TreeScratch) {
         let (length, at) = (self.lengths[vertex as usize], mesh.vertices[vertex as usize]);
         let on = match self.next[vertex as usize] {
             NONE => match straight(mesh, target, vertex, scratch) {
@@ -289,7 +296,7 @@ impl Tree {
         }
     }
 
-    /// Notes a path from a vertex.
+    /// Records a path from a vertex, if it is the shortest known.
     fn offer(&mut self, vertex: u32, length: f64, next: u32) {
         let known = &mut self.lengths[vertex as usize];
         if length < *known {
@@ -302,10 +309,11 @@ impl Tree {
     }
 }
 
-/// The vertices that may be in sight of the target, in order: of a point the corners of what it sees, of an area all.
-fn in_view(mesh: &NavMesh, target: &Target<'_>, sweep: &mut Sweep, out: &mut Vec<u32>) {
+/// Finds the vertices that may be visible from the target, in order: for a point the corners of the visible triangles,
+/// for an area all vertices.
+fn in_view(mesh: &NavMesh, target: &SearchTarget<'_>, sweep: &mut ViewSweep, out: &mut Vec<u32>) {
     out.clear();
-    let Target::Point { at, triangles, .. } = *target else {
+    let SearchTarget::Point { at, triangles, .. } = *target else {
         out.extend(0..mesh.vertices.len() as u32);
         return;
     };
@@ -320,22 +328,27 @@ fn in_view(mesh: &NavMesh, target: &Target<'_>, sweep: &mut Sweep, out: &mut Vec
     out.dedup();
 }
 
-/// The shorter of two ways, or the first.
-fn shorter(one: Option<Way>, other: Option<Way>) -> Option<Way> {
+/// Returns the shorter of two ways, or the first if they are equally long.
+fn shorter(one: Option<IntervalCrossing>, other: Option<IntervalCrossing>) -> Option<IntervalCrossing> {
     one.into_iter().chain(other).min_by(|one, other| one.length.total_cmp(&other.length))
 }
 
-/// The straight way from a vertex where paths bend to the target, if it is in sight.
-fn straight(mesh: &NavMesh, target: &Target<'_>, vertex: u32, scratch: &mut Scratch) -> Option<Way> {
-    let Scratch { sweep, polygons, .. } = scratch;
+/// Returns the straight way to the target from a vertex where paths bend, if the target is visible from it.
+fn straight(
+    mesh: &NavMesh,
+    target: &SearchTarget<'_>,
+    vertex: u32,
+    scratch: &mut TreeScratch,
+) -> Option<IntervalCrossing> {
+    let TreeScratch { sweep, polygons, .. } = scratch;
     let root = mesh.vertices[vertex as usize];
     let (low, high) = target.bounds();
     let box_corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     if !box_corners.into_iter().any(|corner| mesh.bends_along(vertex, root - corner)) {
         return None;
     }
-    let mut best: Option<Way> = None;
-    let mut offer = |way: Option<Way>| {
+    let mut best: Option<IntervalCrossing> = None;
+    let mut offer = |way: Option<IntervalCrossing>| {
         best = shorter(best, way);
         best.map_or(f64::INFINITY, |best| best.length)
     };

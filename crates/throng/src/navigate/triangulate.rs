@@ -1,4 +1,4 @@
-//! Constrained Delaunay triangles of polygons with holes, on the lattice.
+//! Constrained Delaunay triangulation of polygons with holes, on the lattice.
 
 use super::error::NavError;
 use super::lattice::{LatticePoint, steps};
@@ -6,16 +6,16 @@ use super::outline::Shapes;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// "No triangle" and "no vertex".
+/// Stands for "no triangle" or "no vertex".
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Triangles with their neighbours.
+/// A triangulation.
 pub(super) struct Triangles {
-    /// Vertices.
+    /// The vertices.
     pub points: Vec<LatticePoint>,
-    /// Vertices of each triangle, counter-clockwise.
+    /// The vertices of each triangle, counter-clockwise.
     pub corners: Vec<[u32; 3]>,
-    /// Triangle behind the edge from corner k to corner k + 1, or [`NONE`].
+    /// The triangle behind the edge from corner k to corner k + 1, or [`NONE`].
     pub neighbours: Vec<[u32; 3]>,
 }
 
@@ -44,7 +44,7 @@ pub(super) fn triangulate(shapes: &Shapes) -> Result<Triangles, NavError> {
         }
     }
 
-    // The ground lies to the left of every boundary edge; it spreads from there to the next constraint.
+    // the ground lies to the left of every boundary edge and spreads from there to the next constraint
     let mut inside = vec![false; cdt.num_all_faces()];
     let mut open: Vec<_> = boundary.iter().map(|&edge| cdt.directed_edge(edge).face().fix()).collect();
     while let Some(face) = open.pop() {

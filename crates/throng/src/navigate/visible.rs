@@ -1,59 +1,59 @@
-//! Whether a straight walk stays on the mesh.
+//! Visibility along straight segments on the mesh.
 
 use super::locate::{closest_convex, holds};
 use super::mesh::NavMesh;
 use super::triangulate::NONE;
 use glam::DVec2;
 
-/// How far a walk may leave the mesh and still count as on it, metres.
+/// Maximum distance by which a segment can leave the mesh and still count as on it, metres.
 const SLACK: f64 = 1e-6;
 
-/// What is more than this off a line, in metres, is off it beyond doubt.
+/// Distance from a line, metres, above which a point is clearly off it.
 const CLEARLY: f64 = 10.0 * SLACK;
 
-/// An edge of a triangle with nothing beyond it.
+/// An edge of a triangle with no triangle behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wall {
+pub(super) struct BlockingEdge {
     triangle: u32,
     edge: u8,
 }
 
-/// What is in sight.
+/// The result of a visibility check.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Sight {
-    /// Where it was looked to.
+pub(super) enum VisibleItem {
+    /// The end of the segment is visible.
     Clear,
-    /// A wall, if it is known which.
-    Blocked(Option<Wall>),
+    /// A wall is in the way, if it is known which.
+    Blocked(Option<BlockingEdge>),
 }
 
 impl NavMesh {
-    /// Whether the straight segment from `a` to `b` stays on the mesh, give or take 1e-6 m. Grazing corners and
-    /// running along walls is allowed.
+    /// Whether the straight segment from `a` to `b` stays on the mesh, within 1e-6 m. It can graze corners and run
+    /// along walls.
     pub fn visible(&self, a: DVec2, b: DVec2) -> bool {
         self.visible_from(self.locate(a), a, b)
     }
 
-    /// The same, where the triangle of `a` is known.
+    /// As [`visible`](Self::visible), with the triangle of `a` if it is known.
     pub(super) fn visible_from(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> bool {
-        self.sight(triangle, a, b) == Sight::Clear
+        self.sight(triangle, a, b) == VisibleItem::Clear
     }
 
-    /// The same, with the wall that is in the way.
-    pub(super) fn sight(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> Sight {
-        triangle
-            .and_then(|triangle| self.walk(triangle, a, b))
-            .unwrap_or_else(|| if self.visible_by_cover(a, b) { Sight::Clear } else { Sight::Blocked(None) })
+    /// As [`visible_from`](Self::visible_from), and returns the wall that is in the way.
+    pub(super) fn sight(&self, triangle: Option<u32>, a: DVec2, b: DVec2) -> VisibleItem {
+        triangle.and_then(|triangle| self.walk(triangle, a, b)).unwrap_or_else(|| {
+            if self.visible_by_cover(a, b) { VisibleItem::Clear } else { VisibleItem::Blocked(None) }
+        })
     }
 
-    /// How far the straight way from `a` to `b` stays on the mesh, metres.
+    /// Returns how far the straight segment from `a` to `b` stays on the mesh, metres.
     pub(super) fn reach(&self, a: DVec2, b: DVec2) -> f64 {
         self.covered(a, b).unwrap_or(0.0).min(a.distance(b))
     }
 
-    /// Whether a wall is in the way from `a` to `b`, beyond doubt: then [`sight`](Self::sight) finds none. Any wall may be
-    /// asked about, even one of another mesh.
-    pub(super) fn is_in_the_way(&self, Wall { triangle, edge }: Wall, a: DVec2, b: DVec2) -> bool {
+    /// Whether a wall is clearly in the way from `a` to `b`: then [`sight`](Self::sight) returns a wall too. The wall
+    /// may be from another mesh.
+    pub(super) fn is_in_the_way(&self, BlockingEdge { triangle, edge }: BlockingEdge, a: DVec2, b: DVec2) -> bool {
         let Some(neighbours) = self.neighbours.get(triangle as usize) else { return false };
         let corners = self.corners(triangle);
         let (start, end) = (corners[edge as usize], corners[(edge as usize + 1) % 3]);
@@ -65,41 +65,42 @@ impl NavMesh {
             && along.perp_dot(b - start) < -CLEARLY
     }
 
-    /// Walks from triangle to triangle; `None` when the segment comes so near to a vertex that its side is in doubt.
-    fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<Sight> {
+    /// Walks along the segment from triangle to triangle; `None` if the segment passes so near to a vertex that the
+    /// side of the vertex is uncertain.
+    fn walk(&self, mut triangle: u32, a: DVec2, b: DVec2) -> Option<VisibleItem> {
         let along = (b - a).try_normalize()?;
         let side = |point: DVec2| along.perp_dot(point - a);
         let corners = self.corners(triangle);
         if holds(&corners, b) {
-            return Some(Sight::Clear);
+            return Some(VisibleItem::Clear);
         }
         let sides = corners.map(side);
         if sides.iter().any(|side| side.abs() < SLACK) {
             return None;
         }
-        // it leaves by the edge that begins on its right and ends on its left
+        // the segment leaves through the edge that begins on its right and ends on its left
         let mut edge = (0..3).find(|&edge| sides[edge] < 0.0 && sides[(edge + 1) % 3] > 0.0)?;
         let (mut right, mut left) = (corners[edge], corners[(edge + 1) % 3]);
-        // each triangle farther: what lies ahead is behind the edge that it came by
+        // in each further triangle, the corner ahead is opposite the edge through which the segment entered
         for _ in 0..self.triangles.len() {
             let next = self.neighbours[triangle as usize][edge];
             if next == NONE {
-                // Just short of the end the wall may still be within the slack.
+                // just short of the end the wall can still be within the slack
                 let short = closest_convex(&self.corners(triangle), b).distance_squared(b) <= SLACK * SLACK;
-                let wall = Wall { triangle, edge: edge as u8 };
-                return if short { None } else { Some(Sight::Blocked(Some(wall))) };
+                let wall = BlockingEdge { triangle, edge: edge as u8 };
+                return if short { None } else { Some(VisibleItem::Blocked(Some(wall))) };
             }
             let entered = self.edge_to(next, triangle);
             let corner = self.vertices[self.triangles[next as usize][(entered + 2) % 3] as usize];
             if (corner - right).perp_dot(b - right) >= 0.0 && (left - corner).perp_dot(b - corner) >= 0.0 {
-                return Some(Sight::Clear);
+                return Some(VisibleItem::Clear);
             }
             let side = side(corner);
             if side.abs() < SLACK {
                 return None;
             }
             triangle = next;
-            // the edge it came by begins on the left there
+            // in the next triangle, the edge of entry begins on the left
             if side > 0.0 {
                 (edge, left) = ((entered + 1) % 3, corner);
             } else {
@@ -114,7 +115,8 @@ impl NavMesh {
         self.covered(a, b).is_some_and(|covered| covered >= a.distance(b) - SLACK)
     }
 
-    /// How much of a segment, from its beginning, those triangles cover, metres; none if it begins off the mesh.
+    /// Returns the length of the segment, from its beginning, that those triangles cover, metres; none if it begins off
+    /// the mesh.
     fn covered(&self, a: DVec2, b: DVec2) -> Option<f64> {
         let length = a.distance(b);
         let mut open = Vec::new();
@@ -146,11 +148,11 @@ impl NavMesh {
         Some(covered)
     }
 
-    /// The part of a segment that is in a triangle grown by the slack, as distances from `a`.
+    /// Returns the part of a segment that is in a triangle grown by the slack, as distances from `a`.
     fn overlap(&self, triangle: u32, a: DVec2, along: DVec2, length: f64) -> Option<(f64, f64)> {
         let corners = self.corners(triangle);
         let reach = corners.map(|corner| along.dot(corner - a));
-        // The lines through the edges of a thin triangle meet far outside it: not beyond its corners.
+        // the lines through the edges of a thin triangle meet far outside it: do not go beyond its corners
         let mut from = (reach[0].min(reach[1]).min(reach[2]) - SLACK).max(0.0);
         let mut to = (reach[0].max(reach[1]).max(reach[2]) + SLACK).min(length);
         for edge in 0..3 {

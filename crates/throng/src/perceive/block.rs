@@ -1,26 +1,26 @@
-//! Blocks: crowded cells, divided by medians.
+//! Blocks: crowded cells, divided at medians.
 
 use glam::Vec2;
 
-/// Points a block holds at most before it is divided.
+/// Maximum number of points of a block that is not divided.
 pub(super) const LEAF: usize = 24;
 
-/// A tight box with the points in it.
+/// A tight box around a range of points.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Block {
+pub(super) struct PointBlock {
     pub low: Vec2,
     pub high: Vec2,
     pub least_number: u32,
     pub start: u32,
     pub end: u32,
-    /// First of its two halves; 0 if it is not divided.
+    /// Index of the first of its two halves; 0 if the block is not divided.
     pub halves: u32,
 }
 
-/// A point, its number and row.
+/// The coordinates of a point, its number and its row.
 pub(super) type Point = (f32, f32, u32, u32);
 
-/// Points with their numbers and rows, in columns that are sorted together.
+/// Points with their numbers and rows, as columns that are sorted together.
 pub(super) struct Points<'a> {
     pub x: &'a mut [f32],
     pub y: &'a mut [f32],
@@ -28,9 +28,9 @@ pub(super) struct Points<'a> {
     pub rows: &'a mut [u32],
 }
 
-impl Block {
-    /// Square of the distance to the box. Rounding is monotonic, hence it never exceeds the computed distance to a point
-    /// in it.
+impl PointBlock {
+    /// Returns the squared distance to the box. Rounding is monotonic, hence it never exceeds the computed distance to
+    /// a point in the box.
     pub fn distance_squared(&self, from: Vec2) -> f32 {
         let d = (self.low - from).max(from - self.high).max(Vec2::ZERO);
         d.x * d.x + d.y * d.y
@@ -46,14 +46,20 @@ impl Block {
     }
 }
 
-/// Puts a block of the points from `start` to `end` into `blocks`, halved at medians across its longer sides (by number
-/// where all points coincide) until no part holds many. `part` is memory.
-pub(super) fn divide(blocks: &mut Vec<Block>, start: u32, end: u32, points: &mut Points<'_>, part: &mut Vec<Point>) {
+/// Adds a block of the points from `start` to `end` to `blocks`. The block is halved at medians across its longer side
+/// (by number where all points coincide) until no part has more than [`LEAF`] points. `part` is scratch memory.
+pub(super) fn divide(
+    blocks: &mut Vec<PointBlock>,
+    start: u32,
+    end: u32,
+    points: &mut Points<'_>,
+    part: &mut Vec<Point>,
+) {
     let first = blocks.len();
-    blocks.push(Block::round(points, start, end));
+    blocks.push(PointBlock::round(points, start, end));
     let mut at = first;
     while at < blocks.len() {
-        let Block { low, high, start, end, .. } = blocks[at];
+        let PointBlock { low, high, start, end, .. } = blocks[at];
         if (end - start) as usize > LEAF {
             let size = high - low;
             let range = start as usize..end as usize;
@@ -67,8 +73,8 @@ pub(super) fn divide(blocks: &mut Vec<Block>, start: u32, end: u32, points: &mut
             }
             blocks[at].halves = blocks.len() as u32;
             let middle = start + middle as u32;
-            blocks.push(Block::round(points, start, middle));
-            blocks.push(Block::round(points, middle, end));
+            blocks.push(PointBlock::round(points, start, middle));
+            blocks.push(PointBlock::round(points, middle, end));
         }
         at += 1;
     }

@@ -1,12 +1,12 @@
-//! The cells of many points at once, a lane a point: those of [one by one](Grid::row).
+//! The cells of many points at once, with SIMD. The results equal those of the [scalar functions](Grid::row).
 
 use super::grid::Grid;
-use crate::lanes::Vec2s;
+use crate::simd::Vec2s;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::Vec2;
 
-/// The least and the greatest coordinates of points: infinite for none.
+/// Returns the least and the greatest coordinates of points; infinite if there are no points.
 pub(super) fn bounds(level: Level, points: &[Vec2]) -> (Vec2, Vec2) {
     dispatch!(level, simd => bounds_of(simd, points))
 }
@@ -27,7 +27,7 @@ fn bounds_of<S: Simd>(simd: S, points: &[Vec2]) -> (Vec2, Vec2) {
 }
 
 impl Grid {
-    /// The cells that points are in.
+    /// Finds the cell of each point.
     pub(super) fn find_cells(&self, level: Level, points: &[Vec2], cells: &mut [u32]) {
         dispatch!(level, simd => self.find_all(simd, points, cells));
     }
@@ -53,7 +53,7 @@ impl Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::perceive::Instructions;
+    use crate::perceive::SimdLevel;
     use proptest::prelude::*;
 
     proptest! {
@@ -69,11 +69,11 @@ mod tests {
             grid.rebuild(&points, &numbers, cell);
             let first = points[0];
             let box_round = points.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
-            // beyond the grid too
+            // points outside the grid too
             let all: Vec<Vec2> = points.iter().flat_map(|&p| [p, p * 1e9]).collect();
             let expected: Vec<u32> =
                 all.iter().map(|p| (grid.row(p.y) * grid.columns + grid.column(p.x)) as u32).collect();
-            for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            for level in SimdLevel::ALL.into_iter().filter_map(SimdLevel::level) {
                 let mut cells = vec![0; all.len()];
                 grid.find_cells(level, &all, &mut cells);
                 prop_assert_eq!(&cells, &expected, "{:?}", level);

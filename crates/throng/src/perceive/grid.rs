@@ -1,19 +1,20 @@
-//! The grid: points sorted into cells.
+//! The neighbour grid: points sorted into cells.
 
-use super::block::{Block, LEAF, Point, Points, divide};
+use super::block::{LEAF, Point, PointBlock, Points, divide};
 use super::cells::bounds;
 use super::nearest::Near;
-use crate::lanes::LANES;
 use crate::parallel;
+use crate::simd::LANES;
 use fearless_simd::Level;
 use glam::Vec2;
 
-/// Height of cells over the mean distance of points, at most.
+/// Maximum height of cells, relative to the mean distance of points.
 const HEIGHT: f32 = 3.0;
-/// Width of cells over their height.
+/// Width of cells, relative to their height.
 const WIDTH: f32 = 0.25;
 
-/// A part of what a row of cells holds: points from the first place to the second, or a crowded cell's block.
+/// A part of the points of a row of cells: the range from the first place to the second, or the block of a crowded
+/// cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Run {
     Points(u32, u32),
@@ -22,11 +23,11 @@ pub(super) enum Run {
 
 /// A uniform grid over points, rebuilt by counting sort, for exact neighbour queries.
 ///
-/// Cells are low rows of narrow columns, and points lie in memory in the order of cells, row by row: whatever a query
-/// needs of a row is one run of memory. Cells that hold many points are divided by medians, so that a query stays cheap
-/// when all points are in one spot.
+/// Cells are narrow columns in low rows. Points lie in memory in the order of cells, row by row, so a query reads one
+/// contiguous range per row. Cells with many points are divided at medians, so a query stays cheap even if all points
+/// are in one place.
 ///
-/// Cost: building is linear (n log n within crowded cells), a query depends on the points near it only.
+/// Cost: building is linear (n log n within crowded cells). A query depends only on the points near it.
 ///
 /// ```
 /// use throng::perceive::Grid;
@@ -42,17 +43,17 @@ pub(super) enum Run {
 #[derive(Clone, Debug, Default)]
 pub struct Grid {
     pub(super) low: Vec2,
-    /// Cells a metre, along and across rows.
+    /// Cells per metre, along and across rows.
     pub(super) inverse: Vec2,
     pub(super) columns: usize,
     rows: usize,
-    /// Greatest distance of a coordinate from zero: what rounding depends on.
+    /// Greatest absolute value of a coordinate. It bounds rounding errors.
     extent: f32,
-    /// Where the points of each cell begin, and where the last ones end.
+    /// Start of each cell's points, and the end of the last cell's.
     starts: Vec<u32>,
     /// Crowded cells, ascending, with their blocks.
     crowded: Vec<(u32, u32)>,
-    blocks: Vec<Block>,
+    blocks: Vec<PointBlock>,
     /// Points, numbers and rows in the order of cells.
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
@@ -63,14 +64,14 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Sorts the points into cells, at most `cell` high (metres; more if the points lie so far apart that there would be
-    /// many more cells than points) and not much higher than the points are apart. `numbers` break ties and must all
+    /// Sorts the points into cells at most `cell` metres high, and not much higher than the mean distance of points.
+    /// Cells are higher if there would otherwise be many more cells than points. `numbers` break ties and must all
     /// differ.
     ///
     /// # Panics
     /// If the slices differ in length. Points must be finite.
     pub fn rebuild(&mut self, points: &[Vec2], numbers: &[u32], cell: f32) {
-        assert_eq!(points.len(), numbers.len(), "a number for every point");
+        assert_eq!(points.len(), numbers.len(), "one number per point is required");
         self.crowded.clear();
         self.blocks.clear();
         if points.is_empty() {
@@ -102,34 +103,34 @@ impl Grid {
         }
     }
 
-    /// The column of a coordinate, or the nearest one. It never falls as the coordinate rises.
+    /// Returns the column of a coordinate, or the nearest column. The result is monotonic in the coordinate.
     pub(super) fn column(&self, x: f32) -> usize {
         // `as` saturates
         (((x - self.low.x) * self.inverse.x) as i32).clamp(0, self.columns as i32 - 1) as usize
     }
 
-    /// The row of cells of a coordinate, or the nearest one.
+    /// Returns the row of cells of a coordinate, or the nearest row.
     pub(super) fn row(&self, y: f32) -> usize {
         (((y - self.low.y) * self.inverse.y) as i32).clamp(0, self.rows as i32 - 1) as usize
     }
 
-    /// A little more than a distance: whatever rounding does, points within `range` of `from` have coordinates within
-    /// this of its.
+    /// Returns slightly more than `range`: despite rounding, points within `range` of `from` have coordinates within
+    /// this of those of `from`.
     pub(super) fn reach(&self, from: Vec2, range: f32) -> f32 {
         range * 1.0001 + self.extent.max(from.abs().max_element()) * 1e-6
     }
 
-    /// The place after the last point of the row of cells that the point at a place is in.
+    /// Returns the place after the last point of the row of cells that holds the point at a place.
     pub(super) fn end_of_row(&self, place: usize) -> usize {
         self.starts[(self.row(self.y[place]) + 1) * self.columns] as usize
     }
 
-    /// Rows of cells.
+    /// Returns the number of rows of cells.
     pub(super) fn rows(&self) -> usize {
         self.rows
     }
 
-    pub(super) fn blocks(&self) -> &[Block] {
+    pub(super) fn blocks(&self) -> &[PointBlock] {
         &self.blocks
     }
 
@@ -149,7 +150,7 @@ impl Grid {
         for &c in &cell_of {
             self.starts[c as usize] += 1;
         }
-        // where each cell ends
+        // the end of each cell
         let mut sum = 0;
         for (cell, start) in (0..).zip(&mut self.starts) {
             if *start as usize > LEAF {
@@ -158,9 +159,9 @@ impl Grid {
             sum += *start;
             *start = sum;
         }
-        // tiles read whole vectors
+        // tiles read whole SIMD vectors
         self.order.resize(count + LANES, 0);
-        // from the last: then the ends have become starts
+        // in descending order, so that the ends become starts
         for (row, &c) in cell_of.iter().enumerate().rev() {
             let at = &mut self.starts[c as usize];
             *at -= 1;
@@ -178,12 +179,12 @@ impl Grid {
         });
     }
 
-    /// Rows of the slice that the grid was built from, in the order of cells.
+    /// Returns the rows of the slice that the grid was built from, in the order of cells.
     pub fn order(&self) -> &[u32] {
         &self.order[..self.numbers.len()]
     }
 
-    /// Notes that the rows of the slice have been put in the order of cells.
+    /// Records that the rows of the slice have been sorted into the order of cells.
     pub(crate) fn rows_are_in_order(&mut self) {
         self.order[..self.numbers.len()].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
     }
@@ -194,7 +195,7 @@ impl Grid {
             return;
         }
         let reach = self.reach(from, range);
-        let enters = |block: &Block| block.distance_squared(from) <= range * range;
+        let enters = |block: &PointBlock| block.distance_squared(from) <= range * range;
         for row in self.row(from.y - reach)..=self.row(from.y + reach) {
             self.runs(row, from.x - reach, from.x + reach, |run| {
                 self.leaves(run, &enters, &mut |start, end| {
@@ -214,7 +215,7 @@ impl Grid {
         Near { row: self.order[at], number: self.numbers[at], distance_squared: d.x * d.x + d.y * d.y }
     }
 
-    /// Calls `visit` for what a row of cells holds between two coordinates, and a little beyond.
+    /// Calls `visit` for the points of a row of cells between two coordinates, and some slightly beyond.
     pub(super) fn runs(&self, row: usize, left: f32, right: f32, mut visit: impl FnMut(Run)) {
         let (first, last) = (row * self.columns + self.column(left), row * self.columns + self.column(right));
         let (mut start, end) = (self.starts[first], self.starts[last + 1]);
@@ -229,10 +230,10 @@ impl Grid {
         visit(Run::Points(start, end));
     }
 
-    /// Adds the runs of points that may be within a radius of a box.
+    /// Adds to `found` the runs of points that may be within a radius of a box.
     pub(super) fn runs_near(&self, low: Vec2, high: Vec2, radius_squared: f32, found: &mut Vec<(u32, u32)>) {
         let reach = self.reach(low.abs().max(high.abs()), radius_squared.sqrt());
-        let enters = |block: &Block| {
+        let enters = |block: &PointBlock| {
             let d = (block.low - high).max(low - block.high).max(Vec2::ZERO);
             d.x * d.x + d.y * d.y <= radius_squared
         };
@@ -243,8 +244,8 @@ impl Grid {
         }
     }
 
-    /// Calls `visit` for the points of a run, leaving out blocks that `enters` refuses.
-    pub(super) fn leaves(&self, run: Run, enters: &impl Fn(&Block) -> bool, visit: &mut impl FnMut(u32, u32)) {
+    /// Calls `visit` for the points of a run, without the blocks that `enters` refuses.
+    pub(super) fn leaves(&self, run: Run, enters: &impl Fn(&PointBlock) -> bool, visit: &mut impl FnMut(u32, u32)) {
         let block = match run {
             Run::Points(start, end) => return visit(start, end),
             Run::Crowd(block) => &self.blocks[block as usize],

@@ -1,36 +1,36 @@
-//! The lattice: points in space sorted into cells.
+//! A neighbour grid in space: points sorted into cells.
 
-use crate::lanes::LANES;
 use crate::parallel;
+use crate::simd::LANES;
 use glam::{UVec3, Vec3};
 use std::ops::Range;
 
-/// Height of cells, and of the layers they lie in, over the mean distance of points, at most: so that as many points as a
-/// vector has lanes are about as high as they are long.
+/// Maximum height of cells and of layers, relative to the mean distance of points. With this value the points of one
+/// SIMD vector occupy a region about as high as it is long.
 const HEIGHT: f32 = 2.5;
-/// Width of cells over their height.
+/// Width of cells, relative to their height.
 const WIDTH: f32 = 0.25;
-/// Cells a point, at most.
+/// Maximum number of cells per point.
 const CELLS: f32 = 4.0;
 
-/// A lattice of cells over points in space, rebuilt by counting sort, for those who look at everybody near them.
+/// A uniform grid over points in space, rebuilt by counting sort, for queries that visit all points within a range.
 ///
-/// Reynolds, Interaction with groups of autonomous characters, GDC 2000, "bin lattice". Cells are rows of narrow columns,
-/// one layer above the other, and points lie in memory in their order: whatever a query needs of a row of cells is one run
-/// of memory. Within a cell they lie by their coordinates, then by number: so the *place* of a point does not depend on its
-/// row, and who goes through places in ascending order meets everybody in an order that depends on where they are only.
+/// Reynolds, Interaction with groups of autonomous characters, GDC 2000, "bin lattice". Cells are rows of narrow
+/// columns, one layer above the other. Points lie in memory in the order of cells, so a query reads one contiguous
+/// range per row of cells. Within a cell points are sorted by coordinates, then by number. So the *place* of a point
+/// does not depend on its row, and a traversal in ascending places has an order that depends on the positions only.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Lattice {
+pub(crate) struct CellLattice {
     low: Vec3,
-    /// Cells a metre.
+    /// Cells per metre.
     inverse: Vec3,
-    /// Columns, rows and layers.
+    /// Numbers of columns, rows and layers.
     cells: UVec3,
-    /// Greatest distance of a coordinate from zero: what rounding depends on.
+    /// Greatest absolute value of a coordinate. It bounds rounding errors.
     extent: f32,
-    /// Where the points of each cell begin, and where the last ones end.
+    /// Start of each cell's points, and the end of the last cell's.
     starts: Vec<u32>,
-    /// Coordinates by place; beyond the end, whole vectors of zeros.
+    /// Coordinates by place, padded with zeros for whole SIMD vectors.
     x: Vec<f32>,
     y: Vec<f32>,
     z: Vec<f32>,
@@ -43,9 +43,9 @@ pub(crate) struct Lattice {
     len: usize,
 }
 
-impl Lattice {
-    /// Sorts points into cells, at most `reach` high, metres; more if they lie so far apart that there would be many more
-    /// cells than points. `numbers` break ties and must all differ.
+impl CellLattice {
+    /// Sorts points into cells at most twice `reach` (metres) high. Cells are higher if there would otherwise be many
+    /// more cells than points. `numbers` break ties and must all differ.
     pub fn rebuild(&mut self, point: impl Fn(usize) -> Vec3 + Sync, numbers: &[u32], reach: f32) {
         self.len = numbers.len();
         if self.len == 0 {
@@ -85,7 +85,7 @@ impl Lattice {
             sum += *start;
             *start = sum;
         }
-        // vectors are read whole
+        // readers load whole SIMD vectors
         self.order.resize(self.len + LANES, 0);
         for (row, &cell) in (0..).zip(&cell_of) {
             let at = &mut self.starts[cell as usize];
@@ -110,7 +110,7 @@ impl Lattice {
         order[..*len].iter().zip(0..).for_each(|(&row, place)| places[row as usize] = place);
     }
 
-    /// Puts the points of every cell in the order of their coordinates.
+    /// Sorts the points of every cell by their coordinates, then by number.
     fn order_cells(&mut self, point: &impl Fn(usize) -> Vec3, numbers: &[u32]) {
         let key = |row: u32| (point(row as usize), numbers[row as usize]);
         let after = |a: (Vec3, u32), b: (Vec3, u32)| {
@@ -140,7 +140,7 @@ impl Lattice {
         }
     }
 
-    /// The cell of a point, or the nearest one. Its parts never fall as the coordinates rise.
+    /// Returns the cell of a point, or the nearest cell. Each component is monotonic in the coordinate.
     fn cell(&self, point: Vec3) -> UVec3 {
         // `as` saturates
         ((point - self.low) * self.inverse).as_uvec3().min(self.cells - 1)
@@ -150,42 +150,43 @@ impl Lattice {
         ((cell.z * self.cells.y + cell.y) * self.cells.x + cell.x) as usize
     }
 
-    /// Row of each place.
+    /// Returns the row of each place.
     pub fn order(&self) -> &[u32] {
         &self.order[..self.len]
     }
 
-    /// Place of each row.
+    /// Returns the place of each row.
     pub fn places(&self) -> &[u32] {
         &self.places[..self.len]
     }
 
-    /// Notes that the rows have been put in the order of places.
+    /// Records that the rows have been sorted into the order of places.
     pub fn rows_are_in_order(&mut self) {
         self.order[..self.len].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
         self.places.iter_mut().zip(0..).for_each(|(place, row)| *place = row);
     }
 
-    /// Coordinates by place, and beyond the last as many as a vector has.
+    /// Returns the coordinates by place, padded by the length of a SIMD vector.
     pub fn coordinates(&self) -> [&[f32]; 3] {
         [&self.x, &self.y, &self.z]
     }
 
-    /// Height of cells, metres.
+    /// Returns the height of cells, metres.
     pub fn height(&self) -> f32 {
         1.0 / self.inverse.y
     }
 
-    /// The place after the last point of the row of cells that the point at a place is in.
+    /// Returns the place after the last point of the row of cells that holds the point at a place.
     pub fn end_of_row(&self, place: usize) -> usize {
         let cell = self.cell(Vec3::new(self.x[place], self.y[place], self.z[place]));
         self.starts[self.start_of(cell.with_x(0)) + self.cells.x as usize] as usize
     }
 
-    /// Calls `visit` for the runs of places, ascending, that hold all points within a distance of a box, and others.
+    /// Calls `visit` for runs of places, ascending, that together hold all points within a distance of a box, and other
+    /// points.
     #[inline(always)]
     pub fn runs_near(&self, low: Vec3, high: Vec3, distance: f32, mut visit: impl FnMut(Range<usize>)) {
-        // whatever rounding does, points within the distance have coordinates within this of the box
+        // despite rounding, points within the distance have coordinates within this of the box
         let largest = low.abs().max(high.abs()).max_element().max(self.extent);
         let reach = distance * 1.0001 + largest * 1e-6;
         let (first, last) = (self.cell(low - reach), self.cell(high + reach));
@@ -200,7 +201,8 @@ impl Lattice {
         }
     }
 
-    /// Calls `visit` for every point within `range` of `from` (inclusive), with its place and its offset, by ascending places.
+    /// Calls `visit` for every point within `range` of `from` (inclusive), with its place and its offset, in ascending
+    /// places.
     pub fn within(&self, from: Vec3, range: f32, mut visit: impl FnMut(usize, Vec3)) {
         if self.len == 0 {
             return;
@@ -221,15 +223,15 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn build(points: &[Vec3], numbers: &[u32], reach: f32) -> Lattice {
-        let mut lattice = Lattice::default();
+    fn build(points: &[Vec3], numbers: &[u32], reach: f32) -> CellLattice {
+        let mut lattice = CellLattice::default();
         lattice.rebuild(|row| points[row], numbers, reach);
         lattice
     }
 
     proptest! {
         #[test]
-        fn who_is_within_reach_is_found_whatever_the_order_of_rows(
+        fn points_within_range_are_found_in_any_order_of_rows(
             points in prop::collection::vec((-20.0f32..20.0, -20.0f32..20.0, -20.0f32..20.0), 1..300),
             flat: bool, coarse: bool, far in prop_oneof![Just(0.0f32), Just(1e4)],
             reach in 0.1f32..30.0, range in 0.1f32..30.0, turn in 0usize..300,
@@ -246,7 +248,7 @@ mod tests {
             others.rotate_left(turn % points.len());
             let same = build(&turned, &others, reach);
             for &from in points.iter().take(20) {
-                let found = |lattice: &Lattice, numbers: &[u32]| {
+                let found = |lattice: &CellLattice, numbers: &[u32]| {
                     let mut found = vec![];
                     lattice.within(from, range, |place, offset| {
                         found.push((place, numbers[lattice.order()[place] as usize], offset));
@@ -268,14 +270,14 @@ mod tests {
     }
 
     #[test]
-    fn places_and_rows_tell_of_each_other() {
+    fn places_and_rows_are_inverse_to_each_other() {
         let points: Vec<Vec3> = (0..100).map(|k| Vec3::new((k * 37 % 100) as f32, (k % 7) as f32, 0.0)).collect();
         let mut lattice = build(&points, &(0..100).collect::<Vec<_>>(), 4.0);
         let of =
-            |lattice: &Lattice| (0..100).all(|row| lattice.order()[lattice.places()[row] as usize] as usize == row);
+            |lattice: &CellLattice| (0..100).all(|row| lattice.order()[lattice.places()[row] as usize] as usize == row);
         assert!(of(&lattice) && lattice.order()[..3] != [0, 1, 2]);
         lattice.rows_are_in_order();
         assert!(of(&lattice) && lattice.order()[..3] == [0, 1, 2]);
-        build(&[], &[], 1.0).within(Vec3::ZERO, 1.0, |_, _| panic!("nobody is there"));
+        build(&[], &[], 1.0).within(Vec3::ZERO, 1.0, |_, _| panic!("the lattice is empty"));
     }
 }

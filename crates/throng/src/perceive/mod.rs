@@ -1,15 +1,15 @@
-//! Who is near: neighbour search. A grid over the agents answers for all of them.
+//! Neighbour search: one grid over the agents answers the queries of all agents.
 
 mod block;
 mod cells;
 mod grid;
-mod instructions;
 mod lattice;
 mod nearest;
+mod simd_level;
 mod tile;
 
 pub use grid::Grid;
-pub use instructions::Instructions;
-pub(crate) use lattice::Lattice;
+pub(crate) use lattice::CellLattice;
 pub use nearest::Near;
-pub(crate) use tile::{MOST_NEIGHBOURS, Pack};
+pub use simd_level::SimdLevel;
+pub(crate) use tile::{MOST_NEIGHBOURS, TileScratch};

@@ -1,18 +1,18 @@
-//! The nearest points, found one by one: the reference that the [fast search](super::tile) is tested against, and the
-//! search for those that it leaves.
+//! Scalar nearest-neighbour search: the reference for the [SIMD search](super::tile), and the fallback for the points
+//! that the SIMD search cannot decide.
 
-use super::block::Block;
+use super::block::PointBlock;
 use super::grid::{Grid, Run};
 use glam::Vec2;
 
 /// A point found by a query.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Near {
-    /// Its row in the slice the grid was built from.
+    /// Row in the slice that the grid was built from.
     pub row: u32,
-    /// Its number: ties in distance go to the lower one.
+    /// Number of the point. Of two points at the same distance the lower number comes first.
     pub number: u32,
-    /// Square of the distance, `f32` arithmetic: `dx * dx + dy * dy`, and what was added by who accepted it.
+    /// Squared distance in `f32` arithmetic: `dx * dx + dy * dy`, and what the `accept` function of the query added.
     pub distance_squared: f32,
 }
 
@@ -22,8 +22,8 @@ impl Near {
     }
 }
 
-/// A search under way.
-struct Search<'a, F> {
+/// A search in progress.
+struct NearestSearch<'a, F> {
     grid: &'a Grid,
     from: Vec2,
     k: usize,
@@ -33,16 +33,16 @@ struct Search<'a, F> {
 }
 
 impl Grid {
-    /// The `k` nearest points within `range` of `from` (inclusive) that `accept` accepts, nearest first, ties by
-    /// number, into `found` (emptied first). Where more than the plane separates points, `accept` adds it to their
-    /// distances: what lies in the plane is the least that they can be.
+    /// Finds the `k` nearest points within `range` of `from` (inclusive) that `accept` accepts, nearest first, ties by
+    /// number. Clears `found` first. If points are also separated across the plane, `accept` adds that part to the
+    /// squared distance, which holds only the distance in the plane before.
     pub fn nearest(&self, from: Vec2, k: usize, range: f32, accept: impl Fn(&mut Near) -> bool, found: &mut Vec<Near>) {
         found.clear();
         if self.is_empty() || k == 0 {
             return;
         }
         let limit = Near { row: 0, number: u32::MAX, distance_squared: range * range };
-        let mut search = Search { grid: self, from, k, limit, accept, found };
+        let mut search = NearestSearch { grid: self, from, k, limit, accept, found };
         let middle = self.row(from.y);
         search.visit(middle);
         let (mut below, mut above) = (true, true);
@@ -56,13 +56,13 @@ impl Grid {
     }
 }
 
-impl<F: Fn(&mut Near) -> bool> Search<'_, F> {
-    /// The worst of those found that count, or the limit.
+impl<F: Fn(&mut Near) -> bool> NearestSearch<'_, F> {
+    /// Returns the last of the `k` points found so far, or the limit if there are fewer.
     fn worst(&self) -> Near {
         if self.found.len() == self.k { self.found[self.k - 1] } else { self.limit }
     }
 
-    /// Looks at all points of a row of cells that may count; false if the row is too far away.
+    /// Visits all points of a row of cells that may be among the nearest. Returns false if the row is too far away.
     fn visit(&mut self, row: usize) -> bool {
         let reach = self.grid.reach(self.from, self.worst().distance_squared.sqrt());
         let within = self.grid.row(self.from.y - reach) <= row && row <= self.grid.row(self.from.y + reach);
@@ -76,8 +76,8 @@ impl<F: Fn(&mut Near) -> bool> Search<'_, F> {
         within
     }
 
-    /// Looks at a block, at its nearer half first.
-    fn look_in(&mut self, block: &Block) {
+    /// Visits a block, its nearer half first.
+    fn look_in(&mut self, block: &PointBlock) {
         let number = block.least_number;
         let best = Near { row: 0, number, distance_squared: block.distance_squared(self.from) };
         if self.worst().before(&best) {
@@ -87,7 +87,7 @@ impl<F: Fn(&mut Near) -> bool> Search<'_, F> {
             return self.look(block.start, block.end);
         }
         let (a, b) = (&self.grid.blocks()[block.halves as usize], &self.grid.blocks()[block.halves as usize + 1]);
-        let key = |block: &Block| (block.distance_squared(self.from), block.least_number);
+        let key = |block: &PointBlock| (block.distance_squared(self.from), block.least_number);
         let (first, second) = if key(a) <= key(b) { (a, b) } else { (b, a) };
         self.look_in(first);
         self.look_in(second);

@@ -1,45 +1,48 @@
-//! The nearest of many points at once: a lane a point.
+//! SIMD nearest-neighbour search, one point per element of a vector.
 //!
-//! Points that lie side by side in the grid's order share their surroundings. A *tile* is as many of them as a vector has
-//! lanes. What lies near the tile is packed once; then every lane looks at each of it. A lane keeps the nearest as keys,
-//! the bits of the squared distance with the lowest replaced by the place in the pack: sorting them in is a chain of
-//! minimum and maximum, without branches. Where the bits that are left do not tell two points apart, the lane is left
-//! to the [plain search](super::nearest): the answer is always the exact one, the same for every instruction set.
+//! Points that are adjacent in the grid's order have the same surroundings. A *tile* is as many of them as a SIMD
+//! vector holds. The points near the tile are packed once, then each point of the tile is compared with all of them.
+//! The nearest are kept as keys: the bits of the squared distance with the lowest bits replaced by the place in the
+//! pack. Insertion is a sequence of minima and maxima without branches. If the remaining bits cannot distinguish two
+//! points, the search for that point is left to the [scalar search](super::nearest). So the answer is always exact and
+//! the same for every instruction set.
 
 use super::grid::Grid;
-use crate::lanes::{LANES, ones};
+use crate::simd::{LANES, ones};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::Vec2;
 use std::ops::Range;
 
-/// Bits of a key that hold a place in the pack.
+/// Number of bits of a key that hold a place in the pack.
 const PLACE_BITS: u32 = 9;
 const PLACE: u32 = (1 << PLACE_BITS) - 1;
-/// Points that a pack holds at most: beyond that it is tried with a smaller radius, then left to the plain search.
+/// Maximum number of points of a pack. Beyond that the search tries a smaller radius or a smaller tile, and at last
+/// leaves the point to the scalar search.
 const MOST: usize = 1 << PLACE_BITS;
-/// Keys a lane keeps: itself, its nearest, and one more that shows whether the last of them is told apart.
+/// Number of keys kept per point: the point itself, its nearest, and one more that shows whether the last of them is
+/// unique.
 const KEYS: usize = MOST_NEIGHBOURS + 2;
-/// Points that are sorted into the keys together.
+/// Number of points that are merged into the keys together.
 const BATCH: usize = 4;
-/// By how much the square of the radius tried first is larger than what the tile before needed.
+/// Factor from the squared radius that the previous tile needed to the one tried first.
 const MORE: f32 = 1.1;
-/// Nearest that a tile can find for each lane.
+/// Maximum number of neighbours that a tile can find for each of its points.
 pub(crate) const MOST_NEIGHBOURS: usize = 10;
 
-/// What a thread keeps from tile to tile.
+/// Buffers that a thread keeps from tile to tile.
 #[derive(Clone, Debug)]
-pub(crate) struct Pack {
+pub(crate) struct TileScratch {
     x: [f32; MOST + LANES],
     y: [f32; MOST + LANES],
     row: [u32; MOST + LANES],
-    /// Where to find what may be near the tile.
+    /// Ranges of points that may be near the tile.
     runs: Vec<(u32, u32)>,
-    /// The radius that was large enough for the last tile, squared: tiles side by side are alike.
+    /// The squared radius that was large enough for the previous tile. Adjacent tiles need similar radii.
     radius_squared: f32,
 }
 
-impl Default for Pack {
+impl Default for TileScratch {
     fn default() -> Self {
         let (x, y, row) = ([0.0; MOST + LANES], [0.0; MOST + LANES], [0; MOST + LANES]);
         Self { x, y, row, runs: Vec::new(), radius_squared: f32::INFINITY }
@@ -47,8 +50,10 @@ impl Default for Pack {
 }
 
 impl Grid {
-    /// The `k` nearest of `count` points from `start` on in the order of cells, themselves left out, within `range`:
-    /// `k + 1` places a point: how many, and their rows, nearest first; and how many of these may be within `close`. Calls `left` with the places of those that it can't tell; they are to be searched one by one.
+    /// Finds the `k` nearest neighbours within `range` of each point in `places`, which are in the order of cells. A
+    /// point is not its own neighbour. Writes `k + 1` values per point to the first part of `found`: the number of
+    /// neighbours and their rows, nearest first. Writes to the second part how many of these may be within `close`.
+    /// Calls `left` with the place and the results of each point that needs the scalar search.
     ///
     /// # Panics
     /// If `k` is more than [`MOST_NEIGHBOURS`].
@@ -57,7 +62,7 @@ impl Grid {
         level: Level,
         places: Range<usize>,
         (k, range, close): (usize, f32, f32),
-        pack: &mut Pack,
+        pack: &mut TileScratch,
         found: (&mut [u32], &mut [u16]),
         left: impl FnMut(usize, &mut [u32], &mut u16),
     ) {
@@ -72,19 +77,20 @@ fn many<S: Simd>(
     grid: &Grid,
     places: Range<usize>,
     (k, range, close): (usize, f32, f32),
-    pack: &mut Pack,
+    pack: &mut TileScratch,
     (found, close_counts): (&mut [u32], &mut [u16]),
     mut left: impl FnMut(usize, &mut [u32], &mut u16),
 ) {
     let mut start = places.start;
     let mut most = S::f32s::LEN;
     while start < places.end {
-        // a tile that went on in the next row of cells would be as wide as the grid
+        // a tile that continued in the next row of cells would be as wide as the grid
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
         let rows = start - places.start..end - places.start;
         let out = &mut found[rows.start * (k + 1)..rows.end * (k + 1)];
         let close_counts = &mut close_counts[rows];
-        let missing = match Tile::new(simd, grid, start, end).nearest((k, range, close), pack, (out, close_counts)) {
+        let missing = match PointTile::new(simd, grid, start, end).nearest((k, range, close), pack, (out, close_counts))
+        {
             Some(unclear) => unclear,
             None if end - start > 1 => {
                 most = (end - start) / 2;
@@ -100,15 +106,15 @@ fn many<S: Simd>(
     }
 }
 
-/// Puts the lesser of each pair first, in every lane.
+/// Sorts each pair of keys, in every element of the vectors.
 macro_rules! exchange {
     ($all:ident: $($a:literal-$b:literal)*) => {
         $(($all[$a], $all[$b]) = ($all[$a].min($all[$b]), $all[$a].max($all[$b]));)*
     };
 }
 
-/// Points side by side, and the box round them.
-struct Tile<'a, S: Simd> {
+/// Adjacent points and their bounding box.
+struct PointTile<'a, S: Simd> {
     simd: S,
     grid: &'a Grid,
     count: usize,
@@ -118,7 +124,7 @@ struct Tile<'a, S: Simd> {
     high: Vec2,
 }
 
-impl<'a, S: Simd> Tile<'a, S> {
+impl<'a, S: Simd> PointTile<'a, S> {
     #[inline(always)]
     fn new(simd: S, grid: &'a Grid, start: usize, end: usize) -> Self {
         let count = end - start;
@@ -135,13 +141,13 @@ impl<'a, S: Simd> Tile<'a, S> {
         Self { simd, grid, count, x, y, low, high }
     }
 
-    /// Finds the nearest of all lanes, and how many are close. Gives the lanes that it can't tell, as bits; `None` if too
-    /// many are near the tile.
+    /// Finds the nearest neighbours of all points of the tile, and how many are close. Returns the points that need the
+    /// scalar search, one bit each, or `None` if too many points are near the tile.
     #[inline(always)]
     fn nearest(
         &self,
         (k, range, close): (usize, f32, f32),
-        pack: &mut Pack,
+        pack: &mut TileScratch,
         (out, close_counts): (&mut [u32], &mut [u16]),
     ) -> Option<u64> {
         let range_squared = range * range;
@@ -150,18 +156,18 @@ impl<'a, S: Simd> Tile<'a, S> {
         let mut keys = [S::u32s::splat(self.simd, u32::MAX); KEYS];
         loop {
             let Some(packed) = self.pack(count, inner, radius_squared, pack) else {
-                // where it is that crowded a smaller radius will do
+                // in such a crowd a smaller radius is enough
                 pack.radius_squared = 0.25 * radius_squared;
                 return None;
             };
             self.sort_in(&mut keys, pack, count..packed);
-            // who is nearer than the last is among the packed
+            // all points nearer than the last are packed
             let last = keys[k].reduce_max();
             if last < (radius_squared.to_bits() & !PLACE) || radius_squared == range_squared {
                 pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
-                let everybody = (1u64 << self.count) - 1;
+                let all_points = (1u64 << self.count) - 1;
                 self.count_close(k, close.min(range), &keys, close_counts);
-                return Some(self.list(k, range_squared, &keys, pack, out) & everybody);
+                return Some(self.list(k, range_squared, &keys, pack, out) & all_points);
             }
             let next = if last < f32::INFINITY.to_bits() {
                 f32::from_bits(last | PLACE) * 1.01
@@ -173,10 +179,10 @@ impl<'a, S: Simd> Tile<'a, S> {
         }
     }
 
-    /// Packs, from a place on, all points that are farther from the box round the tile than an inner radius and within an
-    /// outer one; `None` if there are too many.
+    /// Packs all points that are farther from the bounding box of the tile than an inner radius and within an outer
+    /// one. Starts at place `count` of the pack. Returns the new number of points, or `None` if there are too many.
     #[inline(always)]
-    fn pack(&self, mut count: usize, inner: Option<f32>, radius_squared: f32, pack: &mut Pack) -> Option<usize> {
+    fn pack(&self, mut count: usize, inner: Option<f32>, radius_squared: f32, pack: &mut TileScratch) -> Option<usize> {
         let Self { simd, grid, low, high, .. } = *self;
         pack.runs.clear();
         grid.runs_near(low, high, radius_squared, &mut pack.runs);
@@ -215,25 +221,25 @@ impl<'a, S: Simd> Tile<'a, S> {
         Some(count)
     }
 
-    /// Sorts packed points into the least keys of every lane, ascending, [`BATCH`] at a time; beyond the last lie points that
-    /// are infinitely far.
+    /// Merges packed points into the ascending lists of least keys, [`BATCH`] at a time. Beyond the last point of the
+    /// pack are points at infinity.
     #[inline(always)]
-    fn sort_in(&self, keys: &mut [S::u32s; KEYS], pack: &Pack, places: Range<usize>) {
-        // in registers
+    fn sort_in(&self, keys: &mut [S::u32s; KEYS], pack: &TileScratch, places: Range<usize>) {
+        // a local copy stays in registers
         let mut least = *keys;
         for first in places.step_by(BATCH) {
-            // no closure: compilers do not always take one into code for more instructions than usual
+            // no closure: compilers do not always inline closures into functions with more target features
             let mut batch = [self.key(pack, first); BATCH];
             for (at, key) in batch.iter_mut().enumerate().skip(1) {
                 *key = self.key(pack, first + at);
             }
             exchange!(batch: 0-1 2-3 0-2 1-3 1-2);
             if batch[0].simd_lt(least[KEYS - 1]).any_true() {
-                // the least of both together rise, then fall
+                // the least keys of both lists first rise, then fall
                 for (at, &key) in batch.iter().rev().enumerate() {
                     least[KEYS - BATCH + at] = least[KEYS - BATCH + at].min(key);
                 }
-                // sorted, they are merged with the others by Batcher's odds and evens
+                // then they are merged with the others by Batcher's odd-even merge
                 exchange!(least: 8-10 9-11 8-9 10-11);
                 exchange!(least: 0-8 1-9 2-10 3-11 4-8 5-9 6-10 7-11 2-4 3-5 6-8 7-9 1-2 3-4 5-6 7-8 9-10);
             }
@@ -241,16 +247,16 @@ impl<'a, S: Simd> Tile<'a, S> {
         *keys = least;
     }
 
-    /// The keys of a packed point in every lane.
+    /// Returns the keys of a packed point for every point of the tile.
     #[inline(always)]
-    fn key(&self, pack: &Pack, place: usize) -> S::u32s {
+    fn key(&self, pack: &TileScratch, place: usize) -> S::u32s {
         let (dx, dy) =
             (S::f32s::splat(self.simd, pack.x[place]) - self.x, S::f32s::splat(self.simd, pack.y[place]) - self.y);
         let distance: S::u32s = (dx * dx + dy * dy).bitcast();
         distance & !PLACE | place as u32
     }
 
-    /// Counts the keys of others that may be close.
+    /// Counts for each point the neighbours that may be close.
     #[inline(always)]
     fn count_close(&self, k: usize, close: f32, keys: &[S::u32s; KEYS], counts: &mut [u16]) {
         let limit = S::u32s::splat(self.simd, (close * close).to_bits() | PLACE);
@@ -262,9 +268,10 @@ impl<'a, S: Simd> Tile<'a, S> {
         counts.iter_mut().zip(sum.as_slice()).for_each(|(count, &sum)| *count = sum as u16);
     }
 
-    /// Lists the rows that keys stand for. Tells which lanes have two that the keys don't tell apart.
+    /// Writes the rows of the neighbours. Returns the points with two neighbours that the keys cannot distinguish, one
+    /// bit each.
     #[inline(always)]
-    fn list(&self, k: usize, range_squared: f32, keys: &[S::u32s; KEYS], pack: &Pack, out: &mut [u32]) -> u64 {
+    fn list(&self, k: usize, range_squared: f32, keys: &[S::u32s; KEYS], pack: &TileScratch, out: &mut [u32]) -> u64 {
         let simd = self.simd;
         let limit = S::u32s::splat(simd, range_squared.to_bits() & !PLACE);
         let mut alike = S::u32s::splat(simd, 0).simd_lt(0);
@@ -281,7 +288,7 @@ impl<'a, S: Simd> Tile<'a, S> {
             (key & PLACE).store_slice(&mut all[..S::u32s::LEN]);
         }
         for (lane, list) in out.chunks_exact_mut(k + 1).enumerate() {
-            // its own key, the first, counts too
+            // the first key is that of the point itself
             list[0] = counts[lane].saturating_sub(1);
             for (at, row) in list.iter_mut().enumerate().skip(1) {
                 *row = pack.row[places[at][lane] as usize];
@@ -294,14 +301,14 @@ impl<'a, S: Simd> Tile<'a, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::perceive::{Instructions, Near};
+    use crate::perceive::{Near, SimdLevel};
     use proptest::prelude::*;
 
     fn levels() -> impl Iterator<Item = Level> {
-        Instructions::ALL.into_iter().filter_map(Instructions::level)
+        SimdLevel::ALL.into_iter().filter_map(SimdLevel::level)
     }
 
-    /// Rows of the nearest of everybody, by the plain search.
+    /// Returns the rows of the nearest neighbours of all points, by the scalar search.
     fn plain(grid: &Grid, points: &[Vec2], k: usize, range: f32) -> Vec<Vec<u32>> {
         let mut found = Vec::new();
         let nearest = |(row, &from): (usize, &Vec2)| {
@@ -311,11 +318,11 @@ mod tests {
         points.iter().enumerate().map(nearest).collect()
     }
 
-    /// The same by tiles, and how many they left.
+    /// Returns the same by tiles, and the number of points that needed the scalar search.
     fn tiles(level: Level, grid: &Grid, points: &[Vec2], k: usize, range: f32) -> (Vec<Vec<u32>>, usize) {
         let mut lists = vec![Vec::new(); points.len()];
         let (mut out, mut pack, mut left) =
-            (vec![0; points.len() * (k + 1)], Pack::default(), vec![false; points.len()]);
+            (vec![0; points.len() * (k + 1)], TileScratch::default(), vec![false; points.len()]);
         let mut close = vec![0; points.len()];
         grid.nearest_of_many(
             level,
@@ -384,7 +391,7 @@ mod tests {
                 left = Some(count);
             }
             if coarse == 0.0 {
-                prop_assert!(left.unwrap_or(0) <= 4 + points.len() / 4, "{left:?} are left");
+                prop_assert!(left.unwrap_or(0) <= 4 + points.len() / 4, "{left:?} points need the scalar search");
             }
         }
     }

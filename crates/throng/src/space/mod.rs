@@ -1,4 +1,4 @@
-//! Geometry: what is solid, what can be walked on, where the nearest wall is, surfaces and paths that steering asks.
+//! Geometry: solid obstacles, walkable ground, walls, and the surfaces and paths that steering queries.
 
 mod cells;
 mod pathway;
@@ -10,10 +10,10 @@ pub mod surface;
 mod walls;
 
 pub(crate) use cells::Cells;
-pub use pathway::{OnPath, Pathway, Segment, Way};
+pub use pathway::{OnPath, PathDirection, Pathway, Segment};
 pub use place::{Place, check_polygon, is_inside};
 pub use raster::Raster;
-pub use rounded::{Core, Separation};
+pub use rounded::{Core, CoreSeparation};
 pub use shape::{Obstacle, Walkable};
 pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_outline, nearest_on_segment};
-pub(crate) use walls::{Met, Wall};
+pub(crate) use walls::{VisitedWalls, Wall};

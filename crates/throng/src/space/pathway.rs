@@ -1,28 +1,29 @@
-//! Paths to walk along: a spine with a width. Reynolds, *Steering Behaviors for Autonomous Characters* (GDC 1999), "path
-//! following"; the questions are those of OpenSteer's `Pathway`.
+//! Paths to follow: a spine with a width. Reynolds, *Steering Behaviors for Autonomous Characters* (GDC 1999), "path
+//! following". The queries are those of OpenSteer's `Pathway`.
 
 use crate::error::Error;
 use crate::space::surface::{Bounds, Bvh};
 use glam::Vec3;
 
-/// A polyline with a radius for each of its segments, open or closed to a ring: everything within the radius of a
-/// segment is on the path.
+/// A polyline with a radius for each of its segments, open or cyclic. Everything within the radius of a segment is on
+/// the path.
 ///
-/// Places on it are told by the distance along it from its first point, metres. On a cyclic path every number is such a
-/// distance, also negative ones and those of further laps; on an open path what is beyond an end counts as that end.
+/// A place on the path is given by its distance along the path from the first point, metres. On a cyclic path every
+/// number is such a distance, including negative numbers and those of further laps. On an open path a number beyond an
+/// end means that end.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::space::{Pathway, Way};
+/// use throng::space::{Pathway, PathDirection};
 ///
 /// let corners = [Vec3::ZERO, Vec3::X * 10.0, Vec3::new(10.0, 5.0, 0.0)];
 /// let path = Pathway::new(&corners, 1.0, false)?;
 /// let near = path.nearest(Vec3::new(4.0, 3.0, 0.0));
 /// assert_eq!((near.point, near.along, near.outside), (Vec3::X * 4.0, 4.0, 2.0));
 /// assert_eq!(path.at(12.0), Vec3::new(10.0, 2.0, 0.0));
-/// // at the bend each way has its own direction
-/// assert_eq!(path.tangent_at(10.0, Way::Forward), Vec3::Y);
-/// assert_eq!(path.tangent_at(10.0, Way::Backward), -Vec3::X);
+/// // at a bend the tangent depends on the direction of travel
+/// assert_eq!(path.tangent_at(10.0, PathDirection::Forward), Vec3::Y);
+/// assert_eq!(path.tangent_at(10.0, PathDirection::Backward), -Vec3::X);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +31,11 @@ pub struct Pathway {
     segments: Vec<Segment>,
     cyclic: bool,
     length: f32,
-    /// Over the segments with their radii.
+    /// A hierarchy over the segments with their radii.
     bvh: Bvh,
 }
 
-/// A straight part of a path.
+/// A straight segment of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// Where it starts, metres.
@@ -43,7 +44,7 @@ pub struct Segment {
     pub end: Vec3,
     /// Unit vector from start to end.
     pub tangent: Vec3,
-    /// How far the path reaches to all sides of it, metres.
+    /// Radius of the path around it, metres.
     pub radius: f32,
     /// Distance along the path to its start, metres.
     pub along: f32,
@@ -58,7 +59,7 @@ pub struct OnPath {
     pub point: Vec3,
     /// Unit vector along the path there, in the order of its points.
     pub tangent: Vec3,
-    /// How far outside of the path the point is, metres: negative within the radius of the spine.
+    /// How far outside of the path the point is, metres; negative within the radius of the spine.
     pub outside: f32,
     /// Distance along the path to the place, metres: from 0 to the length of the path.
     pub along: f32,
@@ -66,19 +67,19 @@ pub struct OnPath {
     pub segment: usize,
 }
 
-/// In which direction a path is walked along.
+/// The direction in which a path is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Way {
+pub enum PathDirection {
     /// In the order of its points.
     #[default]
     Forward,
-    /// Against it.
+    /// In the reverse order.
     Backward,
 }
 
-impl Way {
-    /// 1 forward, -1 backward: what a distance walked is multiplied with.
+impl PathDirection {
+    /// Returns the factor for distances travelled: 1 forward, -1 backward.
     pub fn sign(self) -> f32 {
         match self {
             Self::Forward => 1.0,
@@ -88,30 +89,31 @@ impl Way {
 }
 
 impl Segment {
-    /// Distance from its start, metres, of its point nearest to `p` between two such distances.
+    /// Returns the distance from the start, metres, of the point nearest to `p` between the distances `from` and `to`.
     fn nearest(&self, p: Vec3, from: f32, to: f32) -> f32 {
         (p - self.start).dot(self.tangent).clamp(from, to)
     }
 
-    /// The point at a distance from its start.
+    /// Returns the point at a distance from the start.
     fn at(&self, distance: f32) -> Vec3 {
         if distance < self.length { self.start + self.tangent * distance } else { self.end }
     }
 }
 
 impl Pathway {
-    /// A path through these points, metres, with one radius. A cyclic one goes on from the last to the first.
+    /// Returns a path through these points, metres, with one radius. A cyclic path continues from the last point to the
+    /// first.
     ///
     /// # Errors
     /// [`Error::Limit`] if a point is not finite, or the radius negative or not finite; [`Error::Shape`] if there are
-    /// fewer than two points (three if it is cyclic), or two that follow each other are the same.
+    /// fewer than two points (three if it is cyclic), or two consecutive points are the same.
     pub fn new(points: &[Vec3], radius: f32, cyclic: bool) -> Result<Self, Error> {
         let segments = if cyclic { points.len() } else { points.len().saturating_sub(1) };
         Self::with_radii(points, &vec![radius; segments], cyclic)
     }
 
-    /// A path through these points, metres, with a radius for each segment: one less than points, or as many if it is
-    /// cyclic.
+    /// Returns a path through these points, metres, with a radius for each segment: one less than points, or as many if
+    /// the path is cyclic.
     ///
     /// # Errors
     /// Those of [`Pathway::new`], and [`Error::Shape`] if there are not as many radii as segments.
@@ -146,22 +148,22 @@ impl Pathway {
         Ok(Self { segments, cyclic, length: along as f32, bvh })
     }
 
-    /// Whether it is a ring.
+    /// Whether the path is cyclic.
     pub fn is_cyclic(&self) -> bool {
         self.cyclic
     }
 
-    /// Its length, metres; of a ring, all the way round.
+    /// Returns the length, metres. A cyclic path includes the segment from the last point to the first.
     pub fn length(&self) -> f32 {
         self.length
     }
 
-    /// Its segments in order.
+    /// Returns the segments in order.
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
 
-    /// The place on the path where `point` is least outside: the smallest distance less the radius there.
+    /// Returns the place on the path at which `point` is least outside: the smallest distance less the radius there.
     pub fn nearest(&self, point: Vec3) -> OnPath {
         let look = |index: u32| {
             let near = self.on_segment(point, index as usize, 0.0, f32::INFINITY);
@@ -171,15 +173,15 @@ impl Pathway {
         nearest.unwrap_or_else(|| self.on_segment(point, 0, 0.0, f32::INFINITY))
     }
 
-    /// The same among the places within `reach` metres along the path from a known one, for those who walk along it:
-    /// where the path comes near itself or crosses itself they stay on their arm of it. Looks only at the segments
+    /// Returns the same among the places within `reach` metres along the path from a known place, for agents that
+    /// follow the path: where it approaches or crosses itself they stay on their branch. Visits only the segments
     /// within reach.
     pub fn nearest_near(&self, point: Vec3, along: f32, reach: f32) -> OnPath {
-        // a ring is looked through once at most
+        // a cyclic path is searched once at most
         let reach = reach.clamp(0.0, if self.cyclic { 0.5 * self.length } else { f32::INFINITY });
         let along = self.within(along);
         let (mut index, mut best) = (self.segment_at(along - reach), None::<OnPath>);
-        // distances along, of a ring unrolled from the lap before
+        // distances along a cyclic path, unrolled from the lap before
         let mut lap = if self.cyclic && along - reach < 0.0 { -self.length } else { 0.0 };
         loop {
             let start = self.segments[index].along + lap;
@@ -201,53 +203,53 @@ impl Pathway {
         best.unwrap_or_else(|| self.nearest(point))
     }
 
-    /// The point at a distance along the path.
+    /// Returns the point at a distance along the path.
     pub fn at(&self, along: f32) -> Vec3 {
         let along = self.within(along);
         let segment = &self.segments[self.segment_at(along)];
         segment.at(along - segment.along)
     }
 
-    /// Unit vector in which one walks at a distance along the path: at a bend, that of the segment one comes to.
-    pub fn tangent_at(&self, along: f32, way: Way) -> Vec3 {
+    /// Returns the unit vector of travel at a distance along the path. At a bend it is that of the segment ahead.
+    pub fn tangent_at(&self, along: f32, way: PathDirection) -> Vec3 {
         self.segments[self.segment_ahead(along, way)].tangent * way.sign()
     }
 
-    /// The radius at a distance along the path, metres: where it changes, that of the segment one comes to.
-    pub fn radius_at(&self, along: f32, way: Way) -> f32 {
+    /// Returns the radius at a distance along the path, metres. Where it changes it is that of the segment ahead.
+    pub fn radius_at(&self, along: f32, way: PathDirection) -> f32 {
         self.segments[self.segment_ahead(along, way)].radius
     }
 
-    /// A distance along the path between 0 and its length.
+    /// Returns an equivalent distance along the path between 0 and its length.
     fn within(&self, along: f32) -> f32 {
         let along = if self.cyclic { along.rem_euclid(self.length) } else { along };
         along.clamp(0.0, self.length)
     }
 
-    /// The segment at a distance along the path; at a point between two, the later one.
+    /// Returns the segment at a distance along the path; at a point between two segments, the later one.
     fn segment_at(&self, along: f32) -> usize {
         let along = self.within(along);
         self.segments.partition_point(|segment| segment.along <= along).saturating_sub(1)
     }
 
-    fn segment_ahead(&self, along: f32, way: Way) -> usize {
+    fn segment_ahead(&self, along: f32, way: PathDirection) -> usize {
         let along = self.within(along);
         let segment = self.segment_at(along);
         match way {
-            Way::Backward if self.segments[segment].along == along => match segment {
+            PathDirection::Backward if self.segments[segment].along == along => match segment {
                 0 if self.cyclic => self.segments.len() - 1,
                 0 => 0,
                 _ => segment - 1,
             },
-            Way::Forward if self.cyclic && along == self.length => 0,
+            PathDirection::Forward if self.cyclic && along == self.length => 0,
             _ => segment,
         }
     }
 
-    /// The place on a segment nearest to a point, between two distances from its start.
+    /// Returns the place on a segment nearest to a point, between two distances from its start.
     fn on_segment(&self, point: Vec3, index: usize, from: f32, to: f32) -> OnPath {
         let segment = &self.segments[index];
-        // limits that are not numbers are none
+        // limits that are NaN have no effect
         let limits = [from, to].map(|limit| limit.max(0.0).min(segment.length));
         let distance = segment.nearest(point, limits[0], limits[1]);
         let on = segment.at(distance);

@@ -1,4 +1,4 @@
-//! The place: what is solid and what can be walked on, in world coordinates, and whether a body fits somewhere.
+//! A place: obstacles and walkable areas in world coordinates, and the test whether a body fits.
 
 use super::{Core, NearWalls, Obstacle, Walkable, Walls};
 use crate::Error;
@@ -7,22 +7,22 @@ use crate::navigate::union;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// What is solid and what can be walked on.
+/// The obstacles and walkable areas.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Place {
-    /// Areas that can be walked on, disjoint. None: everywhere.
+    /// Walkable areas, disjoint. If empty, agents can walk everywhere.
     pub areas: Vec<Walkable>,
-    /// Obstacles by index; removed ones leave a gap, so that ids stay valid.
+    /// Obstacles by index. A removed obstacle leaves a gap, so that ids stay valid.
     pub obstacles: Vec<Option<Obstacle>>,
 }
 
 impl Place {
-    /// The obstacles that are there.
+    /// Returns the obstacles that were not removed.
     pub fn obstacles(&self) -> impl Iterator<Item = &Obstacle> {
         self.obstacles.iter().flatten()
     }
 
-    /// Why the point is not on free ground, if it is not.
+    /// Returns why the point is not on free ground; `None` if it is.
     pub fn blocked(&self, p: DVec2) -> Option<&'static str> {
         if !self.areas.is_empty() && !self.areas.iter().any(|area| area.contains(p)) {
             return Some("it is outside the walkable area");
@@ -30,12 +30,12 @@ impl Place {
         self.obstacles().any(|obstacle| obstacle.covers(p)).then_some("it is inside an obstacle")
     }
 
-    /// Why a body does not fit where its core is, if it does not: `p` in world coordinates, the core and `walls` round
-    /// the local origin.
+    /// Returns why a body does not fit at its core, or `None` if it fits. `p` is in world coordinates; the core and
+    /// `walls` are relative to the local origin.
     pub(crate) fn no_room_for(&self, p: DVec2, core: &Core, body: Body, walls: &Walls) -> Option<&'static str> {
         self.blocked(p).or_else(|| {
             let mut near = NearWalls::default();
-            walls.near(core.center, f64::from(body.bound()), &mut near);
+            walls.near(core.center, f64::from(body.bounding_radius()), &mut near);
             let edges = near.edges.iter().map(|&(_, index)| walls.edges()[index as usize]);
             let edges = edges.map(|edge| core.separation(&Core::segment(edge.start, edge.end)).distance);
             let discs = near.discs.iter().map(|&(_, index)| walls.discs()[index as usize]);
@@ -46,10 +46,11 @@ impl Place {
         })
     }
 
-    /// Why a disc does not fit at a point, if it does not. `walls` are those of this place round `origin`.
+    /// Returns why a disc does not fit at a point, or `None` if it fits. `walls` are those of this place, relative to
+    /// `origin`.
     pub fn no_room(&self, p: DVec2, radius: f64, walls: &Walls, origin: DVec2) -> Option<&'static str> {
         self.blocked(p).or_else(|| {
-            // positions are rounded to f32: that much less is not an overlap
+            // positions are rounded to `f32`: an overlap this small is rounding
             let slack = 1e-4 * radius;
             let distance = walls.distance(p - origin, radius, &mut NearWalls::default());
             (distance < radius - slack).then_some("its body would overlap a wall")
@@ -58,8 +59,8 @@ impl Place {
 }
 
 impl Walkable {
-    /// The ground that any of these areas covers, as areas that do not overlap. A single one stays as it is; corners of
-    /// several are rounded to a fine grid.
+    /// Returns the union of areas as areas that do not overlap. A single area stays unchanged. Corners of several areas
+    /// are rounded to a fine grid.
     ///
     /// # Errors
     /// [`Error::Shape`] for an outline that encloses nothing or crosses itself.
@@ -96,10 +97,10 @@ pub fn is_inside(corners: &[DVec2], p: DVec2) -> bool {
     inside
 }
 
-/// Checks that a polygon encloses something, and one thing.
+/// Checks that a polygon encloses an area and does not cross itself.
 ///
 /// # Errors
-/// [`Error::Shape`] with the point where two of its edges cross, or what else is wrong.
+/// [`Error::Shape`] with the point where two of its edges cross, or another reason.
 pub fn check_polygon(what: &str, corners: &[DVec2]) -> Result<(), Error> {
     let fail = |why: String| Err(Error::Shape { what: what.into(), why });
     if let Some(p) = corners.iter().find(|p| !p.is_finite()) {
@@ -133,7 +134,7 @@ pub fn check_polygon(what: &str, corners: &[DVec2]) -> Result<(), Error> {
     if area == 0.0 { fail("it encloses no area".into()) } else { Ok(()) }
 }
 
-/// Where two segments cross properly.
+/// Returns the point at which two segments cross properly.
 fn crossing(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Option<DVec2> {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let (c_side, d_side) = (side(a, b, c), side(a, b, d));

@@ -3,10 +3,11 @@
 use crate::Error;
 use glam::Vec2;
 
-/// The most cells of a map.
+/// Maximum number of cells of a map.
 const MOST: usize = 1 << 26;
 
-/// A map of square cells, each solid or free; beyond its rim everything is solid. Metres, in the coordinates of whoever asks.
+/// A map of square cells, each solid or free; outside of the map everything is solid. Metres, in the caller's
+/// coordinates.
 ///
 /// ```
 /// use glam::Vec2;
@@ -25,10 +26,11 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// A map of cells row by row, from the corner `low` towards +x, then +y; `cell` is their width.
+    /// Returns a map of cells row by row, from the corner `low` towards +x, then +y; `cell` is their width.
     ///
     /// # Errors
-    /// [`Error::Limit`] for a width that is not greater than 0 and finite, [`Error::Shape`] for rows that are not whole.
+    /// [`Error::Limit`] for a width that is not greater than 0 and finite, [`Error::Shape`] for incomplete rows or too
+    /// many cells.
     pub fn new(low: Vec2, cell: f32, columns: usize, solid: Vec<bool>) -> Result<Self, Error> {
         Error::unless_positive("width of a cell of the map", cell)?;
         Error::unless_finite("corner of the map", f64::from(low.element_sum()))?;
@@ -39,7 +41,7 @@ impl Raster {
         Ok(Self { low, cell, columns, solid })
     }
 
-    /// A map of the box between two corners: a cell is what its middle is.
+    /// Returns a map of the box between two corners. A cell is solid if its centre is.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
@@ -56,15 +58,15 @@ impl Raster {
         Self::new(low, cell, columns, solid)
     }
 
-    /// The width of its cells, metres.
+    /// Returns the width of its cells, metres.
     pub fn cell(&self) -> f32 {
         self.cell
     }
 
-    /// Whether a place is solid, or beyond the rim.
+    /// Whether a place is solid or outside of the map.
     pub fn is_solid(&self, at: Vec2) -> bool {
         let [x, y] = ((at - self.low) / self.cell).to_array();
-        // what is not a number is nowhere
+        // NaN is outside
         if !(x >= 0.0 && y >= 0.0 && x < self.columns as f32) {
             return true;
         }

@@ -1,56 +1,56 @@
-//! Rounded rectangles, the shapes of bodies: everything within a radius of a *core*. The core of a disc is a point, that
-//! of a capsule a segment.
+//! Rounded rectangles, the shapes of bodies: the points within a radius of a *core*. The core of a disc is a point,
+//! that of a capsule a segment.
 
 use glam::{DVec2, Vec2};
 
-/// A rectangle anywhere in the plane, metres. Without width it is a segment, without length and width a point.
+/// A rectangle in the plane, metres. With width 0 it is a segment, with length and width 0 a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Core {
-    /// Its middle.
+    /// Its centre.
     pub center: DVec2,
     /// Unit vector along its length.
     pub along: DVec2,
-    /// Half of its length and half of its width. Limit: >= 0.
+    /// Half its length and half its width. Limit: >= 0.
     pub half: DVec2,
 }
 
-/// How far two cores are apart.
+/// The separation of two cores.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Separation {
-    /// Their distance; where they overlap, the negative of the least shift that parts them.
+pub struct CoreSeparation {
+    /// Their distance; if they overlap, the negative length of the shortest translation that separates them.
     pub distance: f64,
-    /// Unit vector along which they are that far apart, from the first to the second.
+    /// Unit vector along which the distance is measured, from the first to the second.
     pub normal: DVec2,
 }
 
-/// Cores nearer than this, metres, count as overlapping: the line between their nearest points says nothing.
+/// Cores closer than this, metres, count as overlapping: the line between their nearest points is not reliable.
 const CONTACT: f64 = 1e-9;
 
 impl Core {
-    /// A core with these half extents at `center`, turned to `heading` (radians counter-clockwise from +x).
+    /// Returns a core with these half extents at `center`, turned to `heading` (radians counter-clockwise from +x).
     pub fn new(center: DVec2, heading: f32, half: Vec2) -> Self {
         let (sin, cos) = libm::sincos(f64::from(heading));
         Self { center, along: DVec2::new(cos, sin), half: half.as_dvec2() }
     }
 
-    /// A core without length and width.
+    /// Returns a core of length and width 0.
     pub fn point(center: DVec2) -> Self {
         Self { center, along: DVec2::X, half: DVec2::ZERO }
     }
 
-    /// A core without width.
+    /// Returns a core of width 0.
     pub fn segment(start: DVec2, end: DVec2) -> Self {
         let along = (end - start).normalize_or(DVec2::X);
         Self { center: start.midpoint(end), along, half: DVec2::new(0.5 * start.distance(end), 0.0) }
     }
 
-    /// Its corners, counter-clockwise.
+    /// Returns the corners, counter-clockwise.
     pub fn corners(&self) -> [DVec2; 4] {
         let (x, y) = (self.along * self.half.x, self.along.perp() * self.half.y);
         [x + y, y - x, -x - y, x - y].map(|corner| self.center + corner)
     }
 
-    /// The point of it nearest to `p`.
+    /// Returns the point of the core nearest to `p`.
     pub fn nearest(&self, p: DVec2) -> DVec2 {
         let (x, y) = (self.along, self.along.perp());
         let offset = p - self.center;
@@ -58,39 +58,40 @@ impl Core {
         self.center + x * within.x + y * within.y
     }
 
-    /// How far it reaches from its centre along a unit vector.
+    /// Returns the extent of the core from its centre along a unit vector.
     pub fn extent(&self, normal: DVec2) -> f64 {
         self.half.x * normal.dot(self.along).abs() + self.half.y * normal.perp_dot(self.along).abs()
     }
 
-    /// The gap between this core and another along a unit vector from this to that: at most their distance.
+    /// Returns the gap between this core and another along a unit vector from this to the other: at most their
+    /// distance.
     pub fn gap_along(&self, other: &Self, normal: DVec2) -> f64 {
         normal.dot(other.center - self.center) - self.extent(normal) - other.extent(normal)
     }
 
-    /// How far two cores are apart: the same, with the opposite normal, seen from the other.
-    pub fn separation(&self, other: &Self) -> Separation {
+    /// Returns the separation of two cores. Exchanging the cores reverses the normal exactly.
+    pub fn separation(&self, other: &Self) -> CoreSeparation {
         let key = |core: &Self| [core.center, core.along, core.half].map(|v| [v.x, v.y]);
         if key(other) < key(self) {
-            let Separation { distance, normal } = other.separation(self);
-            return Separation { distance, normal: -normal };
+            let CoreSeparation { distance, normal } = other.separation(self);
+            return CoreSeparation { distance, normal: -normal };
         }
-        // separating axes: rectangles overlap if no side of either parts them
+        // separating axes: rectangles overlap if no side of either separates them
         let offset = other.center - self.center;
         let axes = [self.along, self.along.perp(), other.along, other.along.perp()].map(|axis| {
             let normal = if axis.dot(offset) < 0.0 { -axis } else { axis };
-            Separation { distance: self.gap_along(other, normal), normal }
+            CoreSeparation { distance: self.gap_along(other, normal), normal }
         });
         let widest = axes.into_iter().reduce(|a, b| if b.distance > a.distance { b } else { a }).unwrap_or(axes[0]);
         if widest.distance <= CONTACT {
             return widest;
         }
-        // a corner of one is nearest to the other
+        // a corner of one core is nearest to the other
         let own = self.corners().map(|corner| other.nearest(corner) - corner);
         let theirs = other.corners().map(|corner| corner - self.nearest(corner));
         let between = own.into_iter().chain(theirs).min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
         let between = between.unwrap_or(offset);
-        Separation { distance: between.length(), normal: between.normalize_or(widest.normal) }
+        CoreSeparation { distance: between.length(), normal: between.normalize_or(widest.normal) }
     }
 }
 
@@ -106,7 +107,7 @@ mod tests {
             .prop_map(|(x, y, heading, half)| Core::new(DVec2::new(x, y), heading, half))
     }
 
-    /// Points of the boundary, densely.
+    /// Returns dense samples of the boundary.
     fn boundary(core: &Core) -> Vec<DVec2> {
         let corners = core.corners();
         let side = |i: usize| (0..=60).map(move |k| corners[i].lerp(corners[(i + 1) % 4], f64::from(k) / 60.0));
@@ -118,10 +119,10 @@ mod tests {
 
         #[test]
         fn the_separation_is_that_of_the_nearest_points(a in core(), b in core()) {
-            let Separation { distance, normal } = a.separation(&b);
+            let CoreSeparation { distance, normal } = a.separation(&b);
             let back = b.separation(&a);
             prop_assert_eq!((back.distance, back.normal), (distance, -normal));
-            prop_assert!((a.gap_along(&b, normal) - distance).abs() < 1e-7, "the normal shows the distance");
+            prop_assert!((a.gap_along(&b, normal) - distance).abs() < 1e-7, "the gap along the normal is the distance");
             let (of_a, of_b) = (boundary(&a), boundary(&b));
             let pairs = of_a.iter().flat_map(|p| of_b.iter().map(move |q| p.distance(*q)));
             let sampled = pairs.fold(f64::INFINITY, f64::min);
@@ -135,12 +136,12 @@ mod tests {
             }
         }
 
-        /// Where they overlap, no shift shorter than the depth parts them, and one as long does.
+        /// If the cores overlap, no translation shorter than the depth separates them, and one of that length does.
         #[test]
         fn the_depth_is_the_least_shift_that_parts(a in core(), b in core()) {
             // near each other: most overlap
             let b = Core { center: a.center + (b.center - a.center) * 0.3, ..b };
-            let Separation { distance, normal } = a.separation(&b);
+            let CoreSeparation { distance, normal } = a.separation(&b);
             prop_assume!(distance < -1e-3);
             let moved = |shift: DVec2| Core { center: b.center + shift, ..b };
             prop_assert!(a.separation(&moved(normal * -distance * 1.0001)).distance > 0.0);

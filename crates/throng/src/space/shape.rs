@@ -1,10 +1,10 @@
-//! Shapes people cannot enter, and the area they can.
+//! Shapes of obstacles and of walkable ground.
 
 use super::{is_inside, nearest_on_segment};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// Something solid. World coordinates, metres.
+/// An obstacle. World coordinates, metres.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Obstacle {
     /// A disc.
@@ -14,12 +14,12 @@ pub enum Obstacle {
         /// Its radius. Limit: > 0.
         radius: f64,
     },
-    /// A solid simple polygon, either way round.
+    /// A solid simple polygon, in either orientation.
     Polygon {
         /// Its corners; the first is not repeated.
         corners: Vec<DVec2>,
     },
-    /// A chain of thin walls from point to point, solid from both sides. It is not closed.
+    /// A chain of thin walls from point to point, solid from both sides. The chain is not closed.
     Wall {
         /// Its points, at least two.
         points: Vec<DVec2>,
@@ -27,7 +27,7 @@ pub enum Obstacle {
 }
 
 impl Obstacle {
-    /// Whether a point is inside what is solid; of a thin wall, on it, give or take a micrometre.
+    /// Whether a point is inside the obstacle; for a thin wall, within a micrometre of it.
     pub fn covers(&self, p: DVec2) -> bool {
         match self {
             Self::Circle { center, radius } => center.distance(p) < *radius,
@@ -38,7 +38,16 @@ impl Obstacle {
         }
     }
 
-    /// A rectangle with sides `size`, turned by `angle` radians counter-clockwise about its centre.
+    /// Returns the obstacle, moved by an offset, metres.
+    pub fn moved(mut self, by: DVec2) -> Self {
+        match &mut self {
+            Self::Circle { center, .. } => *center += by,
+            Self::Polygon { corners: points } | Self::Wall { points } => points.iter_mut().for_each(|p| *p += by),
+        }
+        self
+    }
+
+    /// Returns a rectangle with sides `size`, turned by `angle` radians counter-clockwise about its centre.
     pub fn rectangle(center: DVec2, size: DVec2, angle: f64) -> Self {
         let (sin, cos) = libm::sincos(angle);
         let half = size * 0.5;
@@ -54,11 +63,11 @@ impl Obstacle {
     }
 }
 
-/// Ground that can be walked on: a polygon with holes. World coordinates, metres.
+/// A walkable area: a polygon with holes. World coordinates, metres.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Walkable {
-    /// Corners of the outer boundary, either way round; the first is not repeated.
+    /// Corners of the outer boundary, in either orientation; the first is not repeated.
     pub outer: Vec<DVec2>,
-    /// Corners of each hole, either way round.
+    /// Corners of each hole, in either orientation.
     pub holes: Vec<Vec<DVec2>>,
 }

@@ -1,6 +1,7 @@
-//! The walls: every solid edge and disc of the place, in local coordinates, ready for queries.
+//! Walls: the solid edges and discs of a place in local coordinates, indexed for queries.
 //!
-//! Edges are directed: what is solid lies on the left, free ground on the right. A thin wall is two opposite edges.
+//! Edges are directed: the solid side is on the left, free ground on the right. A thin wall consists of two opposite
+//! edges.
 
 use super::{Cells, Core, Obstacle, Walkable};
 use glam::{DVec2, Vec2};
@@ -14,9 +15,9 @@ pub struct Edge {
     pub end: DVec2,
     /// Unit vector from start to end.
     pub direction: Vec2,
-    /// Whether what is solid bulges out at the start.
+    /// Whether the solid is convex at the start.
     pub convex_start: bool,
-    /// Whether what is solid bulges out at the end.
+    /// Whether the solid is convex at the end.
     pub convex_end: bool,
     /// Direction of the edge that ends where this one starts.
     pub previous: Vec2,
@@ -25,12 +26,12 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// The point of the edge nearest to `p`.
+    /// Returns the point of the edge nearest to `p`.
     pub fn nearest(&self, p: DVec2) -> DVec2 {
         nearest_on_segment(self.start, self.end, p)
     }
 
-    /// From where to where along x the part of the edge goes that lies between two heights.
+    /// Returns the range along x of the part of the edge between two values of y.
     fn span(&self, (bottom, top): (f64, f64)) -> (f64, f64) {
         let along = self.end - self.start;
         let at = |y: f64| self.start.x + along.x * ((y - self.start.y) / along.y).clamp(0.0, 1.0);
@@ -48,32 +49,33 @@ pub struct Disc {
     pub radius: f64,
 }
 
-/// The point of the segment from `a` to `b` nearest to `p`.
+/// Returns the point of the segment from `a` to `b` nearest to `p`.
 pub fn nearest_on_segment(a: DVec2, b: DVec2, p: DVec2) -> DVec2 {
     let along = b - a;
     let t = (p - a).dot(along) / along.length_squared();
-    // a segment without length has t NaN: its start is as near as any
+    // for a segment of length 0, t is NaN: its start is as near as any point
     if t > 0.0 { a + along * t.min(1.0) } else { a }
 }
 
-/// The point on the outline of a polygon that is nearest to `p`; `p` itself if there are no corners.
+/// Returns the point on the outline of a polygon that is nearest to `p`; `p` itself if there are no corners.
 pub fn nearest_on_outline(corners: &[DVec2], p: DVec2) -> DVec2 {
     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
     let nearest = ends.map(|(&a, &b)| nearest_on_segment(a, b, p));
     nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
 }
 
-/// A wall.
+/// A reference to a wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Wall<'a> {
-    /// One of the edges.
+    /// An edge.
     Edge(&'a Edge),
-    /// One of the discs.
+    /// A disc.
     Disc(&'a Disc),
 }
 
 impl Wall<'_> {
-    /// How far a point is from it, metres, and the unit vector from it to the point; none on it, or inside a disc's middle.
+    /// Returns the distance of a point from the wall, metres, and the unit vector from the wall to the point. The
+    /// vector is `None` for a point on an edge or at the centre of a disc.
     pub fn off(&self, p: DVec2) -> (f64, Option<DVec2>) {
         match self {
             Self::Edge(edge) => {
@@ -88,28 +90,28 @@ impl Wall<'_> {
     }
 }
 
-/// All walls of a place.
+/// The walls of a place.
 #[derive(Clone, Debug, Default)]
 pub struct Walls {
     edges: Vec<Edge>,
     discs: Vec<Disc>,
-    /// The walls within `REACH` of each cell: edges, then discs (numbered on).
+    /// The walls within `REACH` of each cell: edges, then discs (their numbers follow those of the edges).
     cells: Cells,
-    /// How far the nearest of those is from anywhere in the cell, at least; infinite where there are none.
+    /// A lower bound of the distance between a cell and the nearest of its walls; infinite if there are none.
     clearance: Vec<f32>,
 }
 
-/// How far from a cell the walls lie that it lists, metres: what pedestrians look for needs one cell only.
+/// Distance from a cell up to which it lists walls, metres. With it, queries of pedestrians need only one cell.
 const REACH: f64 = 2.25;
 
 /// Width of the cells that walls are sorted into, metres.
 const CELL: f64 = 2.0;
-/// Cells at most; beyond that they are wider.
+/// Maximum number of cells. Cells are wider if there would be more.
 const MOST_CELLS: f64 = 4e6;
 
 impl Walls {
-    /// Collects the walls of areas and obstacles, given in world coordinates, round a local origin. The areas must
-    /// not overlap.
+    /// Collects the walls of areas and obstacles, given in world coordinates, relative to a local origin. The areas
+    /// must not overlap.
     pub fn new<'a>(areas: &[Walkable], obstacles: impl IntoIterator<Item = &'a Obstacle>, origin: DVec2) -> Self {
         let mut walls = Self::default();
         for area in areas {
@@ -135,17 +137,17 @@ impl Walls {
         walls
     }
 
-    /// The edges.
+    /// Returns the edges.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
     }
 
-    /// The discs.
+    /// Returns the discs.
     pub fn discs(&self) -> &[Disc] {
         &self.discs
     }
 
-    /// Whether there are none.
+    /// Whether there are no walls.
     pub fn is_empty(&self) -> bool {
         self.edges.is_empty() && self.discs.is_empty()
     }
@@ -170,7 +172,7 @@ impl Walls {
             return;
         }
         let direction = |i: usize| (ring[(i + 1) % n] - ring[i % n]).normalize().as_vec2();
-        // a turn to the left or none at all bulges out; so does turning back at the end of a thin wall
+        // a left turn or no turn is convex; so is the reversal at the end of a thin wall
         let convex = |i: usize| {
             let (before, at, after) = (ring[(i + n - 1) % n], ring[i % n], ring[(i + 1) % n]);
             let turn = (at - before).perp_dot(after - at);
@@ -218,7 +220,7 @@ impl Walls {
         }
         let mut clearance = vec![f32::INFINITY; cells.columns * cells.rows];
         for &(cell, item) in &pairs {
-            // less what places of cells are rounded by
+            // minus the rounding of cell positions
             let gap = (self.gap(cells.square(cell as usize), item as usize) - 1e-3) as f32;
             clearance[cell as usize] = clearance[cell as usize].min(gap);
         }
@@ -226,7 +228,7 @@ impl Walls {
         (self.cells, self.clearance) = (cells, clearance);
     }
 
-    /// How far an item is from a square; 0 or less if it reaches into it.
+    /// Returns the distance of an item from a square; 0 or less if it reaches into the square.
     fn gap(&self, (low, high): (DVec2, DVec2), item: usize) -> f64 {
         let to_square = |p: DVec2| p.distance(p.clamp(low, high));
         let Some(edge) = self.edges.get(item) else {
@@ -238,15 +240,15 @@ impl Walls {
         if bottom <= high.y && top >= low.y && left <= high.x && right >= low.x {
             return 0.0;
         }
-        // apart, the ends of one of them are nearest
+        // if they are apart, an end of one of them is nearest
         let corners = [low, high, DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)];
         let of_corners = corners.map(|corner| edge.nearest(corner).distance(corner));
         of_corners.into_iter().fold(to_square(edge.start).min(to_square(edge.end)), f64::min)
     }
 
-    /// Notes the cells that an item is within reach of: row by row, for long slanting edges.
+    /// Collects the cells within reach of an item: row by row, for long slanting edges.
     fn touch(&self, cells: &Cells, item: usize, pairs: &mut Vec<(u32, u32)>) {
-        // a little farther, for the rounding of cells
+        // slightly farther, for the rounding of cell positions
         let reach = DVec2::splat(REACH + 1e-6);
         let (low, high) = self.bounds(item);
         for (bottom, row) in cells.rows_of(low - reach, high + reach) {
@@ -261,7 +263,7 @@ impl Walls {
         }
     }
 
-    /// Finds the walls within `range` of `from`: nearest first, ties by index. `near` is emptied first.
+    /// Finds the walls within `range` of `from`: nearest first, ties by index. Clears `near` first.
     pub fn near(&self, from: DVec2, range: f64, near: &mut NearWalls) {
         let NearWalls { edges, discs, met } = near;
         edges.clear();
@@ -284,8 +286,15 @@ impl Walls {
         }
     }
 
-    /// Calls `see` once with every wall within `range` of `from`, and with some that are farther; always in the same order.
-    pub(crate) fn visit_once<'a>(&'a self, from: DVec2, range: f64, met: &mut Met, mut see: impl FnMut(Wall<'a>)) {
+    /// Calls `see` once for every wall within `range` of `from`, and for some that are farther, always in the same
+    /// order.
+    pub(crate) fn visit_once<'a>(
+        &'a self,
+        from: DVec2,
+        range: f64,
+        met: &mut VisitedWalls,
+        mut see: impl FnMut(Wall<'a>),
+    ) {
         self.each_once(from, range, met, |item| {
             if self.may_be_near(item, from, range) {
                 see(self.wall(item));
@@ -293,12 +302,12 @@ impl Walls {
         });
     }
 
-    /// As [`visit_once`](Self::visit_once), by number: edges, then discs.
-    fn each_once(&self, from: DVec2, range: f64, met: &mut Met, mut see: impl FnMut(u32)) {
+    /// As [`visit_once`](Self::visit_once), with the numbers of walls: edges, then discs.
+    fn each_once(&self, from: DVec2, range: f64, met: &mut VisitedWalls, mut see: impl FnMut(u32)) {
         if self.is_empty() || self.are_far(from, range) {
             return;
         }
-        // a cell on the way to each of them, short of it by what cells reach, lists it
+        // each wall is listed by a cell on the line to it, at the distance `REACH` before it
         let away = range - REACH;
         if away <= 0.0 {
             self.cells.items(self.cells.cell_of(from)).iter().for_each(|&item| see(item));
@@ -317,8 +326,8 @@ impl Walls {
         }
     }
 
-    /// Calls `see` with every wall within `range` of `from`, and perhaps with some that are farther, or with one twice; always in
-    /// the same order.
+    /// Calls `see` for every wall within `range` of `from`, and perhaps for some that are farther or for the same wall
+    /// twice, always in the same order.
     pub(crate) fn visit(&self, from: DVec2, range: f64, mut see: impl FnMut(Wall<'_>)) {
         if self.is_empty() || self.are_far(from, range) {
             return;
@@ -331,7 +340,8 @@ impl Walls {
         }
     }
 
-    /// Whether a straight way between two points comes nowhere as near to a wall as this, metres; 0: whether it touches none.
+    /// Whether the segment between two points stays farther than `gap` metres from all walls. With 0: whether it
+    /// touches none.
     pub(crate) fn keep_off(&self, (a, b): (DVec2, DVec2), gap: f64) -> bool {
         let way = Core::segment(a, b);
         let mut clear = true;
@@ -344,14 +354,14 @@ impl Walls {
         clear
     }
 
-    /// Whether the box round an item is within `range`: cheaper than its distance.
+    /// Whether the bounding box of an item is within `range`: cheaper than the distance of the item.
     fn may_be_near(&self, item: u32, from: DVec2, range: f64) -> bool {
         let (low, high) = self.bounds(item as usize);
         let reach = range * (1.0 + 1e-9);
         (from - from.clamp(low, high)).length_squared() <= reach * reach
     }
 
-    /// Distance of an item; of a disc to its rim, negative inside.
+    /// Returns the distance of an item; for a disc to its circumference, negative inside.
     fn distance_to(&self, item: u32, from: DVec2) -> f64 {
         let item = item as usize;
         if let Some(edge) = self.edges.get(item) {
@@ -361,12 +371,12 @@ impl Walls {
         disc.center.distance(from) - disc.radius
     }
 
-    /// Whether it shows at a glance that no wall is within `range` of `from`.
+    /// Whether a cheap test shows that no wall is within `range` of `from`.
     pub fn are_far(&self, from: DVec2, range: f64) -> bool {
         range <= REACH && (self.is_empty() || f64::from(self.clearance[self.cells.cell_of(from)]) > range)
     }
 
-    /// Distance from `p` to the nearest wall, at most `range`; infinite if there is none within it.
+    /// Returns the distance from `p` to the nearest wall, at most `range`; infinite if there is none within it.
     pub fn distance(&self, p: DVec2, range: f64, scratch: &mut NearWalls) -> f64 {
         self.near(p, range, scratch);
         let first = |list: &[(f64, u32)]| list.first().map_or(f64::INFINITY, |near| near.0);
@@ -374,26 +384,26 @@ impl Walls {
     }
 }
 
-/// What [`Walls::near`] found: (distance in metres, index) of edges and of discs.
+/// The result of [`Walls::near`]: (distance in metres, index) of edges and of discs.
 #[derive(Clone, Debug, Default)]
 pub struct NearWalls {
     /// Edges.
     pub edges: Vec<(f64, u32)>,
-    /// Discs; the distance is to their rim, negative inside.
+    /// Discs; the distance is to the circumference, negative inside.
     pub discs: Vec<(f64, u32)>,
-    met: Met,
+    met: VisitedWalls,
 }
 
-/// Which walls a search has met: cells next to each other list the same ones.
+/// The walls that a search has visited. Adjacent cells list the same walls.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Met {
-    /// The last search that met each wall.
+pub(crate) struct VisitedWalls {
+    /// The last search that visited each wall.
     by: Vec<u32>,
     search: u32,
 }
 
-impl Met {
-    /// Begins a search among a number of walls.
+impl VisitedWalls {
+    /// Begins a search among `walls` walls.
     fn begin(&mut self, walls: usize) {
         self.search = self.search.wrapping_add(1);
         if self.by.len() != walls || self.search == 0 {
@@ -415,7 +425,7 @@ mod tests {
         (-reach..reach, -reach..reach).prop_map(DVec2::from)
     }
 
-    /// Walls short and long, along the axes and slanting, and pillars.
+    /// Short and long walls, parallel to the axes and slanting, and pillars.
     fn obstacle() -> impl Strategy<Value = Obstacle> {
         let long = (point(30.0), point(30.0)).prop_map(|(a, b)| Obstacle::Wall { points: vec![a, b] });
         let short = (point(30.0), point(1.5)).prop_map(|(a, d)| Obstacle::Wall { points: vec![a, a + d] });

@@ -1,22 +1,24 @@
-//! When two who keep their velocities are nearest, and when they touch.
+//! The time of closest approach and the time of contact of two bodies at constant velocities.
 
 use glam::Vec3;
 
-/// Seconds until they are nearest, negative if they were: `offset` leads from one to the other, `velocity` is the other's
-/// less its own. 0 if the distance never changes (Reynolds 1999, "Unaligned collision avoidance").
+/// Returns the seconds until the closest approach, negative if it is past. `offset` leads from the first body to the
+/// second, `velocity` is the velocity of the second less that of the first. 0 if the distance never changes (Reynolds
+/// 1999, "Unaligned collision avoidance").
 pub(super) fn nearest_time(offset: Vec3, velocity: Vec3) -> f32 {
     let speed_squared = velocity.length_squared();
     if speed_squared > 0.0 { -offset.dot(velocity) / speed_squared } else { 0.0 }
 }
 
-/// Seconds until spheres touch whose radii have this sum: 0 if they do, infinite if they never will.
+/// Returns the seconds until two spheres with this sum of radii touch: 0 if they overlap now, infinite if they never
+/// touch.
 pub(super) fn time_to_touch(offset: Vec3, velocity: Vec3, radii: f32) -> f32 {
     let gap = offset.length_squared() - radii * radii;
     let nearing = -offset.dot(velocity);
     if gap <= 0.0 {
         return 0.0;
     }
-    // the discriminant without cancellation: how far the other passes
+    // the discriminant without cancellation, from the distance at which the second body passes
     let across = offset.cross(velocity).length_squared();
     let square = radii * radii * velocity.length_squared() - across;
     if nearing <= 0.0 || square < 0.0 { f32::INFINITY } else { gap / (nearing + square.sqrt()) }
@@ -32,7 +34,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against a search in small steps.
+        /// Compares both times with a search in small steps.
         #[test]
         fn nothing_is_nearer_and_nothing_touches_before(offset in vector(5.0), velocity in vector(2.0), radii in 0.1f32..1.5) {
             prop_assume!(velocity.length() > 0.05);

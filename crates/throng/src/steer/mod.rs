@@ -1,23 +1,23 @@
-//! Steering: what an agent would like, as a force. Reynolds' behaviours, one a file, and ways to combine them.
+//! Steering: the aims of an agent, as forces. Reynolds' behaviours, one in each file, and ways to combine them.
 //!
-//! Craig Reynolds, Flocks, herds, and schools, SIGGRAPH 1987; Steering behaviors for autonomous characters, GDC 1999; and
-//! what OpenSteer, gdx-ai, yuka and UnitySteer added.
+//! Craig Reynolds, Flocks, herds, and schools, SIGGRAPH 1987; Steering behaviors for autonomous characters, GDC 1999;
+//! and the additions of OpenSteer, gdx-ai, yuka and UnitySteer.
 //!
-//! A [`Behaviour`] sees one agent and what is near it ([`View`]), frozen at the start of the step, and answers with a
-//! [`Steering`], a force that the agent's [`Vehicle`](crate::motion::Vehicle) obeys as far as it can; or with `None`, when
-//! there is nothing to correct. Ways to combine behaviours are behaviours too, and take any others as their parts.
+//! A [`Behaviour`] sees one agent and its surroundings ([`SteeringInput`]), frozen at the start of the step. It returns a
+//! [`Steering`], a force that the agent's [`Vehicle`](crate::motion::Vehicle) follows within its limits, or `None` if
+//! there is nothing to correct. Ways to combine behaviours are behaviours too, and take any other behaviours as parts.
 //!
 //! ```
 //! use glam::Vec3;
 //! use throng::motion::{Motion, Vehicle};
-//! use throng::steer::{Arrive, Behaviour, Target, View, Why};
+//! use throng::steer::{Arrive, Behaviour, Target, SteeringInput, TraceRecorder};
 //!
 //! let behaviour = Arrive::from(Target::Point(Vec3::new(3.0, 4.0, 0.0)));
 //! let (vehicle, mut motion) = (Vehicle::default(), Motion::default());
 //! let mut memory = vec![0.0; behaviour.memory()];
 //! for step in 0..500 {
-//!     let view = View { motion, vehicle, time: f64::from(step) * 0.02, seconds: 0.02, ..View::default() };
-//!     let steering = behaviour.steer(&view, &mut memory, &mut Why::default()).unwrap_or_default();
+//!     let view = SteeringInput { motion, vehicle, time: f64::from(step) * 0.02, seconds: 0.02, ..SteeringInput::default() };
+//!     let steering = behaviour.steer(&view, &mut memory, &mut TraceRecorder::default()).unwrap_or_default();
 //!     vehicle.step(&mut motion, steering, 0.02);
 //! }
 //! assert!(motion.position.distance(Vec3::new(3.0, 4.0, 0.0)) < 0.02 && motion.speed() < 0.01);
@@ -33,23 +33,23 @@ mod prediction;
 mod single;
 pub mod swarm;
 mod target;
+mod trace;
 mod view;
-mod why;
 
 pub use crate::motion::Steering;
-pub use crate::random::Dice;
-pub use behaviour::{Behaviour, Branch};
+pub use crate::random::Rng;
+pub use behaviour::{Behaviour, BoxedBehaviour};
 pub use combine::*;
 pub use group::*;
 pub use noise::Noise;
 pub use place::*;
 pub use prediction::Prediction;
 pub use single::*;
-pub use target::{Mark, Target, Who};
-pub use view::{Event, Neighbour, Others, View};
-pub use why::{Reason, Told, Why};
+pub use target::{GroupFilter, Kinematics, Target};
+pub use trace::{SteeringReason, TraceEntry, TraceRecorder};
+pub use view::{AgentQuery, SteeringInput, SteeringNeighbour, Stimulus};
 
-/// The page on a behaviour of one's own: its example is a test.
+/// The page about behaviours that users write: its example is a test.
 #[cfg(doctest)]
 #[doc = include_str!("../../../../docs/behaviours.md")]
-struct Page;
+struct BehavioursPage;

@@ -1,12 +1,12 @@
 //! Noise along time: Perlin's, in octaves.
 //!
 //! Perlin, An image synthesizer, SIGGRAPH 1985: random slopes at the whole numbers, smooth between them. An octave has
-//! twice the frequency of the one before it. Each agent and each behaviour has noise of its own.
+//! twice the frequency of the octave before it. Each agent and each behaviour has independent noise.
 
 use crate::Error;
-use crate::random::{Dice, Purpose};
+use crate::random::{Purpose, Rng};
 
-/// How a value changes by chance as time goes by, between -1 and 1.
+/// A random value that changes smoothly with time, between -1 and 1.
 ///
 /// ```
 /// use throng::steer::Noise;
@@ -16,12 +16,12 @@ use crate::random::{Dice, Purpose};
 pub struct Noise {
     /// Seconds from one random slope to the next, of the slowest octave. Limit: > 0.
     pub period: f32,
-    /// How many octaves. Limit: 1 to 8.
+    /// Number of octaves. Limit: 1 to 8.
     pub octaves: u32,
-    /// How much smaller each octave is than the one before it. Limit: 0 to 1.
+    /// Amplitude of each octave as a part of that of the octave before it. Limit: 0 to 1.
     pub gain: f32,
-    /// Turbulence: the amounts of the octaves are added, less their mean, so that it has creases where it turns (Perlin
-    /// 1985). It is seldom far below zero, and far above now and then.
+    /// Turbulence: the absolute values of the octaves are added, less their mean, so that the curve has creases where
+    /// it turns (Perlin 1985). The result is seldom far below zero and now and then far above it.
     pub turbulent: bool,
 }
 
@@ -32,13 +32,14 @@ impl Default for Noise {
 }
 
 impl Noise {
-    /// The value at a time, seconds; the `k`-th of the agent and behaviour that have these dice.
-    pub fn at(&self, time: f64, k: u32, dice: Dice) -> f32 {
+    /// Returns the `k`-th value at a time, seconds, for the agent and the behaviour that this random number generator
+    /// belongs to.
+    pub fn at(&self, time: f64, k: u32, rng: Rng) -> f32 {
         let (mut sum, mut most, mut amount) = (0.0, 0.0, 1.0);
         let mut frequency = 1.0 / f64::from(self.period);
         for octave in 0..self.octaves {
-            let draw = |step: u64| dice.at(step).nth(8 * k + octave, Purpose::Noise);
-            // octaves are zero at different times
+            let draw = |step: u64| rng.at(step).nth(8 * k + octave, Purpose::Noise);
+            // the offset puts the zeros of the octaves at different times
             let wave = perlin(time * frequency + f64::from(draw(u64::MAX)), draw);
             sum += amount * if self.turbulent { (wave.abs() - MEAN) / (1.0 - MEAN) } else { wave };
             most += amount;
@@ -48,7 +49,7 @@ impl Noise {
         sum / most
     }
 
-    /// What is wrong with the parameters, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
     /// [`Error::Limit`] names the parameter.
@@ -59,11 +60,11 @@ impl Noise {
     }
 }
 
-/// The mean amount of an octave: the integral of `(most / 2 + least² / (6 most))` over a cell, most and least the greater and
-/// the smaller of the two slopes' greatest shares there.
+/// The mean absolute value of an octave: the integral of `(most / 2 + least² / (6 most))` over a cell, where most and
+/// least are the greater and the smaller of the greatest shares of the two slopes there.
 const MEAN: f32 = 0.210_453;
 
-/// One octave, between -1 and 1, from numbers drawn for each whole number.
+/// Returns one octave, between -1 and 1, from numbers drawn for each whole number.
 fn perlin(x: f64, draw: impl Fn(u64) -> f32) -> f32 {
     let start = x.floor();
     let (cell, part) = (start as i64 as u64, (x - start) as f32);
@@ -77,7 +78,7 @@ fn perlin(x: f64, draw: impl Fn(u64) -> f32) -> f32 {
 mod tests {
     use super::*;
 
-    const DICE: Dice = Dice { seed: 5, number: 6, step: 7 };
+    const DICE: Rng = Rng { seed: 5, number: 6, step: 7 };
 
     fn values(noise: Noise, step: f64) -> Vec<f32> {
         (0..20_000).map(|i| noise.at(f64::from(i) * step, 0, DICE)).collect()
@@ -104,7 +105,7 @@ mod tests {
 
     #[test]
     fn each_has_its_own() {
-        let at = |k, dice| Noise::default().at(12.3, k, dice);
+        let at = |k, rng| Noise::default().at(12.3, k, rng);
         assert_ne!(at(0, DICE), at(1, DICE));
         assert_ne!(at(0, DICE), at(0, DICE.branch(0)));
         assert_eq!(at(0, DICE), at(0, DICE.at(8)), "the step does not matter, time does");

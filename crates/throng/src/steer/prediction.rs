@@ -1,10 +1,10 @@
-//! How far ahead of a quarry to aim.
+//! How far ahead of a quarry a pursuer aims.
 
-use super::{Mark, View};
+use super::{Kinematics, SteeringInput};
 use crate::Error;
 
-/// How many seconds ahead somebody's place is predicted (Reynolds, Steering behaviors for autonomous characters, GDC
-/// 1999, "Pursuit").
+/// How many seconds ahead the position of a quarry or a menace is predicted (Reynolds, Steering behaviors for
+/// autonomous characters, GDC 1999, "Pursuit").
 ///
 /// ```
 /// use throng::steer::Prediction;
@@ -13,20 +13,20 @@ use crate::Error;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Prediction {
-    /// Always so many seconds. Limit: >= 0.
+    /// A constant number of seconds. Limit: >= 0.
     Constant(f32),
     /// In proportion to the distance.
     Distance {
-        /// Seconds for every metre: Reynolds' turning parameter. Limit: >= 0.
+        /// Seconds per metre: Reynolds' turning parameter. Limit: >= 0.
         per_metre: f32,
-        /// The most seconds. Limit: >= 0.
+        /// The upper bound, seconds. Limit: >= 0.
         most: f32,
     },
-    /// The time in which the agent covers the distance, by nine cases: whether the quarry is ahead, aside or behind, and
-    /// goes the same way, across, or comes (OpenSteer's steerForPursuit). From one case to the next the time jumps, and with
-    /// it the aim; the vehicle smooths that. The other predictions are continuous.
+    /// The time in which the agent covers the distance, by nine cases: whether the quarry is ahead, aside or behind,
+    /// and whether it goes the same way, across, or the opposite way (OpenSteer's steerForPursuit). The time jumps from
+    /// one case to the next, and the aim with it; the vehicle smooths the jump. The other predictions are continuous.
     Cases {
-        /// The most seconds. Limit: >= 0.
+        /// The upper bound, seconds. Limit: >= 0.
         most: f32,
     },
 }
@@ -37,15 +37,15 @@ impl Default for Prediction {
     }
 }
 
-/// By how much more than the time to cover the distance OpenSteer predicts. The quarry is ahead, aside or behind; it goes
-/// the same way, across, or the other way.
+/// OpenSteer's factors on the time to cover the distance. Rows: the quarry is ahead, aside or behind. Columns: it goes
+/// the same way, across, or the opposite way.
 const CASES: [[f32; 3]; 3] = [[4.0, 1.8, 0.85], [1.0, 0.8, 4.0], [0.5, 2.0, 2.0]];
 /// Cosine of the angle between two cases.
 const BETWEEN: f32 = std::f32::consts::FRAC_1_SQRT_2;
 
 impl Prediction {
-    /// Seconds ahead for who chases a quarry.
-    pub fn of_quarry(&self, view: &View<'_>, quarry: &Mark) -> f32 {
+    /// Returns the seconds ahead for an agent that chases a quarry.
+    pub fn of_quarry(&self, view: &SteeringInput<'_>, quarry: &Kinematics) -> f32 {
         let offset = view.to(quarry.position);
         let distance = offset.length();
         match *self {
@@ -68,8 +68,9 @@ impl Prediction {
         }
     }
 
-    /// Seconds ahead for who runs from a menace: the time in which it would be there (OpenSteer's steerForEvasion).
-    pub fn of_menace(&self, view: &View<'_>, menace: &Mark) -> f32 {
+    /// Returns the seconds ahead for an agent that flees from a menace: the time in which the menace would reach the
+    /// agent (OpenSteer's steerForEvasion).
+    pub fn of_menace(&self, view: &SteeringInput<'_>, menace: &Kinematics) -> f32 {
         match *self {
             Self::Cases { most } => {
                 time_to_cover(view.to(menace.position).length(), menace.velocity.length(), 1.0, most)
@@ -78,7 +79,7 @@ impl Prediction {
         }
     }
 
-    /// What is wrong with the parameters, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
     /// [`Error::Limit`] names the parameter.
@@ -93,7 +94,7 @@ impl Prediction {
     }
 }
 
-/// A multiple of distance over speed, but at most so much; the most at rest.
+/// Returns a multiple of distance over speed, at most `most`; `most` at speed 0.
 fn time_to_cover(distance: f32, speed: f32, times: f32, most: f32) -> f32 {
     let time = distance * times;
     if time < most * speed { time / speed } else { most }

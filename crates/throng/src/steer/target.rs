@@ -1,25 +1,25 @@
-//! Whom or what behaviours steer by.
+//! The targets of behaviours: places and agents.
 
-use super::{Neighbour, View};
+use super::{SteeringInput, SteeringNeighbour};
 use crate::motion::Basis;
 use glam::Vec3;
 
-/// Somebody or something to steer by: where it is and how it moves. Metres, seconds.
+/// The position and motion of a target. Metres, seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Mark {
-    /// Its centre.
+pub struct Kinematics {
+    /// Centre.
     pub position: Vec3,
-    /// Its velocity.
+    /// Velocity.
     pub velocity: Vec3,
-    /// Which way it faces.
+    /// Orientation.
     pub basis: Basis,
-    /// Radius of its body.
+    /// Body radius.
     pub radius: f32,
 }
 
-impl Mark {
-    /// A neighbour, taken to be upright.
-    pub fn of(view: &View<'_>, other: &Neighbour) -> Self {
+impl Kinematics {
+    /// Returns the kinematics of a neighbour, which is taken to be upright.
+    pub fn of(view: &SteeringInput<'_>, other: &SteeringNeighbour) -> Self {
         Self {
             position: view.position() + other.offset,
             velocity: other.velocity,
@@ -28,31 +28,31 @@ impl Mark {
         }
     }
 
-    /// Where it will be in so many seconds if it keeps its velocity.
+    /// Returns the position after some seconds at constant velocity.
     pub fn position_in(&self, seconds: f32) -> Vec3 {
         self.position + self.velocity * seconds
     }
 }
 
-/// Which others count, by group.
+/// Which other agents count, by group.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Who {
-    /// Everybody.
+pub enum GroupFilter {
+    /// All agents.
     #[default]
-    Anybody,
-    /// Those of the agent's own group.
+    All,
+    /// The agents of the agent's own group.
     OwnGroup,
-    /// Those of all other groups.
+    /// The agents of all other groups.
     OtherGroups,
-    /// Those of the group with this index.
+    /// The agents of the group with this index.
     Group(usize),
 }
 
-impl Who {
+impl GroupFilter {
     /// Whether a neighbour counts.
-    pub fn counts(self, view: &View<'_>, other: &Neighbour) -> bool {
+    pub fn counts(self, view: &SteeringInput<'_>, other: &SteeringNeighbour) -> bool {
         match self {
-            Self::Anybody => true,
+            Self::All => true,
             Self::OwnGroup => other.group == view.group,
             Self::OtherGroups => other.group != view.group,
             Self::Group(index) => other.group == index,
@@ -60,12 +60,12 @@ impl Who {
     }
 }
 
-/// Whom or what a behaviour steers by.
+/// The target of a behaviour.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Target, View};
-/// let view = View { goal: Some(Vec3::Y), ..View::default() };
+/// use throng::steer::{Target, SteeringInput};
+/// let view = SteeringInput { goal: Some(Vec3::Y), ..SteeringInput::default() };
 /// assert_eq!(Target::Goal.find(&view).map(|mark| mark.position), Some(Vec3::Y));
 /// assert_eq!(Target::Agent(7).find(&view), None, "it is not there");
 /// ```
@@ -73,26 +73,26 @@ impl Who {
 pub enum Target {
     /// A place.
     Point(Vec3),
-    /// Where the agent's own journey leads next; its last goal if it has arrived.
+    /// The next point of the agent's own journey; its last goal once it has arrived.
     Goal,
-    /// The agent with this number; for itself it is nobody.
+    /// The agent with this number. An agent is never its own target.
     Agent(u32),
     /// The nearest neighbour that counts.
-    Nearest(Who),
+    Nearest(GroupFilter),
 }
 
 impl Target {
-    /// Where it is and how it moves; `None` if it is not there, or not seen.
-    pub fn find(self, view: &View<'_>) -> Option<Mark> {
-        let at = |position| Mark { position, ..Mark::default() };
+    /// Returns the position and motion of the target; `None` if the target does not exist or is not seen.
+    pub fn find(self, view: &SteeringInput<'_>) -> Option<Kinematics> {
+        let at = |position| Kinematics { position, ..Kinematics::default() };
         match self {
             Self::Point(place) => Some(at(place)),
             Self::Goal => view.goal.map(at),
-            Self::Agent(number) if number == view.dice.number => None,
+            Self::Agent(number) if number == view.rng.number => None,
             Self::Agent(number) => view.others.find(number),
-            Self::Nearest(who) => {
-                let other = view.neighbours.iter().find(|other| who.counts(view, other))?;
-                Some(Mark::of(view, other))
+            Self::Nearest(groups) => {
+                let other = view.neighbours.iter().find(|other| groups.counts(view, other))?;
+                Some(Kinematics::of(view, other))
             }
         }
     }

@@ -1,96 +1,97 @@
-//! What a behaviour sees: one agent and what is near it.
+//! The input of a behaviour: one agent and its surroundings.
 
-use super::{Mark, Why};
+use super::{Kinematics, TraceRecorder};
 use crate::motion::{Locomotion, Motion, Steering, Vehicle, angle_between, part_in, turned_towards};
-use crate::random::Dice;
+use crate::random::Rng;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 
-/// Another agent, seen from the one that steers.
+/// A neighbour, as the steered agent perceives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Neighbour {
-    /// Its centre, from the agent's, metres.
+pub struct SteeringNeighbour {
+    /// Centre, relative to that of the steered agent, metres.
     pub offset: Vec3,
-    /// Its velocity, m/s.
+    /// Velocity, m/s.
     pub velocity: Vec3,
-    /// Which way it faces, a vector of length 1.
+    /// Forward direction, a vector of length 1.
     pub forward: Vec3,
-    /// Radius of its body, metres.
+    /// Body radius, metres.
     pub radius: f32,
-    /// Its own number.
+    /// Number of the agent.
     pub number: u32,
-    /// Index of its group.
+    /// Index of the group.
     pub group: usize,
 }
 
-/// Something that happened: a bang, a shout.
+/// Something that happened at a place and a time, such as a bang or a shout.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Event {
-    /// Where.
+pub struct Stimulus {
+    /// Place, metres.
     pub position: Vec3,
-    /// When, seconds since the start.
+    /// Time, seconds since the start.
     pub time: f64,
 }
 
-/// Finds agents wherever they are.
+/// Finds any agent by its number, near or far.
 ///
 /// ```
-/// use throng::steer::{Mark, Others, Target, View};
+/// use throng::steer::{Kinematics, AgentQuery, Target, SteeringInput};
 /// #[derive(Debug)]
 /// struct Twins;
-/// impl Others for Twins {
-///     fn find(&self, number: u32) -> Option<Mark> {
-///         (number < 2).then(Mark::default)
+/// impl AgentQuery for Twins {
+///     fn find(&self, number: u32) -> Option<Kinematics> {
+///         (number < 2).then(Kinematics::default)
 ///     }
 /// }
-/// let view = View { others: &Twins, ..View::default() };
+/// let view = SteeringInput { others: &Twins, ..SteeringInput::default() };
 /// assert!(Target::Agent(1).find(&view).is_some() && Target::Agent(2).find(&view).is_none());
 /// ```
-pub trait Others: Debug + Sync {
-    /// The agent with this number, as it is at the start of the step; `None` if it is not there.
-    fn find(&self, number: u32) -> Option<Mark>;
+pub trait AgentQuery: Debug + Sync {
+    /// Returns the agent with this number as it is at the start of the step; `None` if there is none.
+    fn find(&self, number: u32) -> Option<Kinematics>;
 }
 
-/// Nobody else is there.
-impl Others for () {
-    fn find(&self, _: u32) -> Option<Mark> {
+/// A world without other agents.
+impl AgentQuery for () {
+    fn find(&self, _: u32) -> Option<Kinematics> {
         None
     }
 }
 
-/// What a behaviour sees, frozen at the start of the step. The default is a pedestrian at the origin that faces +x, alone.
+/// The input of a behaviour, frozen at the start of the step. The default is a pedestrian at the origin that faces +x,
+/// without neighbours.
 #[derive(Clone, Copy, Debug)]
-pub struct View<'a> {
-    /// Where the agent is and how it moves.
+pub struct SteeringInput<'a> {
+    /// Position and motion of the agent.
     pub motion: Motion,
-    /// What its body can do.
+    /// The limits of its body.
     pub vehicle: Vehicle,
-    /// Radius of its body, metres.
+    /// Body radius, metres.
     pub radius: f32,
-    /// Index of its group.
+    /// Index of the agent's group.
     pub group: usize,
-    /// Its place in the [formation](super::KeepFormation) of its group.
+    /// Slot in the [formation](super::KeepFormation) of the agent's group.
     pub slot: usize,
-    /// Where its own journey leads next.
+    /// The next point of the agent's own journey.
     pub goal: Option<Vec3>,
-    /// Others near it, nearest first.
-    pub neighbours: &'a [Neighbour],
-    /// Anybody else.
-    pub others: &'a dyn Others,
-    /// What happened lately.
-    pub events: &'a [Event],
+    /// The agent's neighbours, nearest first.
+    pub neighbours: &'a [SteeringNeighbour],
+    /// All other agents, by number.
+    pub others: &'a dyn AgentQuery,
+    /// Recent stimuli.
+    pub stimuli: &'a [Stimulus],
     /// The figures of the world's [rules](crate::Rules), in their order.
     pub figures: &'a [f64],
     /// Seconds since the start.
     pub time: f64,
-    /// Seconds of the step, > 0.
+    /// Length of the step, seconds, > 0.
     pub seconds: f32,
-    /// What its random numbers depend on; its own number among that.
-    pub dice: Dice,
+    /// The counter-based random number generator; it holds the agent's number.
+    pub rng: Rng,
 }
 
-impl Default for View<'_> {
+impl Default for SteeringInput<'_> {
     fn default() -> Self {
         Self {
             motion: Motion::default(),
@@ -101,58 +102,60 @@ impl Default for View<'_> {
             goal: None,
             neighbours: &[],
             others: &(),
-            events: &[],
+            stimuli: &[],
             figures: &[],
             time: 0.0,
             seconds: 0.02,
-            dice: Dice::default(),
+            rng: Rng::default(),
         }
     }
 }
 
-impl View<'_> {
-    /// Where the agent is.
+impl SteeringInput<'_> {
+    /// Returns the position of the agent.
     pub fn position(&self) -> Vec3 {
         self.motion.position
     }
 
-    /// Its velocity.
+    /// Returns the velocity of the agent.
     pub fn velocity(&self) -> Vec3 {
         self.motion.velocity
     }
 
-    /// Which way it faces.
+    /// Returns the forward direction of the agent.
     pub fn forward(&self) -> Vec3 {
         self.motion.basis.forward
     }
 
-    /// Whether it moves in the plane.
+    /// Whether the agent moves in the plane.
     pub fn is_on_ground(&self) -> bool {
         self.vehicle.locomotion == Locomotion::Ground
     }
 
-    /// What is left of a vector for who moves in the plane.
+    /// Returns the part of a vector along which the agent can move: the horizontal part if the agent moves in the
+    /// plane.
     pub fn passable(&self, vector: Vec3) -> Vec3 {
         if self.is_on_ground() { vector.with_z(0.0) } else { vector }
     }
 
-    /// The way to a place, along the ground for who moves there.
+    /// Returns the offset to a place, horizontal if the agent moves in the plane.
     pub fn to(&self, place: Vec3) -> Vec3 {
         self.passable(place - self.position())
     }
 
-    /// Steering to a velocity: "desired velocity - velocity", in newtons.
+    /// Returns the steering to a velocity: "desired velocity - velocity", in newtons.
     pub fn reach(&self, velocity: Vec3) -> Steering {
         self.vehicle.force_towards(&self.motion, velocity, self.seconds).into()
     }
 
-    /// Steering to the top speed in a direction of any length; `None` if it has none.
+    /// Returns the steering to the top speed in a direction of any length; `None` if the length is 0.
     pub fn go(&self, direction: Vec3) -> Option<Steering> {
         Some(self.reach(direction.try_normalize()? * self.vehicle.max_speed))
     }
 
-    /// Steering to the top speed in a direction of any length that turns with the agent, as a rudder does: it turns as fast
-    /// as it would at first if the direction stayed. `None` if it has none.
+    /// Returns the steering to the top speed in a direction of any length, as a force that turns with the agent as a
+    /// rudder does. The agent turns throughout the step as fast as it would at first if the direction stayed. `None` if
+    /// the length of the direction is 0.
     pub fn turn(&self, direction: Vec3) -> Option<Steering> {
         let (forward, direction) = (self.forward(), direction.try_normalize()?);
         let part = self.seconds / self.vehicle.response.max(self.seconds);
@@ -162,16 +165,17 @@ impl View<'_> {
         Some((change * (self.vehicle.mass / self.seconds)).into())
     }
 
-    /// Steering by all of the force in a direction whose length says how much it matters: `full` or more is all; `None` if
-    /// it has no length.
+    /// Returns a steering in a direction. The length of the direction scales the force: `full` or more gives the whole
+    /// force. `None` if the length is 0.
     pub fn urge(&self, direction: Vec3, full: f32) -> Option<Steering> {
         let direction = self.passable(direction);
         let length = direction.length();
         (length > 0.0).then(|| (direction * (self.vehicle.max_force / length.max(full))).into())
     }
 
-    /// Steering by all of the force to a side, of any length: it turns the way by as much as that force does in the step, but
-    /// leaves the speed, however long the step is. Who hardly moves is pushed. `None` if the side has no length.
+    /// Returns a steering with the whole force to a side, of any length. It turns the velocity by the angle that this
+    /// force gives in the step and keeps the speed, however long the step is. An agent that hardly moves is pushed
+    /// sideways. `None` if the length of the side is 0.
     pub(super) fn veer(&self, side: Vec3) -> Option<Steering> {
         let side = self.passable(side).try_normalize()?;
         let (force, mass) = (self.vehicle.max_force, self.vehicle.mass);
@@ -183,21 +187,21 @@ impl View<'_> {
         Some(((turned - self.velocity()) * (mass / self.seconds)).into())
     }
 
-    /// The velocity that steering leads to; the present one if there is nothing to correct.
-    pub fn wish(&self, steering: Option<Steering>) -> Vec3 {
+    /// Returns the velocity that a steering leads to; the present velocity if there is nothing to correct.
+    pub fn chosen(&self, steering: Option<Steering>) -> Vec3 {
         let force = steering.map_or(Vec3::ZERO, |steering| steering.force);
         self.vehicle.velocity_of(&self.motion, force, self.seconds)
     }
 
     /// Steers towards a place at the top speed.
-    pub(super) fn seek(&self, place: Vec3, why: &mut Why<'_>) -> Option<Steering> {
-        why.note(|| super::Reason::Aim(place));
+    pub(super) fn seek(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        why.note(|| super::SteeringReason::Aim(place));
         self.go(self.to(place))
     }
 
-    /// Steers away from a place at the top speed; from exactly there, back where it came from.
-    pub(super) fn flee(&self, place: Vec3, why: &mut Why<'_>) -> Option<Steering> {
-        why.note(|| super::Reason::Expects(place));
+    /// Steers away from a place at the top speed; forward if the agent is exactly there.
+    pub(super) fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        why.note(|| super::SteeringReason::Expects(place));
         let away = -self.to(place);
         self.go(if away == Vec3::ZERO { self.forward() } else { away })
     }

@@ -1,4 +1,4 @@
-//! 2c. Where does the crowd flow: fields that change with where people are.
+//! 2c. Fields that adapt to the positions of the agents.
 
 use super::World;
 use crate::field::{Adaptive, Field};
@@ -6,10 +6,10 @@ use glam::Vec2;
 use std::fmt;
 use std::sync::Arc;
 
-/// The field of a group that changes with where people are, as it is now.
+/// The adaptive field of a group, in its present state.
 #[derive(Clone)]
 pub(super) struct Adapted {
-    /// What it was made from.
+    /// The field that it adapts.
     of: Arc<dyn Field>,
     pub memory: Vec<f32>,
     pub field: Arc<dyn Field>,
@@ -22,10 +22,10 @@ impl fmt::Debug for Adapted {
 }
 
 impl World {
-    /// Lets fields that change with where people are look at them, when it is time to.
+    /// Updates adaptive fields with the positions of the agents, when their interval has passed.
     pub(super) fn adapt(&mut self) {
         self.adapted.resize(self.groups.len(), None);
-        let mut people = Vec::new();
+        let mut positions = Vec::new();
         for index in 0..self.groups.len() {
             let Some(governed) = &self.groups[index].field else {
                 self.adapted[index] = None;
@@ -40,15 +40,15 @@ impl World {
             let known = self.adapted[index].take().filter(|adapted| same(&adapted));
             self.adapted[index] = Some(match known {
                 Some(known) if !self.is_time_for(adaptive) => known,
-                // groups with one field have one way round the jam
+                // groups that share a field share its adapted state
                 known => match self.adapted[..index].iter().flatten().find(same) {
                     Some(other) => other.clone(),
                     None => {
                         let mut memory = known.map_or_else(|| adaptive.memory(), |known| known.memory);
-                        if people.is_empty() {
-                            people = self.everybodys_places();
+                        if positions.is_empty() {
+                            positions = self.positions_by_number();
                         }
-                        adaptive.notice(&mut memory, &people);
+                        adaptive.notice(&mut memory, &positions);
                         Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }
                     }
                 },
@@ -56,26 +56,26 @@ impl World {
         }
     }
 
-    /// Whether the step that begins is the first after a multiple of the interval.
+    /// Whether the step that begins is the first step or the first after a multiple of the interval.
     fn is_time_for(&self, adaptive: &dyn Adaptive) -> bool {
         let count = |steps: u64| self.ticks(steps, adaptive.interval());
         self.steps == 0 || count(self.steps) != count(self.steps - 1)
     }
 
-    fn everybodys_places(&self) -> Vec<Vec2> {
+    fn positions_by_number(&self) -> Vec<Vec2> {
         let mut rows: Vec<usize> = (0..self.agents.len()).collect();
         rows.sort_unstable_by_key(|&row| self.agents.number[row]);
         rows.into_iter().map(|row| self.agents.position[row]).collect()
     }
 
-    /// What fields that change with where people are remember, by group.
+    /// Returns the memories of adaptive fields, by group.
     pub(super) fn field_memories(&self) -> Vec<Vec<f32>> {
         let memory =
             |adapted: &Option<Adapted>| adapted.as_ref().map_or_else(Vec::new, |adapted| adapted.memory.clone());
         self.adapted.iter().map(memory).collect()
     }
 
-    /// The fields that remember this, by group; none if it is of other fields.
+    /// Returns the adaptive fields with these memories, by group; `None` if the memories belong to other fields.
     pub(super) fn fields_that_remember(&self, memories: Vec<Vec<f32>>) -> Option<Vec<Option<Adapted>>> {
         let adapted = |(index, memory): (usize, Vec<f32>)| -> Option<Option<Adapted>> {
             if memory.is_empty() {

@@ -1,13 +1,13 @@
-//! 4. What is certain, and 5. move: to where the guard says nobody overlaps.
+//! Stages 4, guard, and 5, motion: agents move to where the guard finds no overlap.
 
 use super::World;
 use crate::agent::Status;
-use crate::guard::{self, Bodies, Pose, Report, Seen};
+use crate::guard::{self, BodyPose, GuardedBodies, Report, RowContacts};
 use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
 
 impl World {
-    /// 4. What is certain: nobody overlaps.
+    /// 4. Guard: finds targets at which no two guarded bodies overlap.
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
         let Self { agents, step, groups, .. } = self;
         step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
@@ -15,20 +15,22 @@ impl World {
         let mut solids = std::mem::take(&mut self.step.solids);
         solids.find(&self.bodies(), &self.agents.group);
         self.step.solids = solids;
-        // taken out, since wishes look at the world
+        // taken out, since the closures below borrow the world
         let mut contacts = std::mem::take(&mut self.step.contacts);
         let mut guard = std::mem::take(&mut self.step.guard);
         let mut targets = std::mem::take(&mut self.step.targets);
         let (world, bodies) = (&*self, self.bodies());
-        let wished =
-            |row: usize| Pose { heading: world.wished_heading(row, seconds, now), ..world.wished_place(row, seconds) };
+        let wished = |row: usize| BodyPose {
+            heading: world.chosen_heading(row, seconds, now),
+            ..world.chosen_place(row, seconds)
+        };
         let Self { agents, step, walls, .. } = world;
         let report = if world.is_guarded() {
             let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
             contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, world.seen());
             guard.certify(&bodies, &contacts, walls, wished, &mut targets)
         } else {
-            // to be measured
+            // for measuring
             contacts.collect_walls_only(&bodies, walls);
             if world.lanes_to_move().is_none() && world.lanes_to_fly(seconds).is_none() {
                 guard::unguarded(&bodies, wished, &mut targets);
@@ -47,25 +49,25 @@ impl World {
         tally.sub_steps += 1;
     }
 
-    /// Whether an agent has to accelerate harder than it can to get to a place in this sub-step, even if it brakes as hard as
-    /// need be.
+    /// Whether an agent must accelerate harder than its limit to reach a position in this sub-step. Braking does not
+    /// count: it may be as hard as necessary.
     fn is_pushed(&self, row: usize, to: Vec3, seconds: f32) -> bool {
         let agents = &self.agents;
-        let (from, before) = (agents.center(row).as_vec3(), agents.velocity[row].extend(agents.climb[row]));
+        let (from, before) = (agents.center(row).as_vec3(), agents.velocity_in_space(row));
         let after = (to - from) / seconds;
         let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
         let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
         (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
     }
 
-    /// Whether anybody is guarded.
+    /// Whether any agent is guarded.
     pub(super) fn is_guarded(&self) -> bool {
         self.step.guarded.uniform() != Some(false)
     }
 
-    fn bodies(&self) -> Bodies<'_> {
+    fn bodies(&self) -> GuardedBodies<'_> {
         let Self { agents, step, .. } = self;
-        Bodies {
+        GuardedBodies {
             positions: &agents.position,
             altitudes: &agents.altitude,
             headings: &agents.heading,
@@ -78,33 +80,33 @@ impl World {
         }
     }
 
-    /// Where an agent would like to be at the end of the sub-step, with the heading it has.
-    fn wished_place(&self, row: usize, seconds: f32) -> Pose {
+    /// Returns the position that the chosen velocity leads to at the end of the sub-step, with the present heading.
+    fn chosen_place(&self, row: usize, seconds: f32) -> BodyPose {
         let Self { agents, step, .. } = self;
-        Pose {
-            position: agents.position[row] + step.wishes.ground[row] * seconds,
-            altitude: agents.altitude[row] + step.wishes.climb(row) * seconds,
+        BodyPose {
+            position: agents.position[row] + step.chosen_velocities.ground[row] * seconds,
+            altitude: agents.altitude[row] + step.chosen_velocities.vertical_velocity(row) * seconds,
             heading: agents.heading[row],
         }
     }
 
-    /// The nearest that perceiving found and how far it looked, where it looks at everybody: where all are discs on the
-    /// ground and avoid each other.
-    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<Seen<'a>> {
+    /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
+    /// agents are discs on the ground that avoid each other.
+    fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<RowContacts<'a>> {
         let Self { agents, step, groups, .. } = self;
-        let sees_all = step.long.is_empty() && !agents.anybody_flies() && agents.all_avoid();
+        let sees_all = step.long.is_empty() && !agents.any_flies() && agents.all_avoid();
         move |row| {
             let group = &groups[agents.group[row].index()];
             let nearest = step.near.of(row);
             let all = nearest.len() < group.nearest();
-            (sees_all && group.nearest() > 0).then_some(Seen { nearest, range: group.neighbour_distance, all })
+            (sees_all && group.nearest() > 0).then_some(RowContacts { nearest, range: group.neighbour_distance, all })
         }
     }
 
-    /// The heading that an agent would like at the end of the sub-step, if its turning touches others: where its script says,
-    /// or where its wish leads. The ends of a body turn no faster than the agent likes to walk: others avoid them as they move,
-    /// and flee from a long body that whirls.
-    fn wished_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
+    /// Returns the heading that an agent turns to in the sub-step, for bodies that are not discs: the heading of its
+    /// script, or the direction of its chosen velocity. The ends of a body turn no faster than the agent's preferred
+    /// speed, because other agents avoid the ends as they move and would flee from a long body that spins.
+    fn chosen_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
         let agents = &self.agents;
         let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
         if agents.is_disc(row) {
@@ -116,14 +118,14 @@ impl World {
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
         } else {
-            let facing = faces(self.step.wishes.ground[row], self.step.preferred.ground[row], most);
+            let facing = faces(self.step.chosen_velocities.ground[row], self.step.preferred.ground[row], most);
             let turned = wrap(turn(heading, facing, seconds, most) - heading);
             let most = agents.preferred_speed[row] / agents.core[row].length() * seconds;
             wrap(heading + turned.clamp(-most, most))
         }
     }
 
-    /// 5. Move: to where the guard said, then headings, arrivals, exits.
+    /// 5. Motion: moves agents to the targets of the guard, then updates headings, arrivals and exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         self.note_still(seconds);
         let flying = self.lanes_to_fly(seconds).filter(|_| !self.is_guarded());
@@ -137,19 +139,19 @@ impl World {
         self.arrive(seconds, now);
     }
 
-    /// Moves everybody, one by one.
+    /// Moves all agents on the scalar path.
     fn advance_each(&mut self, seconds: f32, now: f64) {
         self.note_looks(now);
         let Self { agents, groups, step, .. } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = step.targets[row];
-            let velocity = velocity(from, target.place(), step.wishes.at(row), seconds);
+            let velocity = velocity(from, target.place(), step.chosen_velocities.at(row), seconds);
             agents.position[row] = target.position;
             agents.altitude.set(row, target.altitude);
-            let (velocity_before, climb_before) = (agents.velocity[row], agents.climb[row]);
+            let (velocity_before, climb_before) = (agents.velocity[row], agents.vertical_velocity[row]);
             agents.velocity[row] = velocity.truncate();
-            agents.climb.set(row, velocity.z);
+            agents.vertical_velocity.set(row, velocity.z);
             let before = agents.heading[row];
             let group = &groups[agents.group[row].index()];
             let heading = if group.steering.is_some() {
@@ -166,7 +168,7 @@ impl World {
                     )
                 };
                 agents.velocity[row] = moved.truncate();
-                agents.climb.set(row, moved.z);
+                agents.vertical_velocity.set(row, moved.z);
                 agents.attitude.set(row, attitude);
                 if let Some(place) = group.wrap_around.and_then(|ball| ball.back(target.place())) {
                     agents.position[row] = place.truncate();
@@ -193,27 +195,27 @@ impl World {
         }
     }
 
-    /// The velocity that the guard and solids leave to an agent that has yet to move.
+    /// Returns the velocity that the guard and solids permit an agent that has yet to move.
     pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec3 {
         let from = self.agents.position[row].extend(self.agents.altitude[row]);
         let target = if self.is_guarded() || self.step.solids.is_near(row) {
             self.step.targets[row]
         } else {
-            guard::within_reach(row, &self.bodies(), self.wished_place(row, seconds))
+            guard::within_reach(row, &self.bodies(), self.chosen_place(row, seconds))
         };
-        velocity(from, target.place(), self.step.wishes.at(row), seconds)
+        velocity(from, target.place(), self.step.chosen_velocities.at(row), seconds)
     }
 }
 
-/// Below this speed, m/s, a velocity has no direction that could be seen.
+/// Below this speed, m/s, a velocity has no visible direction.
 pub(super) const SEEN: f32 = 0.1;
 
-/// The angle between two velocities, radians, if both can be seen.
+/// Returns the angle between two velocities, radians; 0 if either has no visible direction.
 fn angle_between(a: Vec2, b: Vec2) -> f32 {
     if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
-/// How one who steers moves that was left another velocity than it preferred.
+/// Returns the motion of a steered agent after the avoidance or the guard changed its velocity.
 pub(super) fn diverted(
     vehicle: &Vehicle,
     before: &Motion,
@@ -226,9 +228,9 @@ pub(super) fn diverted(
     (moved.velocity, moved.into())
 }
 
-/// The velocity of a motion. What was certified as it was wished is the wish: the motion may be far below what
-/// positions resolve.
-fn velocity(from: Vec3, to: Vec3, wish: Vec3, seconds: f32) -> Vec3 {
-    let unchanged = to.distance(from + wish * seconds) <= to.abs().max_element() * f32::EPSILON;
-    if unchanged { wish } else { (to - from) / seconds }
+/// Returns the velocity of a motion. A motion that the guard did not change keeps its chosen velocity exactly, because
+/// it may be far below the resolution of positions.
+fn velocity(from: Vec3, to: Vec3, chosen: Vec3, seconds: f32) -> Vec3 {
+    let unchanged = to.distance(from + chosen * seconds) <= to.abs().max_element() * f32::EPSILON;
+    if unchanged { chosen } else { (to - from) / seconds }
 }

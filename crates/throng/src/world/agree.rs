@@ -1,4 +1,4 @@
-//! Agreeing who goes first: of two sides, the one for which the others have less way to retreat.
+//! Agreement on the right of way: of two sides, the side that costs the other side the shorter retreat goes first.
 
 use super::World;
 use crate::agent::Status;
@@ -7,38 +7,40 @@ use crate::space::{Disc, nearest_on_segment};
 use glam::DVec2;
 use std::cmp::Ordering;
 
-/// People who agree at most. Where more are in each other's way it is a crowd.
+/// Greatest number of agents in an agreement. More agents in each other's way are a crowd.
 const MOST: usize = 10;
-/// Radii within which people agree, each with the next.
+/// Distance, in radii, from one agent of an agreement to the next.
 const REACH: f32 = 15.0;
-/// Radii of its way that an agent looks ahead.
+/// Length of path that an agent looks ahead, in radii.
 const AHEAD: f64 = 50.0;
-/// Radii up to which those at rest are noted.
+/// Distance, in radii, up to which standing agents are considered.
 const AROUND: f32 = 80.0;
-/// How far who waits keeps from the others' ways, in sums of radii.
+/// Distance that a waiting agent keeps from the paths of the other agents, in sums of radii.
 const CLEAR: f64 = 1.15;
 
-/// How much room two need side by side, over their widths, and into how many parts it is divided to be measured.
+/// Free width that an agent needs beside its own body to pass another agent, divided by the width of the other agent;
+/// and the number of parts in which the width is measured.
 const NARROW: f64 = 1.05;
 const PARTS: f64 = 8.0;
-/// Cosine of the angle within which two go the same way.
+/// Cosine of the angle within which two agents go the same way.
 const SAME_WAY: f64 = 0.3;
 
-/// Who goes first, with the way left when it is past the others; who steps aside, with the way to where it waits.
-pub(super) struct Agreement {
+/// An agreement. `first`: the agents that go first, with the distance left to the goal once they have passed the agents
+/// that stepped aside. `aside`: the agents that step aside, with their paths to where they wait.
+pub(super) struct StandoffAgreement {
     pub first: Vec<(usize, f32)>,
     pub aside: Vec<(usize, Path)>,
 }
 
-/// A way, and the radius of who goes it.
-type Lane = (Vec<DVec2>, f64);
+/// A path, and the radius of the agent that follows it.
+type StandoffLane = (Vec<DVec2>, f64);
 
 impl World {
-    /// Whether each of two stands in the other's way, and goes another way.
+    /// Whether each of two agents blocks the path of the other and follows a different path.
     pub(super) fn opposed(&self, row: usize, other: usize) -> bool {
         let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
         let (mine, theirs) = (self.lane(row).0, self.lane(other).0);
-        // where it is past the other it goes another way than the other
+        // beyond the other agent, the path leads another way than the path of the other agent
         let blocks = |way: &[DVec2], by: &[DVec2]| {
             let (distance, along) = nearest(way, by[0]);
             let next = |way: &[DVec2], from: f64| (at(way, from + 2.0 * touch) - at(way, from)).normalize_or_zero();
@@ -47,9 +49,9 @@ impl World {
         self.goal_of(row) != self.goal_of(other) && blocks(&mine, &theirs) && blocks(&theirs, &mine)
     }
 
-    /// Whether, on its way from one agent to the other, there is no room for the two side by side.
+    /// Whether the path of an agent is too narrow, somewhere before the other agent, for the two side by side.
     pub(super) fn is_narrow(&self, row: usize, other: usize) -> bool {
-        let Some(mesh) = self.meshes.mesh(self.agents.body(row).girth()) else { return false };
+        let Some(mesh) = self.meshes.mesh(self.agents.body(row).clearance_radius()) else { return false };
         let (lane, radius) = self.lane(row);
         let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
         let mut left = self.world_position(other).distance(lane[0]);
@@ -73,20 +75,20 @@ impl World {
         false
     }
 
-    /// What two who are stuck agree on, together with those round them; `None` if nobody can step aside.
-    pub(super) fn agree(&self, row: usize, other: usize) -> Option<Agreement> {
+    /// Returns the agreement of two stuck agents and the agents around them; `None` if no agent can step aside.
+    pub(super) fn agree(&self, row: usize, other: usize) -> Option<StandoffAgreement> {
         let agents = &self.agents;
         let (one, two) = match (self.proposal(row, other), self.proposal(other, row)) {
             (Some(one), Some(two)) => (one, two),
             (one, two) => return one.or(two),
         };
-        let priority = |side: &Agreement| {
+        let priority = |side: &StandoffAgreement| {
             side.first.iter().map(|&(row, _)| agents.priority[row]).fold(f32::NEG_INFINITY, f32::max)
         };
-        let cost = |side: &Agreement| side.aside.iter().map(|(_, path)| path.length).sum::<f64>();
+        let cost = |side: &StandoffAgreement| side.aside.iter().map(|(_, path)| path.length).sum::<f64>();
         let saved = cost(&two) - cost(&one);
         let remaining = |row: usize| self.step.shown[row].way.remaining;
-        // the retreats of equals differ by rounding
+        // equal retreats differ by rounding
         let saved = if saved.abs() > f64::from(agents.radius[row]) { saved } else { 0.0 };
         let order = priority(&two)
             .total_cmp(&priority(&one))
@@ -96,29 +98,31 @@ impl World {
         Some(if order.is_lt() { one } else { two })
     }
 
-    /// How it would be if `leader` and those on its side went first.
-    fn proposal(&self, leader: usize, other: usize) -> Option<Agreement> {
+    /// Returns the agreement in which `leader` and the agents on its side go first.
+    fn proposal(&self, leader: usize, other: usize) -> Option<StandoffAgreement> {
         let (first, mut aside) = self.sides(leader, other)?;
-        let mut ground = Ground::new(self, &first, &[]);
+        let mut ground = StandoffGround::new(self, &first, &[]);
         self.nearest_first(&mut aside, &first);
         let aside: Option<Vec<_>> = aside.iter().map(|&row| Some((row, ground.retreat(row)?))).collect();
         let aside = aside?;
         let first = first.iter().map(|&row| (row, ground.past(row, &aside))).collect();
-        Some(Agreement { first, aside })
+        Some(StandoffAgreement { first, aside })
     }
 
-    /// Who comes towards those who go `first`, and the way to where it waits; `aside` are those who stepped aside.
+    /// Returns the agents that come towards the agents of `first`, with their paths to where they wait. `aside` are the
+    /// agents that have already stepped aside.
     pub(super) fn newcomers(&self, first: &[usize], aside: &[usize]) -> Vec<(usize, Path)> {
         let mut near = self.near(first);
         near.retain(|&row| first.iter().any(|&other| self.opposed(row, other)));
         if near.is_empty() {
             return Vec::new();
         }
-        let mut ground = Ground::new(self, first, aside);
+        let mut ground = StandoffGround::new(self, first, aside);
         near.iter().filter_map(|&row| Some((row, ground.retreat(row)?))).collect()
     }
 
-    /// The two sides: who is in the way of the first steps aside, who is in the way of the others goes first.
+    /// Returns the two sides. Agents in the way of the first side step aside; agents in the way of the second side go
+    /// first. `None` if more than [`MOST`] agents are involved.
     fn sides(&self, leader: usize, other: usize) -> Option<(Vec<usize>, Vec<usize>)> {
         let (mut first, mut aside) = (vec![leader], vec![other]);
         loop {
@@ -140,7 +144,7 @@ impl World {
         }
     }
 
-    /// Those who could agree with any of `rows`, nearest first.
+    /// Returns the agents that could agree with any of `rows`, nearest first.
     fn near(&self, rows: &[usize]) -> Vec<usize> {
         let mut near = Vec::new();
         for &row in rows {
@@ -154,7 +158,7 @@ impl World {
         near
     }
 
-    /// Sorts by the distance to the nearest of `others`, ties by number.
+    /// Sorts rows by the distance to the nearest of `others`, ties by number.
     fn nearest_first(&self, rows: &mut [usize], others: &[usize]) {
         let agents = &self.agents;
         let distance = |row: usize| {
@@ -164,8 +168,8 @@ impl World {
         rows.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(agents.number[a].cmp(&agents.number[b])));
     }
 
-    /// The way of an agent, as far as it looks ahead.
-    fn lane(&self, row: usize) -> Lane {
+    /// Returns the path of an agent, as far as it looks ahead.
+    fn lane(&self, row: usize) -> StandoffLane {
         let radius = f64::from(self.agents.radius[row]);
         let travel = &self.agents.travel[row];
         let straight = self.goal_middle(row, travel.leg).filter(|_| travel.is_straight());
@@ -184,20 +188,20 @@ impl World {
     }
 }
 
-/// What those who step aside keep clear of.
-struct Ground<'a> {
+/// What agents that step aside keep clear of.
+struct StandoffGround<'a> {
     world: &'a World,
     middle: DVec2,
-    /// One for each size of body.
+    /// One refuge search for each mesh, and so for each size of body.
     refuges: Vec<Refuge<'a>>,
-    lanes: Vec<Lane>,
-    /// Bodies that do not move, those who go first among them: nobody gets past them.
+    lanes: Vec<StandoffLane>,
+    /// Bodies that no retreating agent can pass: standing agents, and the agents that go first.
     bodies: Vec<(DVec2, f64)>,
-    /// Where those who go first will stay.
+    /// Points where agents that go first will stay.
     ends: Vec<(DVec2, f64)>,
 }
 
-impl<'a> Ground<'a> {
+impl<'a> StandoffGround<'a> {
     fn new(world: &'a World, first: &[usize], aside: &[usize]) -> Self {
         let agents = &world.agents;
         let radius = |row: usize| f64::from(agents.radius[row]);
@@ -221,10 +225,11 @@ impl<'a> Ground<'a> {
         Self { world, middle, refuges: Vec::new(), lanes, bodies, ends }
     }
 
-    /// The way to where somebody waits, from where it can go on when the others have passed.
+    /// Returns the path of an agent to where it waits, a place from which it can continue when the other agents have
+    /// passed.
     fn retreat(&mut self, row: usize) -> Option<Path> {
         let (world, radius) = (self.world, f64::from(self.world.agents.radius[row]));
-        let mesh = world.meshes.mesh(world.agents.body(row).girth())?;
+        let mesh = world.meshes.mesh(world.agents.body(row).clearance_radius())?;
         let known = self.refuges.iter().position(|refuge| std::ptr::eq(refuge.mesh(), mesh));
         let at = known.unwrap_or_else(|| {
             self.refuges.push(Refuge::new(mesh, self.middle));
@@ -249,7 +254,8 @@ impl<'a> Ground<'a> {
         Some(path)
     }
 
-    /// Metres of way that somebody has left when it is past those aside, and out of the way they go back.
+    /// Returns the distance to the goal, metres, that an agent has left once it is past the agents that step aside and
+    /// off their paths.
     fn past(&self, row: usize, aside: &[(usize, Path)]) -> f32 {
         let world = self.world;
         let (lane, radius) = world.lane(row);
@@ -266,12 +272,12 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// Distance from a way to a point.
+/// Returns the distance from a path to a point.
 fn apart(way: &[DVec2], p: DVec2) -> f64 {
     nearest(way, p).0
 }
 
-/// Distance from a way to a point, and how far along the way that is.
+/// Returns the distance from a path to a point, and the length of the path up to the nearest point.
 fn nearest(way: &[DVec2], p: DVec2) -> (f64, f64) {
     let (mut best, mut walked) = ((way[0].distance(p), 0.0), 0.0);
     for leg in way.windows(2) {
@@ -284,7 +290,7 @@ fn nearest(way: &[DVec2], p: DVec2) -> (f64, f64) {
     best
 }
 
-/// The point so far along a way; its end if it is not that long.
+/// Returns the point at a distance along a path; the end of the path if it is shorter.
 fn at(way: &[DVec2], mut along: f64) -> DVec2 {
     for leg in way.windows(2) {
         let length = leg[0].distance(leg[1]);

@@ -1,14 +1,14 @@
-//! Arriving: who is there, who waits, who goes on, who leaves.
+//! Arrivals, waits, next legs and exits.
 
-use super::World;
-use crate::agent::{GroupId, JourneyId, ProgressMark, Status};
-use crate::navigate::{Goal, Travel, nearest_on_ring};
+use super::{EventKind, World};
+use crate::agent::{ProgressMark, Status};
+use crate::navigate::{Goal, RouteProgress, nearest_on_ring};
 use crate::summary::Ended;
 use glam::DVec2;
 
-/// Seconds without progress after which twice the distance to a point that others have taken is near enough.
+/// Seconds without progress after which an agent accepts twice the distance to a point that other agents have taken.
 const CONTENT_TIME: f32 = 3.0;
-/// Metres beyond the gap before an area in a wall that count as there.
+/// Tolerance beyond the gap before an area that lies in a wall, metres.
 pub(super) const GAP_TOLERANCE: f64 = 0.05;
 
 impl World {
@@ -16,29 +16,31 @@ impl World {
         self.journeys[self.agents.journey[row].index()].stops.get(leg as usize).copied()
     }
 
-    /// The middle of the goal of a leg.
+    /// Returns the middle of the goal of a leg.
     pub(super) fn goal_middle(&self, row: usize, leg: u32) -> Option<DVec2> {
         self.legs.of(self.agents.journey[row], leg).map(|leg| leg.middle)
     }
 
-    pub(super) fn first_status(&self, group: GroupId, journey: JourneyId) -> Status {
-        let goes_somewhere = !self.journeys[journey.index()].stops.is_empty();
-        if goes_somewhere { Status::Walking } else { self.status_without_stop(group, journey) }
+    /// Returns the status of an agent at the start of its journey.
+    pub(super) fn first_status(&self, row: usize) -> Status {
+        let goes_somewhere = !self.journeys[self.agents.journey[row].index()].stops.is_empty();
+        if goes_somewhere { Status::Walking } else { self.status_without_stop(row) }
     }
 
-    /// What somebody does who has no stop to go to: who steers goes on, and whom a field leads, if there never was any.
-    fn status_without_stop(&self, group: GroupId, journey: JourneyId) -> Status {
-        let group = &self.groups[group.index()];
-        let goes_nowhere = self.journeys[journey.index()].stops.is_empty();
-        let goes_on = group.steering.is_some() || group.field.is_some() && goes_nowhere;
+    /// Returns the status of an agent that has no stop to go to. It walks on if it steers, or if its journey has no stops
+    /// at all and a field or the program moves it; otherwise it has arrived.
+    fn status_without_stop(&self, row: usize) -> Status {
+        let group = &self.groups[self.agents.group[row].index()];
+        let goes_nowhere = self.journeys[self.agents.journey[row].index()].stops.is_empty();
+        let is_moved = group.field.is_some() || self.agents.commanded[row].is_some();
+        let goes_on = group.steering.is_some() || is_moved && goes_nowhere;
         if goes_on { Status::Walking } else { Status::Arrived }
     }
 
-    /// Lets somebody who has no stop to go to do what their group does now.
-    pub(super) fn go_on_with_field(&mut self, row: usize) {
-        let (group, journey) = (self.agents.group[row], self.agents.journey[row]);
-        if self.journeys[journey.index()].stops.is_empty() {
-            let status = self.status_without_stop(group, journey);
+    /// Updates the status of an agent without stops after what moves it has changed.
+    pub(super) fn update_status_without_stops(&mut self, row: usize) {
+        if self.journeys[self.agents.journey[row].index()].stops.is_empty() {
+            let status = self.status_without_stop(row);
             self.agents.status[row] = status;
             if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
                 self.agents.arrived.set(row, self.time());
@@ -46,7 +48,7 @@ impl World {
         }
     }
 
-    /// Counts who has arrived at each goal.
+    /// Counts the agents that have arrived at each goal.
     pub(super) fn count_arrivals(&mut self) {
         let mut arrivals = std::mem::take(&mut self.step.arrivals);
         arrivals.clear();
@@ -56,13 +58,13 @@ impl World {
                 arrivals[goal.index()] += 1;
             }
         }
-        self.step.anybody_arrived = arrivals.iter().any(|&arrivals| arrivals > 0);
+        self.step.any_arrived = arrivals.iter().any(|&arrivals| arrivals > 0);
         self.step.arrivals = arrivals;
     }
 
-    /// Arrivals, waits, exits.
+    /// Updates arrivals, waits and exits.
     pub(super) fn arrive(&mut self, seconds: f32, now: f64) {
-        if !self.step.anybody_may_change {
+        if !self.step.any_may_change {
             return;
         }
         let mut changes = std::mem::take(&mut self.step.changes);
@@ -81,13 +83,14 @@ impl World {
                 self.agents.travel[row].at_point = self.is_at_point(row);
             }
             let status = match status {
-                // there: the next leg, the end, or the way out
+                // at its stop: the next leg begins, the journey ends, or the agent leaves
                 Status::Arrived if before == Status::Walking => {
                     let wait = self.stop(row, self.agents.travel[row].leg).map_or(0.0, |stop| stop.wait);
                     let exits =
                         self.goal_of(row).is_some_and(|goal| matches!(self.goals[goal.index()], Goal::Exit { .. }));
                     if exits {
                         gone.push(row);
+                        self.happened(row, EventKind::Left, now);
                         Status::Arrived
                     } else if wait > 0.0 {
                         self.agents.travel[row].set_wait(wait);
@@ -113,8 +116,9 @@ impl World {
             }
             if status == Status::Arrived && self.agents.arrived[row].is_infinite() {
                 self.agents.arrived.set(row, now);
-                // whoever arrives by contact has not the whole way to go
+                // an agent that arrives by contact does not walk the rest of its path
                 self.agents.shortest[row] -= f64::from(self.step.shown[row].way.remaining);
+                self.happened(row, EventKind::Arrived, now);
             }
             self.agents.status[row] = status;
         }
@@ -149,7 +153,7 @@ impl World {
             Status::Waiting if agents.travel[row].wait() <= seconds => Status::Walking,
             Status::Walking => {
                 let Some(stop) = self.stop(row, agents.travel[row].leg) else {
-                    return self.status_without_stop(agents.group[row], agents.journey[row]);
+                    return self.status_without_stop(row);
                 };
                 let (place, goal) = (self.world_place(row), &self.goals[stop.goal.index()]);
                 let near = || match goal.offset(place) {
@@ -165,8 +169,8 @@ impl World {
         }
     }
 
-    /// Whether an agent is in an area, or as near as it gets to one that is in a wall.
-    pub(super) fn is_at_area(&self, row: usize, travel: &Travel, goal: &Goal) -> bool {
+    /// Whether an agent is in an area, or as near as it can get to an area that lies in a wall.
+    pub(super) fn is_at_area(&self, row: usize, travel: &RouteProgress, goal: &Goal) -> bool {
         let (place, gap) = (self.world_place(row), f64::from(travel.gap()));
         let beside = |corners| {
             let at = place.truncate();
@@ -175,20 +179,22 @@ impl World {
         goal.holds(place) || goal.corners().is_some_and(beside)
     }
 
-    /// Metres to the point of the stop; `None` if it is an area.
+    /// Returns the distance to the point of the stop, metres; `None` if the goal is an area.
     fn distance_to_point(&self, row: usize) -> Option<f32> {
         let goal = &self.goals[self.goal_of(row)?.index()];
         goal.offset(self.world_place(row)).map(|(offset, _)| offset.length() as f32)
     }
 
-    /// Whether an agent is at the very point it was on its way to.
+    /// Whether an agent is at the point of its stop, rather than near agents that have gathered there.
     fn is_at_point(&self, row: usize) -> bool {
         let goal = self.goal_of(row).map(|goal| &self.goals[goal.index()]);
         goal.is_some_and(|goal| goal.corners().is_none() && goal.holds(self.world_place(row)))
     }
 
-    /// Arrival by contact (MODELS 1.9): near enough to a point that others have taken, and touching one of them. Who
-    /// gets no nearer for a while is content with less: crowds gather in uneven discs, and some models keep off others.
+    /// Whether an agent arrives by contact: it is near enough to a point that other agents have taken, and touches an
+    /// agent that has arrived there. The `n + 1`-th agent is near enough within 1.25 r sqrt(n + 1) + 2 r. Both limits
+    /// grow while the agent makes no progress, because crowds gather in uneven discs and some local models keep a
+    /// distance.
     fn arrives_by_contact(&self, row: usize, goal: crate::GoalId, distance: f64, arrived: u32) -> bool {
         let agents = &self.agents;
         let radius = f64::from(agents.radius[row]);

@@ -1,54 +1,55 @@
-//! 3. What is safe: the local models choose velocities, bodies limit them.
+//! 3. Avoidance: local models choose velocities, and the limits of the bodies apply.
 
-use super::avoid_lanes::LaneScratch;
+use super::avoid_simd::LaneScratch;
 use super::velocities::{Rows, set};
 use super::{StepMemory, World};
-use crate::avoid::{LocalModel, NearDisc, NearEdge, Neighbour, Outline, View, Workspace, margin};
+use crate::avoid::{AvoidanceInput, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
-use crate::random::{Dice, Purpose, unit};
+use crate::random::{Purpose, Rng, unit};
 use crate::space::{Core, Disc, Edge, NearWalls};
 use glam::{DVec2, Vec2, Vec3};
 use std::ops::Range;
 
-/// How much of the avoiding, beyond its half, falls on who has more way to go to the same goal, and on who rests or
-/// steps aside.
+/// Extra avoidance share, beyond 0.5, of the agent farther from the common goal, and of an agent that stands or steps
+/// aside.
 const YIELD_TO_FIRST: f32 = 0.15;
 const YIELD_AT_REST: f32 = 0.3;
-/// How much of the change of velocity that an agent with the right of way would like is granted in advance, over the
-/// share that falls on the one that yields.
+/// Part of the preferred change of velocity of an agent with the right of way that the yielding agent anticipates,
+/// divided by the extra share of the yielding agent.
 const GRANT: f32 = 2.0;
-/// It is the change that an agent in the same queue makes within so many seconds; more would drive those behind it back.
+/// The change anticipated of an agent in the same queue is its relaxed change in this time, seconds. A longer time
+/// would drive the agents behind it back.
 const GRANTED: f32 = 0.04;
 
-/// What a thread keeps while it goes through agents.
+/// Scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    sight: Sight,
+pub(super) struct AvoidScratch {
+    sight: Visibility,
     workspace: Workspace,
     lanes: LaneScratch,
 }
 
-/// What an agent sees.
+/// The walls and neighbours that an agent takes into account.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sight {
+pub(super) struct Visibility {
     near: NearWalls,
     /// Rows of the neighbours.
     pub rows: Vec<u32>,
-    pub neighbours: Vec<Neighbour>,
+    pub neighbours: Vec<AvoidanceNeighbour>,
     pub edges: Vec<NearEdge>,
     pub discs: Vec<NearDisc>,
 }
 
-impl Sight {
-    /// Whether it has no walls.
+impl Visibility {
+    /// Whether no wall is near.
     pub fn is_open(&self) -> bool {
         self.edges.is_empty() && self.discs.is_empty()
     }
 
-    /// Whether a wall lies between the agent and what is at `offset`.
+    /// Whether a wall lies between the agent and the point at `offset`.
     pub fn hides(&self, offset: Vec2) -> bool {
-        // walls come nearest first, and none that is farther hides anybody
+        // walls are sorted by distance; a wall beyond `offset` hides nothing
         let reach = f64::from(offset.length()) * 1.001 + 0.001;
         let mut between = self.edges.iter().zip(&self.near.edges).take_while(|(_, wall)| wall.0 <= reach);
         between.any(|(edge, _)| is_between(edge.start, edge.end, offset))
@@ -56,66 +57,76 @@ impl Sight {
 }
 
 impl World {
-    /// 3. What is safe: the local models choose velocities, bodies limit them.
+    /// 3. Avoidance: local models choose velocities, and the limits of the bodies apply.
     pub(super) fn avoid(&mut self, seconds: f32) {
-        if self.step.rest.is_everybodys() {
+        if self.step.rest.all_asleep() {
             return;
         }
-        let mut wishes = std::mem::take(&mut self.step.wishes);
+        let mut chosen_velocities = std::mem::take(&mut self.step.chosen_velocities);
         let mut scratch = std::mem::take(&mut self.step.avoiding);
         let mut by_place = std::mem::take(&mut self.step.by_place);
-        wishes.resize(self.agents.len(), self.in_space_now());
+        chosen_velocities.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         if world.vehicles_limit_all() {
-            parallel::ranges(wishes.rows(), |rows, wishes| world.wish_as_preferred(rows, wishes));
+            parallel::ranges(chosen_velocities.rows(), |rows, chosen_velocities| {
+                world.choose_preferred(rows, chosen_velocities)
+            });
         } else if let Some(common) = world.common(seconds) {
             let Self { step: StepMemory { rest, grid, near, .. }, .. } = world;
             by_place.resize(self.agents.len(), Vec2::ZERO);
-            // everybody's list of neighbours lies at its place
-            parallel::ranges_with(&mut by_place[..], &mut scratch, |scratch, places, wishes| {
-                let Scratch { sight, workspace, lanes } = scratch;
-                let mut one = |row: usize| world.wish(row, seconds, sight, workspace);
-                rest.each_place(grid.order(), places, wishes, |places, wishes| {
-                    world.avoid_many(&common, places, lanes, wishes, &mut one);
+            // neighbour lists are in the order of the grid
+            parallel::ranges_with(&mut by_place[..], &mut scratch, |scratch, places, chosen_velocities| {
+                let AvoidScratch { sight, workspace, lanes } = scratch;
+                let mut one = |row: usize| world.choose_velocity(row, seconds, sight, workspace);
+                rest.each_place(grid.order(), places, chosen_velocities, |places, chosen_velocities| {
+                    world.avoid_many(&common, places, lanes, chosen_velocities, &mut one);
                 });
             });
-            parallel::ranges(&mut wishes.ground[..], |rows, wishes| {
-                rest.each(rows, wishes, |rows, wishes| {
+            parallel::ranges(&mut chosen_velocities.ground[..], |rows, chosen_velocities| {
+                rest.each(rows, chosen_velocities, |rows, chosen_velocities| {
                     let places = &near.places()[rows];
-                    wishes.iter_mut().zip(places).for_each(|(wish, &place)| *wish = by_place[place as usize]);
+                    chosen_velocities
+                        .iter_mut()
+                        .zip(places)
+                        .for_each(|(chosen_velocity, &place)| *chosen_velocity = by_place[place as usize]);
                 });
             });
         } else {
-            parallel::ranges_with(wishes.rows(), &mut scratch, |Scratch { sight, workspace, .. }, rows, wishes| {
-                world.step.rest.each(rows, wishes, |rows, mut wishes| {
-                    rows.zip(0..)
-                        .for_each(|(row, at)| set(&mut wishes, at, world.wish(row, seconds, sight, workspace)));
-                });
-            });
+            parallel::ranges_with(
+                chosen_velocities.rows(),
+                &mut scratch,
+                |AvoidScratch { sight, workspace, .. }, rows, chosen_velocities| {
+                    world.step.rest.each(rows, chosen_velocities, |rows, mut chosen_velocities| {
+                        rows.zip(0..).for_each(|(row, at)| {
+                            set(&mut chosen_velocities, at, world.choose_velocity(row, seconds, sight, workspace))
+                        });
+                    });
+                },
+            );
         }
-        (self.step.wishes, self.step.avoiding, self.step.by_place) = (wishes, scratch, by_place);
+        (self.step.chosen_velocities, self.step.avoiding, self.step.by_place) = (chosen_velocities, scratch, by_place);
     }
 
-    /// Whether everybody steers and nobody avoids others: vehicles have limited all.
+    /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
     fn vehicles_limit_all(&self) -> bool {
         self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
     }
 
-    /// As [`wish`](Self::wish), where that is what is preferred.
-    fn wish_as_preferred(&self, rows: Range<usize>, (ground, climb): Rows<'_>) {
+    /// As [`choose_velocity`](Self::choose_velocity), where the chosen velocity is the preferred velocity.
+    fn choose_preferred(&self, rows: Range<usize>, (ground, vertical_velocity): Rows<'_>) {
         ground.copy_from_slice(&self.step.preferred.ground[rows.clone()]);
-        for (row, climb) in rows.zip(climb.all) {
-            *climb = self.stays_down(row, self.step.preferred.at(row)).z;
+        for (row, vertical_velocity) in rows.zip(vertical_velocity.all) {
+            *vertical_velocity = self.stays_down(row, self.step.preferred.at(row)).z;
         }
     }
 
-    /// The velocity that an agent will have but for the guard.
-    fn wish(&self, row: usize, seconds: f32, sight: &mut Sight, workspace: &mut Workspace) -> Vec3 {
+    /// Returns the chosen velocity of an agent: the velocity that it will have unless the guard changes it.
+    fn choose_velocity(&self, row: usize, seconds: f32, sight: &mut Visibility, workspace: &mut Workspace) -> Vec3 {
         if self.agents.script[row].is_some() {
             return self.step.preferred.at(row).clamp_length_max(self.agents.max_speed[row]);
         }
         if self.steering(row).is_some() && !self.model(row).avoids() {
-            // its vehicle has limited it
+            // its vehicle has already limited the velocity
             return self.stays_down(row, self.step.preferred.at(row));
         }
         let view = self.view(row, seconds, sight);
@@ -127,19 +138,19 @@ impl World {
         &*self.groups[self.agents.group[row].index()].model
     }
 
-    /// What the model of an agent chooses.
-    pub(super) fn chosen_velocity(&self, row: usize, view: &View<'_>, workspace: &mut Workspace) -> Vec3 {
+    /// Returns the velocity that the local model of an agent chooses.
+    pub(super) fn chosen_velocity(&self, row: usize, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec3 {
         self.stays_down(row, self.model(row).velocity_in_space(view, workspace))
     }
 
-    /// Who is on the ground and does not want to leave it stays there.
+    /// Removes the vertical velocity of an agent that is on the ground and does not prefer to rise.
     fn stays_down(&self, row: usize, chosen: Vec3) -> Vec3 {
-        let stays = self.agents.altitude[row] == 0.0 && self.step.preferred.climb(row) <= 0.0;
+        let stays = self.agents.altitude[row] == 0.0 && self.step.preferred.vertical_velocity(row) <= 0.0;
         if stays { chosen.with_z(0.0) } else { chosen }
     }
 
-    /// What the model of an agent sees.
-    pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Sight) -> View<'a> {
+    /// Returns the input of the local model of an agent.
+    pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Visibility) -> AvoidanceInput<'a> {
         let agents = &self.agents;
         self.see_walls(row, sight);
         let margin = margin(seconds);
@@ -156,12 +167,12 @@ impl World {
         self.view_of(row, seconds, sight)
     }
 
-    /// Lets an agent see the walls near it, and nobody yet.
-    pub(super) fn see_walls(&self, row: usize, sight: &mut Sight) {
+    /// Finds the walls near an agent, and clears its neighbours.
+    pub(super) fn see_walls(&self, row: usize, sight: &mut Visibility) {
         let agents = &self.agents;
-        let Sight { near: walls, rows, neighbours, edges, discs } = sight;
+        let Visibility { near: walls, rows, neighbours, edges, discs } = sight;
         let at = agents.position[row].as_dvec2();
-        let bound = agents.body(row).bound() + agents.tracking_error[row];
+        let bound = agents.body(row).bounding_radius() + agents.tracking_error[row];
         let range = self.model(row).wall_range(bound, agents.max_speed[row]);
         self.walls.near(at, f64::from(range), walls);
         let to_local = |p: DVec2| (p - at).as_vec2();
@@ -179,16 +190,16 @@ impl World {
         neighbours.clear();
     }
 
-    /// What the model of an agent is to know that sees this.
-    pub(super) fn view_of<'a>(&self, row: usize, seconds: f32, sight: &'a Sight) -> View<'a> {
+    /// Returns the input of the local model of an agent, with these walls and neighbours.
+    pub(super) fn view_of<'a>(&self, row: usize, seconds: f32, sight: &'a Visibility) -> AvoidanceInput<'a> {
         let agents = &self.agents;
-        let Sight { neighbours, edges, discs, .. } = sight;
-        View {
+        let Visibility { neighbours, edges, discs, .. } = sight;
+        AvoidanceInput {
             velocity: agents.velocity[row],
             heading: agents.heading[row],
             preferred: self.relaxed(row, seconds),
-            climb: agents.climb[row],
-            preferred_climb: self.step.preferred.climb(row),
+            vertical_velocity: agents.vertical_velocity[row],
+            preferred_vertical_velocity: self.step.preferred.vertical_velocity(row),
             radius: agents.radius[row] + agents.tracking_error[row],
             max_speed: agents.max_speed[row],
             max_acceleration: agents.max_acceleration[row],
@@ -199,11 +210,11 @@ impl World {
             neighbours,
             edges,
             discs,
-            dice: self.dice(row),
+            rng: self.rng(row),
         }
     }
 
-    /// What of a chosen velocity the body can do.
+    /// Limits a chosen velocity to what the body can do.
     fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
         let agents = &self.agents;
         let limits = Limits {
@@ -213,20 +224,20 @@ impl World {
         };
         let heading = agents.heading[row];
         let drives = agents.tracking_error[row] > 0.0;
-        let wish = if drives {
+        let chosen_velocity = if drives {
             follow(chosen.truncate(), heading, agents.max_turn_rate[row], seconds).extend(chosen.z)
         } else {
             chosen
         };
-        limit(wish, agents.velocity[row].extend(agents.climb[row]), heading, limits)
+        limit(chosen_velocity, agents.velocity_in_space(row), heading, limits)
     }
 
-    /// What the random numbers of an agent depend on in this sub-step.
-    pub(super) fn dice(&self, row: usize) -> Dice {
-        Dice { seed: self.settings.seed, number: self.agents.number[row], step: self.tally.sub_steps }
+    /// Returns the random number generator of an agent in this sub-step.
+    pub(super) fn rng(&self, row: usize) -> Rng {
+        Rng { seed: self.settings.seed, number: self.agents.number[row], step: self.tally.sub_steps }
     }
 
-    fn neighbour(&self, row: usize, other: usize, margin: f32) -> Neighbour {
+    fn neighbour(&self, row: usize, other: usize, margin: f32) -> AvoidanceNeighbour {
         let agents = &self.agents;
         let yields = self.yields(row, other);
         let (share, room) = if agents.avoids(other, row) {
@@ -243,10 +254,10 @@ impl World {
         } else {
             Outline::between(&agents.core_of(row), &agents.core_of(other))
         };
-        Neighbour {
+        AvoidanceNeighbour {
             offset,
             above: agents.above(row, other),
-            climb: agents.climb[other],
+            vertical_velocity: agents.vertical_velocity[other],
             velocity: velocity - own_turn + self.granted(row, other, yields),
             preferred: self.step.preferred.ground[other],
             radii: (agents.radius[row] + agents.radius[other]) * margin
@@ -258,14 +269,14 @@ impl World {
         }
     }
 
-    /// The share of the avoiding that falls on an agent, with one who avoids too.
+    /// Returns the avoidance share of an agent towards another agent that avoids it too.
     pub(super) fn share(&self, row: usize, other: usize, yields: f32) -> f32 {
         let priority = 0.5 * (self.agents.priority[other] - self.agents.priority[row]);
         (0.5 + priority + yields).clamp(0.0, 1.0)
     }
 
-    /// What is granted in advance to one who has the right of way: part of the change of velocity that it would like, if
-    /// that brings it nearer.
+    /// Returns the change of velocity that a yielding agent anticipates of an agent with the right of way: part of the
+    /// change to its preferred velocity, if that brings it nearer.
     pub(super) fn granted(&self, row: usize, other: usize, yields: f32) -> Vec2 {
         let agents = &self.agents;
         if yields <= 0.0 {
@@ -278,9 +289,10 @@ impl World {
         if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
     }
 
-    /// How much more than its half of the avoiding falls on an agent; the opposite for the other. Who walks goes
-    /// before who rests, unless it is at the goal of both; of two on their way to the same goal, who has less way to
-    /// go: at doors somebody goes first, instead of an arch that nobody breaks.
+    /// Returns the extra avoidance share of an agent, beyond 0.5; the other agent has the negative of it. A walking
+    /// agent goes before a standing one, unless the standing agent is at the goal of both. In a standoff, an agent that
+    /// steps aside yields to an agent that goes first. Of two agents with the same goal, the agent with the shorter
+    /// remaining distance goes first: this prevents stable arches at doors.
     pub(super) fn yields(&self, row: usize, other: usize) -> f32 {
         let agents = &self.agents;
         let (mine, theirs) = (&self.step.shown[row].way, &self.step.shown[other].way);
@@ -297,7 +309,8 @@ impl World {
         }
     }
 
-    /// A direction for two agents in one place to part along, drawn for the pair; opposite for the other.
+    /// Returns the direction in which two agents at the same position part. It is drawn for the pair; the other agent
+    /// gets the opposite direction.
     fn aside(&self, row: usize, other: usize) -> Vec2 {
         let (a, b) = (self.agents.number[row], self.agents.number[other]);
         let draw = unit(self.settings.seed, a.min(b), u64::from(a.max(b)), Purpose::Coincident);
@@ -306,7 +319,8 @@ impl World {
     }
 }
 
-/// Makes what an agent that is no disc sees of walls: they touch its core, not only its centre.
+/// Replaces the walls that an agent sees by their outlines relative to its core, for an agent that is not a disc: the
+/// core touches walls, not only the centre.
 fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc>) {
     for near in &mut *discs {
         near.outline = Outline::between(own, &Core::point(near.disc.center));
@@ -318,7 +332,7 @@ fn see_with_core(own: &Core, edges: &mut Vec<NearEdge>, discs: &mut Vec<NearDisc
     }));
 }
 
-/// Whether an edge lies between the agent and what is at `offset`; all are seen from the agent.
+/// Whether an edge lies between the agent and the point at `offset`; both are relative to the agent.
 pub(super) fn is_between(start: Vec2, end: Vec2, offset: Vec2) -> bool {
     let along = end - start;
     offset.perp_dot(start) * offset.perp_dot(end) < 0.0 && along.perp_dot(-start) * along.perp_dot(offset - start) < 0.0
@@ -328,7 +342,7 @@ pub(super) fn is_between(start: Vec2, end: Vec2, offset: Vec2) -> bool {
 mod tests {
     use super::*;
     use crate::world::Settings;
-    use crate::world::way::{Shown, Way};
+    use crate::world::neighbour_data::{NavFlags, NeighbourData};
     use crate::{Agent, GoalId};
     use proptest::prelude::*;
 
@@ -355,9 +369,12 @@ mod tests {
             .iter()
             .map(|&(_, goal, remaining, _, x, status)| {
                 let goal = goal.map(GoalId);
-                let way =
-                    if status == 0 { Way::walking(goal, Vec2::X, remaining) } else { Way::at_rest(goal, remaining) };
-                Shown::new(Vec2::new(x, 0.0), Vec2::ZERO, way)
+                let way = if status == 0 {
+                    NavFlags::walking(goal, Vec2::X, remaining)
+                } else {
+                    NavFlags::at_rest(goal, remaining)
+                };
+                NeighbourData::new(Vec2::new(x, 0.0), Vec2::ZERO, way)
             })
             .collect();
         world.step.preferred.resize(2, false);
@@ -372,28 +389,28 @@ mod tests {
             let world = pair([a, b]);
             prop_assert_eq!(world.yields(0, 1), -world.yields(1, 0));
             let [of_a, of_b] = [(0, 1), (1, 0)].map(|(row, other)| world.neighbour(row, other, 1.0));
-            // what the pair's freedom rests on: all of the avoiding is done, no more than all of the room is used
+            // the pair is free of collisions because the shares sum to 1 and the room is divided once
             prop_assert!((of_a.share + of_b.share - 1.0).abs() < 1e-6);
             prop_assert!((of_a.room + of_b.room - 1.0).abs() < 1e-6);
         }
     }
 
-    /// What falls on the first of two, beyond its half.
+    /// Returns the extra share of the first of two agents.
     fn yields(status: [usize; 2], goals: [u32; 2], remaining: [f32; 2]) -> f32 {
         let one = |k: usize| (0.2, Some(goals[k]), remaining[k], 0.0, k as f32, status[k]);
         pair([one(0), one(1)]).yields(0, 1)
     }
 
     #[test]
-    fn the_nearer_goes_first_and_who_walks_goes_before_who_rests() {
+    fn the_nearer_goes_first_and_walking_agents_before_standing_ones() {
         const WALKS: usize = 0;
         const RESTS: usize = 2;
-        assert!(yields([WALKS; 2], [0, 0], [3.0, 2.0]) > 0.0, "who has farther to go yields");
-        assert!(yields([WALKS; 2], [0, 0], [2.0, 2.1]) < 0.0, "who is nearer goes first");
-        assert_eq!(yields([WALKS; 2], [0, 0], [2.0, 2.0]), 0.0, "equals share");
-        assert_eq!(yields([WALKS; 2], [0, 1], [3.0, 2.0]), 0.0, "who is bound elsewhere is not ahead");
-        assert!(yields([RESTS, WALKS], [0, 1], [0.0, 2.0]) > 0.0, "who rests makes way");
-        assert_eq!(yields([RESTS, WALKS], [0, 0], [0.0, 2.0]), 0.0, "not at the goal of both");
+        assert!(yields([WALKS; 2], [0, 0], [3.0, 2.0]) > 0.0, "the farther agent yields");
+        assert!(yields([WALKS; 2], [0, 0], [2.0, 2.1]) < 0.0, "the nearer agent goes first");
+        assert_eq!(yields([WALKS; 2], [0, 0], [2.0, 2.0]), 0.0, "equal agents share");
+        assert_eq!(yields([WALKS; 2], [0, 1], [3.0, 2.0]), 0.0, "an agent with another goal is not ahead");
+        assert!(yields([RESTS, WALKS], [0, 1], [0.0, 2.0]) > 0.0, "a standing agent makes way");
+        assert_eq!(yields([RESTS, WALKS], [0, 0], [0.0, 2.0]), 0.0, "but not at the goal of both");
         assert_eq!(yields([RESTS; 2], [0, 1], [0.0, 0.0]), 0.0);
     }
 }

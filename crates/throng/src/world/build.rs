@@ -1,6 +1,6 @@
-//! Adding and removing: groups, goals, journeys, agents, obstacles. Everything can be done while the world runs.
+//! Adds and removes groups, goals, journeys, agents and obstacles. All of it is possible while the world runs.
 
-use super::{Asked, Settings, Slots, StepMemory, SubSteps, World};
+use super::{Settings, Slots, StepMemory, SubSteps, TraceRequest, World};
 use crate::agent::{
     Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
 };
@@ -8,18 +8,19 @@ use crate::field::Governed;
 use crate::guard::Solids;
 use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
-use crate::perceive::Instructions;
+use crate::perceive::SimdLevel;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
-use crate::steer::Event;
+use crate::steer::Stimulus;
 use crate::summary::Tally;
-use crate::{Error, world::schedule::Schedule};
+use crate::{Error, Position, world::schedule::Schedule};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 
-/// Distance from the origin, in metres, up to which a world keeps its promises: beyond it `f32` is too coarse.
+/// Distance from the origin, metres, within which a world keeps its guarantees: beyond it `f32` is too coarse.
 const FARTHEST: f64 = 20_000.0;
 
 impl World {
-    /// An empty world: one [default](Group::default) group, one [journey](JourneyId::STAY) without stops.
+    /// Returns an empty world with one [default](Group::default) group and one [journey](JourneyId::STAY) without
+    /// stops.
     ///
     /// # Errors
     /// [`Error::Limit`] for a time step or a number of sub-steps out of range, or an origin that is not finite.
@@ -30,7 +31,7 @@ impl World {
         }
         Error::unless_finite("origin", settings.origin.x + settings.origin.y)?;
         let mut solids = Solids::default();
-        // those of the default group
+        // the solids of the default group
         solids.add(Vec::new());
         Ok(Self {
             settings,
@@ -47,16 +48,18 @@ impl World {
             tally: Tally::default(),
             stranded: Vec::new(),
             standoffs: Vec::new(),
+            stimuli: Vec::new(),
             events: Vec::new(),
-            game: super::play::Game::default(),
+            own_journeys: super::control::OwnJourneys::default(),
+            game: super::play::RulesState::default(),
             adapted: Vec::new(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
             legs: Legs::new(&[Journey::default()], &[]),
             step: StepMemory { solids, ..StepMemory::default() },
-            instructions: Instructions::default(),
-            asked: Asked::default(),
+            instructions: SimdLevel::default(),
+            traced: TraceRequest::default(),
         })
     }
 
@@ -74,10 +77,12 @@ impl World {
         Ok(GroupId(self.groups.len() as u32 - 1))
     }
 
-    /// Lets another field govern a group, or none, from the next step on: what somebody sketches while the world runs.
+    /// Sets the field that governs a group, or removes it, from the next step on. An interactive program calls it while
+    /// the user draws a field.
     ///
     /// # Errors
-    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that is not there; the world is as it was.
+    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
+    /// unchanged.
     pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
         known("group", group.index(), self.groups.len())?;
         self.groups[group.index()].check_field(&field)?;
@@ -85,7 +90,7 @@ impl World {
         self.step.rest.end();
         for row in 0..self.agents.len() {
             if self.agents.group[row] == group && self.agents.script[row].is_none() {
-                self.go_on_with_field(row);
+                self.update_status_without_stops(row);
             }
         }
         Ok(())
@@ -96,26 +101,30 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] for a point or tolerance out of range, [`Error::Shape`] for corners that enclose no area.
     pub fn add_goal(&mut self, goal: Goal) -> Result<GoalId, Error> {
-        match &goal {
+        self.check_goal(&goal)?;
+        self.goals.push(goal);
+        Ok(GoalId(self.goals.len() as u32 - 1))
+    }
+
+    pub(super) fn check_goal(&self, goal: &Goal) -> Result<(), Error> {
+        match goal {
             Goal::Point { at, tolerance } => {
                 self.check_position("goal", *at)?;
-                Error::unless_positive("tolerance", *tolerance)?;
+                Error::unless_positive("tolerance", *tolerance)
             }
             Goal::Air { at, tolerance } => {
                 self.check_position("goal", at.truncate())?;
                 check_altitude("altitude of the goal", at.z)?;
-                Error::unless_positive("tolerance", *tolerance)?;
+                Error::unless_positive("tolerance", *tolerance)
             }
-            Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners)?,
+            Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners),
         }
-        self.goals.push(goal);
-        Ok(GoalId(self.goals.len() as u32 - 1))
     }
 
     /// Adds a journey.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a goal that is not there, [`Error::Limit`] for a wait that is negative.
+    /// [`Error::Unknown`] for a goal that does not exist, [`Error::Limit`] for a wait that is negative.
     pub fn add_journey(&mut self, journey: Journey) -> Result<JourneyId, Error> {
         for stop in &journey.stops {
             known("goal", stop.goal.index(), self.goals.len())?;
@@ -126,9 +135,9 @@ impl World {
         Ok(JourneyId(self.journeys.len() as u32 - 1))
     }
 
-    /// Makes journeys alternatives to each other: an agent on one of them that [looks ahead](Group::look_ahead) goes on with
-    /// another from the leg it is on, when it expects to be sooner at its goal, since fewer wait there. The two must differ
-    /// in the goal of that leg only.
+    /// Makes journeys alternatives to each other. An agent on one of them that [looks ahead](Group::look_ahead) changes
+    /// to another, from its present leg on, when it expects to reach the goal sooner because fewer agents wait there.
+    /// The two journeys must differ only in the goal of that leg.
     ///
     /// ```
     /// use glam::DVec2;
@@ -147,8 +156,8 @@ impl World {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a journey that is not there, [`Error::Shape`] for journeys with different numbers of stops, of
-    /// which some repeat, or that have alternatives already.
+    /// [`Error::Unknown`] for a journey that does not exist. [`Error::Shape`] for journeys that differ in the number of
+    /// stops, for journeys of which only some repeat, and for journeys that already have alternatives.
     pub fn add_choice(&mut self, journeys: &[JourneyId]) -> Result<(), Error> {
         for journey in journeys {
             known("journey", journey.index(), self.journeys.len())?;
@@ -181,20 +190,21 @@ impl World {
         Ok(ScriptId(self.scripts.len() as u32 - 1))
     }
 
-    /// Adds an obstacle. Agents whose bodies it touches are pushed out; those who are yet to
-    /// [enter](Self::schedule_agent) where it is wait for it to be removed.
+    /// Adds an obstacle. Agents with bodies that it touches are pushed out. Agents that are scheduled to
+    /// [enter](Self::schedule_agent) where it stands wait until it is removed.
     ///
     /// # Errors
     /// [`Error::Shape`] for a polygon that crosses itself or encloses nothing, [`Error::Limit`] for a radius out of
-    /// range, [`Error::NoRoom`] if the centre of an agent would be inside: there is no smooth way out.
+    /// range, [`Error::NoRoom`] if the centre of an agent would be inside: no smooth motion leads out.
     pub fn add_obstacle(&mut self, obstacle: Obstacle) -> Result<ObstacleId, Error> {
         self.add_obstacles([obstacle]).map(|ids| ids[0]).map_err(|(_, error)| error)
     }
 
-    /// Adds obstacles, as [`add_obstacle`](Self::add_obstacle): in much less time than one after the other, where there are many.
+    /// Adds obstacles, as [`add_obstacle`](Self::add_obstacle) does. Many obstacles take much less time in one call
+    /// than in one call each.
     ///
     /// # Errors
-    /// The index of the first that is refused, and why: then none of them is added.
+    /// The index of the first obstacle that is refused, and the reason. Then no obstacle is added.
     pub fn add_obstacles(
         &mut self,
         obstacles: impl IntoIterator<Item = Obstacle>,
@@ -233,10 +243,10 @@ impl World {
                 }
             }
         }
-        self.check_nobody(|p| obstacle.covers(p), "it is inside an obstacle")
+        self.check_no_agent_at(|p| obstacle.covers(p), "it is inside an obstacle")
     }
 
-    /// Removes an obstacle; false if it is not there.
+    /// Removes an obstacle. Returns false if it does not exist.
     pub fn remove_obstacle(&mut self, id: ObstacleId) -> bool {
         let removed = self.place.obstacles.get_mut(id.index()).and_then(Option::take).is_some();
         if removed {
@@ -245,7 +255,43 @@ impl World {
         removed
     }
 
-    /// Sets the areas that can be walked on: their union. None: everywhere but on obstacles.
+    /// Gives an obstacle another shape or place: a door that closes, a vehicle that stops elsewhere. For an obstacle that
+    /// moves in every step, use an agent with a [`Script`].
+    ///
+    /// # Errors
+    /// Those of [`add_obstacle`](Self::add_obstacle), and [`Error::Unknown`] for an obstacle that does not exist; the world is
+    /// unchanged.
+    pub fn set_obstacle(&mut self, id: ObstacleId, obstacle: Obstacle) -> Result<(), Error> {
+        if self.place.obstacles.get(id.index()).is_none_or(Option::is_none) {
+            return Err(Error::Unknown { what: "obstacle", index: id.index() });
+        }
+        self.check_obstacle(&obstacle)?;
+        self.place.obstacles[id.index()] = Some(obstacle);
+        self.place_changed();
+        Ok(())
+    }
+
+    /// Moves an obstacle along the ground by an offset, metres.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use throng::{Obstacle, Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let id = world.add_obstacle(Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 })?;
+    /// world.move_obstacle(id, DVec2::X * 5.0)?;
+    /// assert!(world.no_room(DVec2::X * 5.0, 0.2).is_some() && world.no_room(DVec2::ZERO, 0.2).is_none());
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`set_obstacle`](Self::set_obstacle).
+    pub fn move_obstacle(&mut self, id: ObstacleId, by: DVec2) -> Result<(), Error> {
+        let obstacle = self.place.obstacles.get(id.index()).cloned().flatten();
+        let obstacle = obstacle.ok_or(Error::Unknown { what: "obstacle", index: id.index() })?;
+        self.set_obstacle(id, obstacle.moved(by))
+    }
+
+    /// Sets the walkable areas; their union is walkable. Without areas, everything outside obstacles is walkable.
     ///
     /// # Errors
     /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing, [`Error::NoRoom`] for an agent that
@@ -254,19 +300,19 @@ impl World {
         let areas = Walkable::union(areas)?;
         if !areas.is_empty() {
             let outside = |p| !areas.iter().any(|area| area.contains(p));
-            self.check_nobody(outside, "it is outside the walkable area")?;
+            self.check_no_agent_at(outside, "it is outside the walkable area")?;
         }
         self.place.areas = areas;
         self.place_changed();
         Ok(())
     }
 
-    /// Whether a disc could stand at `at`; why not, if not.
+    /// Returns why a disc cannot stand at `at`; `None` if it can.
     pub fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
         self.place.no_room(at, f64::from(radius), &self.walls, self.settings.origin)
     }
 
-    /// Why an agent cannot be where it is to be, if it cannot. Who is unguarded can be anywhere.
+    /// Returns why an agent cannot be at its position; `None` if it can. Unguarded agents can be anywhere.
     pub(super) fn no_room_for(&self, agent: &Agent) -> Option<&'static str> {
         if !self.groups[agent.group.index()].guard {
             None
@@ -279,49 +325,58 @@ impl World {
         }
     }
 
-    /// Makes room for so many more agents: who knows how many there will be saves the memory that growing wastes.
+    /// Reserves memory for this number of additional agents. It saves the memory that growth would waste.
     pub fn reserve(&mut self, agents: usize) {
         self.agents.reserve(agents);
         self.slots.rows.reserve(agents);
         self.slots.generations.reserve(agents);
     }
 
-    /// Adds an agent. It may overlap others: then the pair is parted smoothly, and
-    /// [`overlapping`](Self::overlapping) tells of it.
+    /// Adds an agent. It may overlap other agents: then the guard parts them smoothly, and
+    /// [`overlapping`](Self::overlapping) lists the pair.
     ///
     /// # Errors
-    /// [`Error::Limit`] names the parameter out of range, [`Error::Unknown`] a group or journey that is not there,
-    /// [`Error::NoRoom`] what the body would stand in, [`Error::NumberTaken`] a number used twice.
+    /// [`Error::Limit`] names the parameter that is out of range, [`Error::Unknown`] a group or journey that does not
+    /// exist, [`Error::NoRoom`] what occupies the position, [`Error::NumberTaken`] a number that is used twice.
     pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
-        self.check(&agent)?;
+        let agent = self.with_journey(agent)?;
         let number = self.number(&agent)?;
         Ok(self.put(&agent, number, self.time()))
     }
 
-    /// Lets an agent enter at `time` seconds, or as soon after that as its place is free.
+    /// Schedules an agent to enter at `time` seconds, or as soon afterwards as its place is free.
     ///
     /// # Errors
     /// As [`add_agent`](Self::add_agent), and [`Error::Limit`] for a time that is not finite.
     pub fn schedule_agent(&mut self, time: f64, agent: Agent) -> Result<(), Error> {
         Error::unless_finite("time of entry", time)?;
-        self.check(&agent)?;
+        let agent = self.with_journey(agent)?;
         let number = self.number(&agent)?;
         self.schedule.add(time, Agent { number: Some(number), ..agent });
         Ok(())
     }
 
-    /// Lets those who steer know that something happened.
+    /// Tells steering behaviours of a bang or a shout at a place and a time, seconds since the start:
+    /// [`Fear`](crate::steer::Fear) reacts to it.
+    ///
+    /// ```
+    /// use throng::{Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// world.notify([3.0, 4.0], world.time())?;
+    /// # Ok::<(), throng::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::Limit`] if it is not finite.
-    pub fn notify(&mut self, event: Event) -> Result<(), Error> {
-        Error::unless_finite("place of the event", f64::from(event.position.element_sum()))?;
-        Error::unless_finite("time of the event", event.time)?;
-        self.events.push(event);
+    /// [`Error::Limit`] if the place or the time is not finite.
+    pub fn notify(&mut self, place: impl Into<Position>, time: f64) -> Result<(), Error> {
+        let place = place.into();
+        Error::unless_finite("place of the stimulus", place.0.element_sum())?;
+        Error::unless_finite("time of the stimulus", time)?;
+        self.stimuli.push(Stimulus { position: self.settings.to_local(place), time });
         Ok(())
     }
 
-    /// Removes an agent; false if it is not there.
+    /// Removes an agent. Returns false if it does not exist.
     pub fn remove_agent(&mut self, id: AgentId) -> bool {
         let Some(row) = self.row(id) else { return false };
         self.remove_row(row);
@@ -329,8 +384,8 @@ impl World {
     }
 
     pub(super) fn remove_row(&mut self, row: usize) {
-        let (slot, number) = (self.agents.slot[row] as usize, self.agents.number[row]);
-        self.stranded.retain(|&(stranded, _)| stranded != number);
+        let slot = self.agents.slot[row] as usize;
+        self.unstrand(row);
         self.step.rest.remove(row, self.agents.len() - 1, self.agents.position[row]);
         self.agents.swap_remove(row);
         if row < self.step.ahead.len() {
@@ -361,7 +416,7 @@ impl World {
             let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
             self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
         }
-        let status = self.first_status(agent.group, agent.journey);
+        let status = self.first_status(row as usize);
         self.agents.status[row as usize] = status;
         if status == Status::Arrived {
             self.agents.arrived.set(row as usize, now);
@@ -369,7 +424,7 @@ impl World {
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// The heading that an agent begins with: its own, or towards its first goal.
+    /// Returns the heading that an agent starts with: its own heading, or the direction of its first goal.
     pub(super) fn first_heading(&self, agent: &Agent) -> f32 {
         let towards_goal = || {
             let leg = self.first_leg(agent.journey, agent.position.extend(agent.altitude.into()))?;
@@ -379,10 +434,19 @@ impl World {
         agent.heading.map(within_a_turn).or_else(towards_goal).unwrap_or(0.0)
     }
 
-    /// The first leg of a journey that leads away from a place: a stop to wait at where one stands does not.
+    /// Returns the first leg of a journey that leads away from a place: a stop at the place itself does not.
     pub(super) fn first_leg(&self, journey: JourneyId, place: DVec3) -> Option<u32> {
         let stops = &self.journeys[journey.index()].stops;
         stops.iter().position(|stop| !self.goals[stop.goal.index()].holds(place)).map(|leg| leg as u32)
+    }
+
+    /// Checks an agent and returns it with a journey to its goal, if it has a goal.
+    pub(super) fn with_journey(&mut self, mut agent: Agent) -> Result<Agent, Error> {
+        self.check(&agent)?;
+        if let Some(goal) = agent.goal.take() {
+            agent.journey = self.own_journey(goal)?;
+        }
+        Ok(agent)
     }
 
     pub(super) fn check(&self, agent: &Agent) -> Result<(), Error> {
@@ -394,21 +458,24 @@ impl World {
         if let Some(script) = agent.script {
             known("script", script.index(), self.scripts.len())?;
         }
+        if let Some(goal) = &agent.goal {
+            self.check_goal(goal)?;
+        }
         match self.no_room_for(agent) {
             Some(why) => Err(Error::NoRoom { at: agent.position, radius: agent.radius, why }),
             None => Ok(()),
         }
     }
 
-    /// Nobody is at a point like this.
-    fn check_nobody(&self, blocked: impl Fn(DVec2) -> bool, why: &'static str) -> Result<(), Error> {
+    /// Returns an error if an agent is at a blocked point.
+    fn check_no_agent_at(&self, blocked: impl Fn(DVec2) -> bool, why: &'static str) -> Result<(), Error> {
         let found = (0..self.agents.len()).find(|&row| blocked(self.world_position(row)));
         found.map_or(Ok(()), |row| {
             Err(Error::NoRoom { at: self.world_position(row), radius: self.agents.radius[row], why })
         })
     }
 
-    fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
+    pub(super) fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
         Error::unless_finite(what, p.x + p.y)?;
         let far = (p - self.settings.origin).abs().max_element();
         Error::unless(far <= FARTHEST, what, far, "within 20 km of the world's origin")
@@ -418,7 +485,7 @@ impl World {
         let next = &mut self.slots.next_number;
         let number = agent.number.unwrap_or(*next);
         Error::unless(number < u32::MAX, "number", number, "less than 4294967295")?;
-        // numbers mostly come in order: only one out of order needs a search
+        // numbers mostly come in order: only a number out of order needs a search
         if number < *next && (self.agents.number.contains(&number) || self.schedule.has(number)) {
             return Err(Error::NumberTaken { number });
         }
@@ -426,7 +493,7 @@ impl World {
         Ok(number)
     }
 
-    /// Makes anew what depends on the place.
+    /// Rebuilds everything that depends on obstacles and walkable areas.
     pub(super) fn place_changed(&mut self) {
         self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
         self.meshes = Meshes::default();
@@ -437,7 +504,7 @@ impl World {
             travel.set_gap(0.0);
         }
         self.agents.progress_mark.fill(ProgressMark::default());
-        // who could not get there may now
+        // a goal that was out of reach may be reachable now
         for status in &mut self.agents.status {
             if *status == Status::Stranded {
                 *status = Status::Walking;
@@ -449,12 +516,12 @@ impl World {
     }
 }
 
-/// The heading along a vector; none for one that has no length.
+/// Returns the heading along a vector; `None` for the zero vector.
 pub(super) fn direction(along: DVec2) -> Option<f32> {
     (along != DVec2::ZERO).then(|| libm::atan2f(along.y as f32, along.x as f32))
 }
 
-fn check_altitude(what: &'static str, altitude: f64) -> Result<(), Error> {
+pub(super) fn check_altitude(what: &'static str, altitude: f64) -> Result<(), Error> {
     Error::unless((0.0..=FARTHEST).contains(&altitude), what, altitude, "from 0 to 20000 m")
 }
 
@@ -462,7 +529,7 @@ pub(super) fn known(what: &'static str, index: usize, count: usize) -> Result<()
     if index < count { Ok(()) } else { Err(Error::Unknown { what, index }) }
 }
 
-/// The same angle between -pi and pi; one that is there already stays the same to the bit.
+/// Returns the same angle between -pi and pi. An angle in this range stays the same to the bit.
 fn within_a_turn(angle: f32) -> f32 {
     if angle.abs() <= std::f32::consts::PI {
         return angle;

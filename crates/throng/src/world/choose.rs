@@ -1,10 +1,10 @@
-//! Choice of goal: an agent with alternatives to its journey goes to the goal that it expects to reach first.
+//! Choice of goal: an agent with alternative journeys walks to the goal that it expects to reach first.
 //!
 //! After Ehtamo, Heliövaara, Korhonen, Hostikka, Game theoretic best-response dynamics for evacuees' exit selection,
-//! Advances in Complex Systems 13:113 (2010): each agent, in its turn, takes what is best while the others keep to what they
-//! have. The time to a goal is that of the walk there, or that of those before it to pass the narrowest place on its way,
-//! whichever is longer: a point queue (Vickrey, Congestion theory and transport investment, American Economic Review 59:251,
-//! 1969).
+//! Advances in Complex Systems 13:113 (2010): each agent, in its turn, takes the best choice while the other agents
+//! keep their choices. The expected time to a goal is the longer of two times: the time to walk there, and the time in
+//! which the agents before it pass the narrowest place on its path. The latter is a point queue (Vickrey, Congestion
+//! theory and transport investment, American Economic Review 59:251, 1969).
 
 use super::World;
 use crate::agent::{GoalId, JourneyId, ProgressMark, Status};
@@ -12,18 +12,19 @@ use crate::navigate::Path;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Agents that pass a narrow place in a second, for each metre of its width: doors of 0.8 to 2.4 m pass 1.6 to 2.0.
+/// Flow through a narrow place, agents per second and metre of width. Measured for doors of 0.8 to 2.4 m: 1.6 to 2.0.
 const FLOW: f64 = 1.8;
-/// Metres of its way before the goal in which an agent looks for the narrowest place.
+/// Length of the end of the path, metres, in which an agent looks for the narrowest place.
 const BEFORE_GOAL: f64 = 10.0;
-/// Seconds between two choices of an agent, and into how many parts they are divided: in each another part of them chooses.
+/// Seconds between two choices of an agent, and the number of parts of that interval: in each part another part of the
+/// agents chooses.
 const INTERVAL: f64 = 2.0;
 const PARTS: u64 = 4;
-/// An agent goes elsewhere if that saves so many seconds, and so large a part of the time that is left.
+/// An agent changes its goal if that saves at least this time, seconds, and this part of the expected time.
 const WORTH_IT: f64 = 2.0;
 const WORTH_PART: f64 = 0.1;
 
-/// Metres that are ahead of the agents on their way to each of some goals, in rising order.
+/// Remaining distances, metres, of the agents on their way to each goal, in ascending order.
 #[derive(Debug, Default)]
 struct Queues(BTreeMap<GoalId, Vec<f32>>);
 
@@ -32,12 +33,12 @@ impl Queues {
         self.0.values_mut().for_each(|queue| queue.sort_unstable_by(f32::total_cmp));
     }
 
-    /// Agents that are nearer to the goal.
+    /// Returns the number of agents that are nearer to the goal.
     fn before(&self, goal: GoalId, remaining: f32) -> usize {
         self.0.get(&goal).map_or(0, |queue| queue.partition_point(|&other| other < remaining))
     }
 
-    /// Lets one agent leave the way to a goal, and take that to another.
+    /// Moves an agent from the queue of one goal to the queue of another.
     fn change(&mut self, from: (GoalId, f32), to: (GoalId, f32)) {
         if let Some(queue) = self.0.get_mut(&from.0) {
             let at = queue.partition_point(|&other| other < from.1);
@@ -49,7 +50,7 @@ impl Queues {
 }
 
 impl World {
-    /// Lets some agents choose, by turns. Their ways are up to date, before and after.
+    /// Lets the agents that are due choose, one after the other. Their paths are up to date before and after.
     pub(super) fn choose(&mut self, seconds: f32) {
         let parts = self.parts_that_choose();
         if self.choices.is_empty() || parts.is_empty() {
@@ -66,12 +67,13 @@ impl World {
         rows.sort_unstable_by_key(|&row| self.agents.number[row]);
         let mut queues = self.queues();
         let mut asked = Vec::new();
-        // rows, their goals, and the journeys and goals that they may change to
+        // rows, their goals, and their alternative journeys and goals
         let mut choosers = Vec::new();
         for row in rows {
             let (way, leg) = (self.step.shown[row].way, self.agents.travel[row].leg);
             let Some(goal) = self.stop(row, leg).map(|stop| stop.goal) else { continue };
-            // with room for one body at least, it walks as long as it waits: nothing is gained elsewhere
+            // a path is at least as wide as one body: if walking takes as long as waiting at that flow, no other goal
+            // is better
             let least = FLOW * 2.0 * f64::from(self.agents.radius[row]);
             let walk = f64::from(way.remaining / self.agents.preferred_speed[row]);
             if !way.has_goal() || queues.before(goal, way.remaining) as f64 / least <= walk + WORTH_IT {
@@ -108,7 +110,7 @@ impl World {
                 self.agents.journey.set(row, journey);
                 let mut travel = std::mem::take(&mut self.agents.travel[row]);
                 travel.set_out_again();
-                // it gets on towards the goal that it has now
+                // progress counts towards the new goal
                 self.agents.progress_mark[row] = ProgressMark::default();
                 self.step.shown[row].way = self.take_way(row, &mut travel, (to, &path, gap), seconds);
                 self.agents.travel[row] = travel;
@@ -116,14 +118,14 @@ impl World {
         }
     }
 
-    /// The parts that choose in this step: an agent is of the part that is the remainder of its number.
+    /// Returns the parts that choose in this step: an agent belongs to the part that is the remainder of its number.
     fn parts_that_choose(&self) -> Range<u64> {
         let part = |steps: u64| self.ticks(steps, INTERVAL / PARTS as f64) + 1;
         let before = self.steps.checked_sub(1).map_or(0, part);
         before..part(self.steps).min(before + PARTS)
     }
 
-    /// Whether an agent is on its way, by itself.
+    /// Whether an agent walks to a goal by looking ahead, without a script, field or steering behaviour.
     fn may_choose(&self, row: usize) -> bool {
         let (agents, group) = (&self.agents, &self.groups[self.agents.group[row].index()]);
         let by_itself = group.look_ahead && group.steering.is_none() && group.field.is_none();
@@ -140,7 +142,8 @@ impl World {
             .collect()
     }
 
-    /// Other journeys that an agent may take from a leg on, and where that leg goes: they differ in nothing else.
+    /// Returns the journeys that an agent may change to at a leg, with the goal of that leg there. They differ in
+    /// nothing else.
     fn alternatives(&self, own: JourneyId, leg: u32, choices: &BTreeMap<JourneyId, usize>) -> Vec<(JourneyId, GoalId)> {
         let Some(&choice) = choices.get(&own) else { return Vec::new() };
         let (stops, leg) = (&self.journeys[own.index()].stops, leg as usize);
@@ -153,7 +156,7 @@ impl World {
         self.choices[choice].iter().filter_map(goal_there).collect()
     }
 
-    /// How far all agents are that are on their way to goals of choices.
+    /// Returns the remaining distances of all agents on their way to goals of choices.
     fn queues(&self) -> Queues {
         let stops = self.choices.iter().flatten().flat_map(|journey| &self.journeys[journey.index()].stops);
         let mut queues = Queues(stops.map(|stop| (stop.goal, Vec::new())).collect());
@@ -170,10 +173,10 @@ impl World {
         queues
     }
 
-    /// Seconds until an agent is at the end of a path that so many others reach before it.
+    /// Returns the seconds until an agent reaches the end of a path that `before` agents reach earlier.
     fn expected_time(&self, row: usize, path: &Path, before: usize) -> f64 {
         let walk = path.length / f64::from(self.agents.preferred_speed[row]);
-        let mesh = self.meshes.mesh(self.agents.body(row).girth());
+        let mesh = self.meshes.mesh(self.agents.body(row).clearance_radius());
         let wait = mesh.map_or(0.0, |mesh| before as f64 / (FLOW * mesh.narrowest(path, BEFORE_GOAL)));
         walk.max(wait)
     }

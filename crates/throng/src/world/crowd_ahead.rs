@@ -1,75 +1,75 @@
-//! The neighbours that an agent takes into account when it looks ahead, a lane a neighbour.
+//! The neighbours that an agent takes into account when it looks ahead, with SIMD: one neighbour in each element.
 
-use super::way::{SAME_WAY, Way};
+use super::neighbour_data::{NavFlags, SAME_WAY};
 use crate::avoid::times_to_discs;
-use crate::lanes::{LANES, Vec2s, get, load_from, ones, set};
+use crate::simd::{LANES, Vec2s, get, load_from, ones, set};
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
-/// Speed below which an agent stands, m/s: it is in the way, wherever it wants to go.
+/// Speed below which an agent stands, m/s. A standing agent is in the way, whatever its direction.
 const STANDS: f32 = 0.1;
-/// Gap at which all of the personal space is kept, metres: the nearer two agents are, the less of it they claim.
+/// Gap from which on the full personal space is kept, metres. At smaller gaps two agents keep proportionally less.
 const ROOMY: f32 = 1.5;
-/// Exponent of the part of the shoulders that do not overlap, among streams that meet: it is 2 elsewhere.
+/// Exponent of the part of the shoulders that does not overlap, where streams meet. Elsewhere it is 2.
 const STEPS_ASIDE: f32 = 0.55;
 
-/// How an agent sees its neighbours.
+/// The properties of an agent that decide how it takes neighbours into account.
 #[derive(Clone, Copy)]
-pub(super) struct Eye {
-    /// Where it wants to go.
+pub(super) struct Viewpoint {
+    /// The direction in which it walks.
     pub way: Vec2,
-    /// Whether it gets on: else all neighbours ahead count for the direction.
+    /// Whether it makes progress. If not, all neighbours ahead count for the choice of direction.
     pub gets_on: bool,
-    /// Space that a body keeps from one that it passes, metres.
+    /// Space that it keeps from an agent that it passes, metres.
     pub personal_space: f32,
-    /// Least distance across the way within which a neighbour that goes along is ahead, metres.
+    /// Least lateral distance within which a neighbour in the same direction is ahead, metres.
     pub shoulders: f32,
 }
 
-/// A neighbour that does not go along.
+/// A neighbour ahead that does not go the same way.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Met {
+pub(super) struct MetNeighbour {
     pub row: usize,
     pub offset: Vec2,
     pub velocity: Vec2,
     /// Sum of the radii.
     pub radii: f32,
-    /// Space that each of the two keeps from the other.
+    /// Space that each of the two agents keeps from the other.
     pub space: f32,
-    /// Whether it comes the other way.
+    /// Whether it comes the opposite way.
     pub is_opposite: bool,
 }
 
-/// The neighbours of an agent, as it sees them.
+/// The neighbours of an agent, sorted by where they go.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CrowdAhead {
     len: usize,
     row: [u32; LANES],
     offset: [[f32; LANES]; 2],
     velocity: [[f32; LANES]; 2],
-    /// Where they want to go; zero for one that does not walk.
+    /// Directions in which they walk; zero for a neighbour that does not walk.
     direction: [[f32; LANES]; 2],
     /// Sums of the radii, with the margin of the local models.
     radii: [f32; LANES],
-    /// Neighbours that walk, as bits.
+    /// Neighbours that walk, one bit each.
     walk: u64,
-    /// Neighbours from which the agent keeps no space where they stay.
+    /// Neighbours from which the agent keeps no space where they stay, one bit each.
     close: u64,
 
     space: [f32; LANES],
-    /// Sums of the radii, with the space that the agent keeps from one that stays where it is.
+    /// Sums of the radii, plus the space that the agent keeps from a neighbour that stays where it is.
     wanted: [f32; LANES],
-    /// Distances across the way of the agent within which they are ahead: the breadth of shoulders.
+    /// Lateral distances within which neighbours are ahead: the breadth of shoulders.
     breadth: [f32; LANES],
-    /// Neighbours that count for the direction.
+    /// Neighbours that count for the choice of direction.
     counts: u64,
-    /// Neighbours ahead that do not go along, and those of them that come the other way.
+    /// Neighbours ahead that do not go the same way, and the subset that comes the opposite way.
     meet: u64,
     opposite: u64,
 }
 
 impl CrowdAhead {
-    /// Forgets the neighbours of the last agent.
+    /// Removes the neighbours of the previous agent.
     pub fn clear(&mut self) {
         (self.len, self.walk, self.close) = (0, 0, 0);
     }
@@ -79,10 +79,10 @@ impl CrowdAhead {
         self.len == LANES
     }
 
-    /// Adds the neighbour of a row; there has to be room for it. The sum of the radii is with the margin of the local models. From
-    /// one that is `close` the agent keeps no space where it stays.
+    /// Adds the neighbour of a row. The list must not be full. `radii` is the sum of the radii with the margin of the
+    /// local models. The agent keeps no space from a neighbour that is `close` where it stays.
     #[inline(always)]
-    pub fn push(&mut self, row: usize, (offset, velocity): (Vec2, Vec2), way: &Way, radii: f32, close: bool) {
+    pub fn push(&mut self, row: usize, (offset, velocity): (Vec2, Vec2), way: &NavFlags, radii: f32, close: bool) {
         let at = self.len;
         self.len += 1;
         self.row[at] = row as u32;
@@ -96,7 +96,7 @@ impl CrowdAhead {
 
     /// Sorts the neighbours by where they go.
     #[inline(always)]
-    pub fn sort<S: Simd>(&mut self, simd: S, eye: &Eye) {
+    pub fn sort<S: Simd>(&mut self, simd: S, eye: &Viewpoint) {
         let splat = |value: f32| S::f32s::splat(simd, value);
         let (zero, one) = (splat(0.0), splat(1.0));
         let way = Vec2s::<S>::splat(simd, eye.way);
@@ -107,7 +107,7 @@ impl CrowdAhead {
             let offset = Vec2s::<S>::load_from(simd, &self.offset, from);
             let velocity = Vec2s::<S>::load_from(simd, &self.velocity, from);
             let radii = load_from(simd, &self.radii, from);
-            // the nearer, the less of it they claim
+            // the smaller the gap, the less space is kept
             let gap = (offset.dot(offset).sqrt() - radii).max(zero);
             let space = splat(eye.personal_space) * (gap / splat(ROOMY)).min(one);
             let same = Vec2s::load_from(simd, &self.direction, from).dot(way);
@@ -127,9 +127,9 @@ impl CrowdAhead {
         }
     }
 
-    /// The neighbours ahead that do not go along.
-    pub fn met(&self) -> impl Iterator<Item = Met> {
-        ones(self.meet).map(|index| Met {
+    /// Returns the neighbours ahead that do not go the same way.
+    pub fn met(&self) -> impl Iterator<Item = MetNeighbour> {
+        ones(self.meet).map(|index| MetNeighbour {
             row: self.row[index] as usize,
             offset: get(&self.offset, index),
             velocity: get(&self.velocity, index),
@@ -139,7 +139,7 @@ impl CrowdAhead {
         })
     }
 
-    /// Lets the neighbours at these offsets not count; tells whether any did.
+    /// Excludes hidden neighbours from the choice of direction. Returns whether any was excluded.
     pub fn forget(&mut self, mut hidden: impl FnMut(Vec2) -> bool) -> bool {
         let before = self.counts;
         for index in ones(before).filter(|&index| hidden(get(&self.offset, index))) {
@@ -148,7 +148,7 @@ impl CrowdAhead {
         self.counts != before
     }
 
-    /// Seconds until an agent with this velocity meets a neighbour that counts, `most` at most.
+    /// Returns the seconds until an agent with this velocity meets a neighbour that counts, at most `most`.
     #[inline(always)]
     pub fn time<S: Simd>(&self, simd: S, velocity: Vec2, most: f32) -> f32 {
         let most = S::f32s::splat(simd, most);
@@ -163,10 +163,11 @@ impl CrowdAhead {
         least_of(simd, least)
     }
 
-    /// Speed that the gaps ahead allow an agent that walks in `direction`, `most` at most.
+    /// Returns the speed that the gaps ahead permit an agent that walks in `direction`, at most `most`.
     ///
-    /// The time gap counts as far as the shoulders of the two overlap across the direction: nearly whole until they hardly do;
-    /// among streams that meet, only where they nearly do whole, for there agents step aside all the time.
+    /// The time gap counts in proportion to the lateral overlap of the shoulders of the two agents: almost fully until
+    /// they hardly overlap. Where streams meet it counts only if they overlap almost fully, because agents there step
+    /// aside all the time.
     #[inline(always)]
     pub fn gap_speed<S: Simd>(
         &self,
@@ -211,7 +212,7 @@ impl CrowdAhead {
     }
 }
 
-/// The least of the lanes.
+/// Returns the least of the elements.
 #[inline(always)]
 fn least_of<S: Simd>(_: S, all: S::f32s) -> f32 {
     let mut least = f32::INFINITY;
@@ -226,11 +227,12 @@ mod tests {
     use super::*;
     use crate::GoalId;
     use crate::avoid::time_to_disc;
-    use crate::perceive::Instructions;
+    use crate::perceive::SimdLevel;
     use fearless_simd::dispatch;
     use proptest::prelude::*;
 
-    /// A neighbour: offset, velocity, where it walks, sum of the radii, whether it is close.
+    /// A neighbour: offset, velocity, the angle of the direction in which it walks, sum of the radii, whether it is
+    /// close.
     type One = (Vec2, Vec2, Option<f32>, f32, bool);
 
     fn one() -> impl Strategy<Value = One> {
@@ -238,14 +240,16 @@ mod tests {
         (vector(4.0), vector(1.5), prop::option::of(-3.2f32..3.2), 0.2f32..1.0, any::<bool>())
     }
 
-    fn way(walks: Option<f32>) -> Way {
-        walks.map_or(Way::at_rest(None, 0.0), |angle| Way::walking(Some(GoalId(0)), Vec2::from_angle(angle), 9.0))
+    fn way(walks: Option<f32>) -> NavFlags {
+        walks.map_or(NavFlags::at_rest(None, 0.0), |angle| {
+            NavFlags::walking(Some(GoalId(0)), Vec2::from_angle(angle), 9.0)
+        })
     }
 
-    /// Seconds until the agent meets a neighbour that counts, and the speed that its gap allows, by the page of this model:
-    /// docs/look-ahead.md.
+    /// Returns the seconds until the agent meets a neighbour that counts, and the speed that its gap permits, as
+    /// docs/look-ahead.md defines them.
     fn expected(
-        eye: &Eye,
+        eye: &Viewpoint,
         direction: Vec2,
         streams_meet: bool,
         &(offset, velocity, walks, radii, close): &One,
@@ -274,11 +278,11 @@ mod tests {
             all in prop::collection::vec(one(), 1..=LANES),
             (angle, gets_on, streams_meet) in (-2.0f32..2.0, any::<bool>(), any::<bool>()),
         ) {
-            let eye = Eye { way: Vec2::X, gets_on, personal_space: 0.4, shoulders: 0.415 };
+            let eye = Viewpoint { way: Vec2::X, gets_on, personal_space: 0.4, shoulders: 0.415 };
             let direction = Vec2::from_angle(angle);
             let least = all.iter().map(|one| expected(&eye, direction, streams_meet, one));
             let least = least.fold((4.0f32, 1.3f32), |a, b| (a.0.min(b.0), a.1.min(b.1)));
-            for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            for level in SimdLevel::ALL.into_iter().filter_map(SimdLevel::level) {
                 let mut crowd = CrowdAhead::default();
                 for (row, &(offset, velocity, walks, radii, close)) in all.iter().enumerate() {
                     crowd.push(row, (offset, velocity), &way(walks), radii, close);

@@ -1,14 +1,14 @@
-//! Why somebody goes where they go: the next sub-step of one agent, as data.
+//! The next sub-step of one agent, with its reasons, as data.
 
 use super::World;
-use super::avoid::Sight;
+use super::avoid::Visibility;
 use crate::agent::AgentId;
-use crate::avoid::{Cause, NearDisc, NearEdge, Neighbour, Reason, Workspace, time_to_segment};
-use crate::steer::Told;
+use crate::avoid::{AvoidanceNeighbour, AvoidanceReason, Cause, NearDisc, NearEdge, Workspace, time_to_segment};
+use crate::steer::TraceEntry;
 use glam::{DVec2, Vec2};
 
-/// What would happen to one agent in the next sub-step, and why. Metres, seconds, radians; velocities along the ground
-/// in m/s.
+/// The motion of one agent in the next sub-step, and the reasons for it. Metres, seconds, radians; velocities along the
+/// ground in m/s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The agent's own number.
@@ -17,7 +17,7 @@ pub struct Explanation {
     pub time: f64,
     /// Seconds of the sub-step.
     pub seconds: f32,
-    /// The local model and its parameters, as it writes itself for debugging.
+    /// The local model and its parameters, in its debug format.
     pub model: String,
     /// Centre of the body, world coordinates.
     pub position: DVec2,
@@ -25,54 +25,56 @@ pub struct Explanation {
     pub radius: f32,
     /// Direction of the body, counter-clockwise from +x.
     pub heading: f32,
-    /// Speed it never exceeds.
+    /// Maximum speed.
     pub max_speed: f32,
-    /// Greatest change of velocity a second; infinite for none.
+    /// Maximum acceleration; infinite for no limit.
     pub max_acceleration: f32,
-    /// The velocity it has.
+    /// Present velocity.
     pub velocity: Vec2,
-    /// The velocity it would like.
+    /// Preferred velocity.
     pub preferred: Vec2,
-    /// What the model is asked for: how far it comes to that in this sub-step, by its
-    /// [relaxation time](crate::Group::relaxation_time).
+    /// The velocity that the local model is to approach: the preferred velocity as far as the [relaxation
+    /// time](crate::Group::relaxation_time) permits in this sub-step.
     pub relaxed: Vec2,
-    /// Whom it takes into account, nearest first.
-    pub neighbours: Vec<Seen>,
-    /// Wall edges in view, nearest first.
+    /// The neighbours that it takes into account, nearest first.
+    pub neighbours: Vec<ConsideredAgent>,
+    /// Wall edges that it takes into account, nearest first.
     pub edges: Vec<NearEdge>,
-    /// Solid discs in view, nearest first.
+    /// Solid discs that it takes into account, nearest first.
     pub discs: Vec<NearDisc>,
-    /// What led to the preferred velocity, of who steers.
-    pub steering: Vec<Told>,
-    /// What led to the velocity that the model chooses, as the model says; causes are indices into the lists above.
-    pub reasons: Vec<Reason>,
-    /// The velocity that the model chooses.
+    /// The reasons for the preferred velocity of an agent that steers; empty for other agents.
+    pub steering: Vec<TraceEntry>,
+    /// The reasons for the chosen velocity, as the local model gives them. Their causes are indices into the lists
+    /// above.
+    pub reasons: Vec<AvoidanceReason>,
+    /// The velocity that the local model chooses.
     pub chosen: Vec2,
-    /// What the body can do of it: its acceleration, speed and turning are limited.
+    /// The chosen velocity within the limits of the body: acceleration, speed and turning.
     pub limited: Vec2,
-    /// What the guard leaves of that: the velocity it will have.
+    /// The limited velocity after the guard: the velocity that the agent will have.
     pub guarded: Vec2,
 }
 
-/// Somebody whom an agent takes into account.
+/// A neighbour that an agent takes into account.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
-    /// The other's own number.
+pub struct ConsideredAgent {
+    /// Number of the neighbour.
     pub number: u32,
     /// Radius of its body.
     pub radius: f32,
     /// Its velocity.
     pub velocity: Vec2,
-    /// What the model sees of it. Who has the right of way is seen with part of the velocity that it would like.
-    pub seen: Neighbour,
+    /// What the local model knows of it. If the neighbour has the right of way, part of its preferred change of
+    /// velocity is added to its velocity.
+    pub seen: AvoidanceNeighbour,
 }
 
-/// How near to the edge of a region a velocity counts as on it, m/s.
+/// Distance from the edge of a region within which a velocity counts as on the edge, m/s.
 const ON_EDGE: f32 = 2e-3;
 
 impl World {
-    /// What would happen to an agent in the next sub-step, and why; `None` if it is not there. The world stays as it is:
-    /// a clone makes the sub-step.
+    /// Returns the motion of an agent in the next sub-step, and the reasons for it; `None` if the agent does not exist.
+    /// The world is unchanged: a clone makes the sub-step.
     ///
     /// ```
     /// use glam::{DVec2, Vec2};
@@ -96,24 +98,24 @@ impl World {
         let (memory, draws) = (world.agents.memory.clone(), world.tally.sub_steps);
         world.step.rest.end();
         world.decide(true, seconds, now, |_| ());
-        // deciding has changed what is remembered, and what would be drawn by chance
+        // `decide` has changed the memory of behaviours and the counter of random draws
         (world.agents.memory, world.tally.sub_steps) = (memory, draws);
         let row = world.row(id)?;
         let (_, steering) = world.steering_reasons(row, seconds, now);
         Some(Explanation { steering, ..world.explanation(row, seconds) })
     }
 
-    /// Explains what has been decided for a row, but not yet done.
+    /// Returns the explanation of the motion that has been decided for a row, but not made yet.
     fn explanation(&self, row: usize, seconds: f32) -> Explanation {
         let (agents, model) = (&self.agents, self.model(row));
-        let (mut sight, mut workspace) = (Sight::default(), Workspace::default());
+        let (mut sight, mut workspace) = (Visibility::default(), Workspace::default());
         let view = self.view(row, seconds, &mut sight);
         let chosen = self.chosen_velocity(row, &view, &mut workspace).truncate();
         let reasons = model.explain(&view, &mut workspace);
-        let see = |(&other, &seen): (&u32, &Neighbour)| {
+        let see = |(&other, &seen): (&u32, &AvoidanceNeighbour)| {
             let other = other as usize;
             let (number, radius, velocity) = (agents.number[other], agents.radius[other], agents.velocity[other]);
-            Seen { number, radius, velocity, seen }
+            ConsideredAgent { number, radius, velocity, seen }
         };
         Explanation {
             number: agents.number[row],
@@ -131,7 +133,7 @@ impl World {
             steering: Vec::new(),
             reasons,
             chosen,
-            limited: self.step.wishes.ground[row],
+            limited: self.step.chosen_velocities.ground[row],
             guarded: self.certain_velocity(row, seconds).truncate(),
             neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
             edges: sight.edges,
@@ -141,8 +143,8 @@ impl World {
 }
 
 impl Explanation {
-    /// When, in seconds, and with what the body first collides at `velocity` if everybody else keeps theirs; `None`: never.
-    /// Bodies are as large as the model sees them.
+    /// Returns the time, seconds, and the cause of the first collision at `velocity` if all other agents keep their
+    /// velocities; `None` if there is no collision. Bodies have the sizes that the local model uses.
     pub fn collision(&self, velocity: Vec2) -> Option<(f32, Cause)> {
         let neighbours = self
             .neighbours
@@ -162,8 +164,8 @@ impl Explanation {
         first.filter(|(time, _)| time.is_finite())
     }
 
-    /// What a velocity is held by: the causes of the reasons that it is on the edge of, and of those that it violates, by
-    /// how much, m/s. Each once, the most violated first.
+    /// Returns the causes that limit a velocity, each once, with the violation, m/s: 0 for a velocity on the edge of
+    /// what the cause permits, more for a velocity beyond it. The greatest violation comes first.
     pub fn held_by(&self, velocity: Vec2) -> Vec<(Cause, f32)> {
         let mut held: Vec<(Cause, f32)> = Vec::new();
         for reason in &self.reasons {
@@ -180,8 +182,9 @@ impl Explanation {
     }
 }
 
-impl Reason {
-    /// How deep a velocity lies in what this forbids, m/s, at most 0 outside, and the cause; `None` for what forbids none.
+impl AvoidanceReason {
+    /// Returns how deep a velocity lies in the region that the reason forbids, m/s, at most 0 outside, and the cause;
+    /// `None` for a reason that forbids no region.
     pub fn depth(&self, velocity: Vec2) -> Option<(Cause, f32)> {
         match *self {
             Self::Permits(cause, line) => Some((cause, line.violation(velocity))),

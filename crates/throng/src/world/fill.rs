@@ -1,50 +1,50 @@
-//! Filling goal areas: an agent that enters the area at the end of its journey walks on to a free place in it, the
-//! deepest first, and makes room for the agents behind it. An agent for which no place is free waits outside.
+//! Filling of goal areas. An agent that enters the area at the end of its journey walks on to a free place in it, the
+//! deepest first, and so makes room for the agents behind it. An agent for which no place is free waits outside.
 
 use super::World;
 use crate::agent::{GoalId, Status};
-use crate::navigate::{Goal, Path, Route, Search, Standing, StandingPlaces, Travel};
+use crate::navigate::{Goal, Path, PathSearch, Route, RouteProgress, Standing, StandingPlaces};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// Seconds in which an agent comes back to its place.
+/// Seconds in which an agent returns to its place.
 pub(super) const RETURN_TIME: f32 = 0.5;
-/// An agent within this part of its radius of its place stands there, until it is moved this part away.
+/// Distances in radii: an agent this near to its place stands there, and stands until it is this far away.
 const AT_PLACE: f32 = 0.25;
 const OFF_PLACE: f32 = 0.45;
-/// Seconds without getting nearer to its place by a radius after which an agent chooses another one, so many radii away
-/// at most.
+/// Seconds in which an agent must get a radius nearer to its place. Otherwise it chooses another place, within this
+/// number of radii.
 const BLOCKED: f32 = 2.0;
 const CLOSE: f64 = 4.0;
-/// Places that an agent tries to get to before it stands where it is.
+/// Number of places that an agent tries to reach before it stands where it is.
 const TRIES: u8 = 3;
-/// Seconds between two looks whether there is room.
+/// Seconds between two checks for a free place.
 const LOOK: f32 = 1.0;
-/// Distance over the sum of the radii within which a walking agent asks a standing one to make room.
+/// Distance, in sums of radii, within which a walking agent presses a standing one to make room.
 const PRESSES: f32 = 1.3;
-/// Agents that have gathered at a point are at most this multiple of the sum of their radii apart: a little more than
-/// what arrival by contact takes for touching.
+/// Distance, in sums of radii, within which agents belong to a gathering at a point: a little more than what counts as
+/// contact for arrival.
 const GATHERS: f32 = 1.6;
-/// Two places are free of each other at this multiple of the sum of the radii.
+/// Distance from which on two places are free of each other, in sums of radii.
 const APART: f64 = 1.05;
-/// An agent whose remaining way is less than so many radii waits there for room, and so does one that has less than
-/// `BEHIND` of the sum of radii to an agent that waits.
+/// Remaining distance, in radii, below which an agent waits for room. An agent also waits within `BEHIND` sums of radii
+/// of an agent that waits.
 const NEAR: f32 = 6.0;
 const BEHIND: f32 = 3.0;
-/// Places of a lattice, at least, where the area has room for so many.
+/// Least number of places in a lattice, if the area has room for them.
 const PLACES: usize = 4096;
 
-/// Places to stand, by goal, class of radius, and number of places at most.
+/// Standing places, by goal, class of radius, and greatest number of places.
 pub(super) type Lattices = BTreeMap<(GoalId, u32, usize), StandingPlaces>;
 
-/// The class of a radius, as its upper bound and its lower one: 16 classes an octave.
+/// Returns the class of a radius as its upper and lower bound. An octave has 16 classes.
 fn class_of(radius: f32) -> (f32, f32) {
     const BELOW: u32 = (1 << 19) - 1;
     let up = (radius.to_bits() + BELOW) & !BELOW;
     (f32::from_bits(up), f32::from_bits(up - BELOW - 1))
 }
 
-/// Ground that an agent has taken: its row, where, and the radius.
+/// Ground that an agent has taken: its row, position and radius.
 type TakenDisc = (usize, DVec2, f64);
 
 /// The places that agents have taken in one area, by square.
@@ -69,7 +69,7 @@ impl Taken {
         }
     }
 
-    /// Whether no agent but `row` has taken ground within a radius of a point.
+    /// Whether no agent except `row` has taken ground within a radius of a point.
     fn is_free(&self, row: usize, at: DVec2, radius: f64) -> bool {
         let (x, y) = self.square(at);
         let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy)));
@@ -79,7 +79,7 @@ impl Taken {
 }
 
 impl World {
-    /// The goal that an agent stays at once it has arrived: that of the last stop of its journey.
+    /// Returns the goal at which an agent stays once it has arrived: the goal of the last stop of its journey.
     fn last_goal(&self, row: usize, leg: u32) -> Option<(GoalId, &Goal)> {
         let agents = &self.agents;
         let leg = self.legs.of(agents.journey[row], leg).filter(|leg| leg.is_last)?;
@@ -87,7 +87,7 @@ impl World {
         stays.then(|| (leg.goal, &self.goals[leg.goal.index()]))
     }
 
-    /// The area that an agent fills: agents in the air fill none.
+    /// Returns the area that an agent fills. Agents in the air fill none.
     fn filled_area(&self, row: usize, leg: u32) -> Option<(GoalId, &[DVec2])> {
         match self.last_goal(row, leg)? {
             (id, Goal::Area { corners }) if self.agents.altitude[row] == 0.0 => Some((id, corners)),
@@ -95,9 +95,9 @@ impl World {
         }
     }
 
-    /// Whether an agent that has arrived is no longer where it arrived: pushed out of its area, or off its point and
-    /// the agents that have gathered there.
-    pub(super) fn is_out_of_place(&self, row: usize, travel: &Travel) -> bool {
+    /// Whether an agent that has arrived is no longer in place: it was pushed out of its area, or off its point and the
+    /// agents that have gathered there.
+    pub(super) fn is_out_of_place(&self, row: usize, travel: &RouteProgress) -> bool {
         let Some((_, goal)) = self.last_goal(row, travel.leg) else { return false };
         let (place, radius) = (self.world_place(row), self.agents.radius[row]);
         let Some((offset, tolerance)) = goal.offset(place) else {
@@ -108,13 +108,13 @@ impl World {
             || distance > tolerance + 2.0 * radius && !self.is_in_gathering(row, goal, distance)
     }
 
-    /// The goal where the journey of an agent ends.
+    /// Returns the goal where the journey of an agent ends.
     fn end_of_journey(&self, row: usize) -> Option<GoalId> {
         self.journeys[self.agents.journey[row].index()].stops.last().map(|stop| stop.goal)
     }
 
-    /// Whether an agent touches, or nearly does, another one that has arrived at its goal, or has arrived elsewhere and
-    /// is nearer to the point than the `distance` of the agent: it holds the place.
+    /// Whether an agent touches, or nearly touches, an agent that has arrived at the same goal, or an agent that has
+    /// arrived elsewhere and is nearer to the point than `distance`: that agent occupies the point.
     fn is_in_gathering(&self, row: usize, point: &Goal, distance: f32) -> bool {
         let agents = &self.agents;
         let holds = |other: usize| {
@@ -129,15 +129,15 @@ impl World {
         })
     }
 
-    /// Whether it is this agent's turn to look whether there is room.
+    /// Whether it is this agent's turn to check for a free place.
     fn looks_for_room(&self, row: usize, seconds: f32) -> bool {
         let every = (LOOK / seconds).round().max(1.0) as u64;
         (self.tally.sub_steps + u64::from(self.agents.number[row])).is_multiple_of(every)
     }
 
-    /// Whether an agent that has arrived in an area is to choose a place there: it has none, does not get to it, or
-    /// another agent presses.
-    pub(super) fn wants_place(&self, row: usize, travel: &Travel, seconds: f32) -> bool {
+    /// Whether an agent that has arrived in an area must choose a place: it has none, cannot reach its place, or is
+    /// pressed by another agent.
+    pub(super) fn wants_place(&self, row: usize, travel: &RouteProgress, seconds: f32) -> bool {
         if self.filled_area(row, travel.leg).is_none() {
             return false;
         }
@@ -145,7 +145,7 @@ impl World {
             || self.looks_for_room(row, seconds) && self.is_pressed(row)
     }
 
-    /// Whether an agent on its way to the same goal stands close by and does not get on.
+    /// Whether an agent with the same goal stands close by and makes no progress.
     fn is_pressed(&self, row: usize) -> bool {
         let agents = &self.agents;
         self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
@@ -157,8 +157,8 @@ impl World {
         })
     }
 
-    /// Lets the agents of these rows that have arrived in an area choose places, and those on their way there find out
-    /// whether they have to wait for room.
+    /// Lets the agents of these rows that have arrived in an area choose places, and decides whether agents on their
+    /// way there must wait for room.
     pub(super) fn fill_areas(&mut self, rows: &[(usize, Status)], seconds: f32) {
         let chooses = |&row: &usize| {
             let travel = &self.agents.travel[row];
@@ -177,11 +177,11 @@ impl World {
         }
     }
 
-    /// The same for the agents of one area, in the order of their numbers.
+    /// As [`fill_areas`](Self::fill_areas), for the agents of one area, in the order of their numbers.
     fn fill_area(&mut self, goal: GoalId, rows: impl Iterator<Item = usize>) {
         let (mut taken, demand) = self.taken(goal);
         for row in rows {
-            let bound = self.agents.body(row).bound();
+            let bound = self.agents.body(row).bounding_radius();
             let key = (goal, class_of(bound).0.to_bits(), PLACES.max(2 * demand.next_power_of_two()));
             if !self.step.lattices.contains_key(&key) {
                 let lattice = self.new_lattice(goal, bound, key.2);
@@ -208,7 +208,7 @@ impl World {
             let found = match before {
                 None if never_walked && is_free(from) => None,
                 None => lattice.choose(from, f64::MIN, demand, is_free),
-                // the nearest instead of one it does not get to
+                // the nearest place instead of a place that it cannot reach
                 Some(before) if before.idle > BLOCKED => {
                     let place = lattice.choose(from, f64::MIN, 1, is_free);
                     tries = before.tries.saturating_add(1);
@@ -218,7 +218,7 @@ impl World {
                 Some(before) if !self.agents.travel[row].has_way() => {
                     lattice.choose(from, f64::MIN, demand, is_free).filter(|_| before.nearest > 0.0)
                 }
-                // makes room
+                // a deeper place makes room
                 Some(before) => match lattice.choose(from, before.depth + 0.5 * radius, demand, is_free) {
                     Some(place) => Some(place),
                     None => continue,
@@ -242,17 +242,18 @@ impl World {
         }
     }
 
-    /// Lets an agent stand where it is.
+    /// Makes an agent's present position its place.
     fn stand_here(&mut self, row: usize, depth: f64) {
         let at = self.world_position(row);
         let route = Route::new(&Path { start: at, corners: vec![at], length: 0.0 });
         self.agents.travel[row].stand_at(at, depth, route, 0);
     }
 
-    /// The places taken in an area, and the number of agents that stand in it or are on their way there to stay.
+    /// Returns the places taken in an area, and the number of agents that stand in it or are on their way to stay in
+    /// it.
     fn taken(&self, goal: GoalId) -> (Taken, usize) {
         let agents = &self.agents;
-        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
+        let largest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let mut taken = Taken { width: 2.0 * APART * f64::from(largest), ..Taken::default() };
         let mut demand = 0;
         for row in 0..agents.len() {
@@ -262,7 +263,7 @@ impl World {
             }
             demand += usize::from(agents.status[row] != Status::Stranded);
             if let Some(standing) = travel.standing().filter(|_| agents.status[row] == Status::Arrived) {
-                taken.put(row, standing.at, f64::from(agents.body(row).bound()));
+                taken.put(row, standing.at, f64::from(agents.body(row).bounding_radius()));
             }
         }
         (taken, demand)
@@ -274,15 +275,15 @@ impl World {
         StandingPlaces::new(corners, f64::from(radius), most, |at| self.no_room(at, body).is_none())
     }
 
-    /// The way of an agent to a place.
+    /// Returns the route of an agent to a place.
     fn route_to(&self, row: usize, to: DVec2) -> Route {
         let from = self.world_position(row);
-        let mesh = self.meshes.mesh(self.agents.body(row).girth());
-        let path = mesh.and_then(|mesh| mesh.path(&mut Search::default(), from, to).ok());
+        let mesh = self.meshes.mesh(self.agents.body(row).clearance_radius());
+        let path = mesh.and_then(|mesh| mesh.path(&mut PathSearch::default(), from, to).ok());
         Route::new(&path.unwrap_or_else(|| Path { start: from, corners: vec![to], length: from.distance(to) }))
     }
 
-    /// Whether an agent on its way is so near to its area, or to agents that wait before it, that it waits there too.
+    /// Whether an agent on its way is so near to its area, or to agents that wait in front of it, that it waits too.
     fn is_near_area(&self, row: usize) -> bool {
         let (agents, shown) = (&self.agents, &self.step.shown);
         shown[row].way.remaining <= NEAR * agents.radius[row]
@@ -294,11 +295,11 @@ impl World {
             })
     }
 
-    /// The speed of an agent towards its place in an area, where `distance` metres are left.
+    /// Returns the speed of an agent towards its place in an area, `distance` metres away.
     pub(super) fn speed_to_place(&self, row: usize, standing: &mut Standing, distance: f32, seconds: f32) -> f32 {
         let agents = &self.agents;
         let radius = agents.radius[row];
-        // it rests where it is, or was pushed off
+        // `nearest` is 0 while it stands at its place
         let near = if standing.nearest == 0.0 { OFF_PLACE } else { AT_PLACE };
         if distance <= near * radius {
             (standing.nearest, standing.idle) = (0.0, 0.0);

@@ -1,78 +1,79 @@
-//! Those who look at everybody within a distance, and not at the nearest few: who is near them, and the forces that flocks
-//! are steered by.
+//! Agents with the neighbour search over all agents within a distance, instead of the nearest few: their neighbours,
+//! and the forces of flocks.
 
 use super::World;
 use crate::agent::Group;
-use crate::lanes::LANES;
 use crate::parallel;
-use crate::perceive::Lattice;
-use crate::steer::{Behaviour, Bird, Birds, Flock, Flocking, Neighbour, Pack, Why};
+use crate::perceive::CellLattice;
+use crate::simd::LANES;
+use crate::steer::{Behaviour, Bird, Birds, Flock, FlockTileScratch, Flocking, SteeringNeighbour, TraceRecorder};
 use glam::Vec3;
 use std::ops::Range;
 
-/// What is known of everybody, for those who look at everybody.
+/// The data of all agents, for agents that search for all neighbours within a distance.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flocks {
-    lattice: Lattice,
+    lattice: CellLattice,
     birds: Birds,
-    /// The forces of those that are birds of a flock, by place; none where birds are steered one by one.
+    /// Forces of the birds of a flock, in the order of the lattice; zero for other agents.
     forces: Vec<Vec3>,
-    scratch: Vec<Scratch>,
-    /// Within what distance two are to be measured, metres.
+    scratch: Vec<FlockingScratch>,
+    /// Distance within which the separation of two agents is measured, metres.
     close: f32,
-    /// Rows of two who are to be measured, each pair once.
+    /// Rows of the pairs to be measured, each pair once.
     close_pairs: Vec<(u32, u32)>,
 }
 
-/// What a thread keeps while it goes through places.
+/// Scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
-struct Scratch {
-    pack: Pack,
-    neighbours: Vec<Neighbour>,
+struct FlockingScratch {
+    pack: FlockTileScratch,
+    neighbours: Vec<SteeringNeighbour>,
 }
 
 impl Flocks {
-    /// Rows of two who are to be measured after they have moved.
+    /// Returns the rows of the pairs to be measured after motion.
     pub fn close_pairs(&self) -> &[(u32, u32)] {
         &self.close_pairs
     }
 
-    /// The force of a row that is a bird of a flock.
+    /// Returns the force of a row that is a bird of a flock.
     pub fn force(&self, row: usize) -> Vec3 {
         self.forces[self.lattice.places()[row] as usize]
     }
 
-    /// Rows by where they are.
+    /// Returns the rows in the order of the lattice.
     pub fn order(&self) -> &[u32] {
         self.lattice.order()
     }
 
-    /// Notes that the rows have been put in that order.
+    /// Records that the rows have been sorted into that order.
     pub fn rows_are_in_order(&mut self) {
         self.lattice.rows_are_in_order();
     }
 }
 
 impl World {
-    /// Whether anybody looks at everybody within a distance.
-    pub(super) fn anybody_looks_at_everybody(&self) -> bool {
-        self.groups_in_use().any(|group| group.neighbours == Group::EVERYBODY)
+    /// Whether any group searches for all neighbours within a distance.
+    pub(super) fn any_looks_at_all(&self) -> bool {
+        self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
     }
 
-    /// Whether an agent is a bird of a flock, and no more.
+    /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
     pub(super) fn is_bird(&self, row: usize) -> bool {
         let group = &self.groups[self.agents.group[row].index()];
-        group.neighbours == Group::EVERYBODY && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
+        group.neighbours == Group::ALL_NEIGHBOURS
+            && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
     }
 
-    /// Whether nobody looks at the nearest few, but everybody within a distance, or nobody.
-    pub(super) fn nobody_counts_the_nearest(&self) -> bool {
+    /// Whether no group searches for the nearest few neighbours.
+    pub(super) fn none_counts_the_nearest(&self) -> bool {
         self.groups_in_use().all(|group| group.nearest() == 0)
     }
 
-    /// Sorts everybody into the lattice, for those who look at everybody.
+    /// Sorts all agents into the lattice, if a group searches for all neighbours within a distance.
     pub(super) fn rebuild_lattice(&mut self, seconds: f32) {
-        let looking = self.groups_in_use().filter(|group| group.neighbours == Group::EVERYBODY);
+        let looking = self.groups_in_use().filter(|group| group.neighbours == Group::ALL_NEIGHBOURS);
         let reach = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
         let mut flocks = std::mem::take(&mut self.step.flocks);
         flocks.close_pairs.clear();
@@ -84,7 +85,7 @@ impl World {
         self.step.flocks = flocks;
     }
 
-    /// Notes how everybody looks to a flock.
+    /// Gathers the bird data of all agents.
     fn note_birds(&mut self) {
         let mut flocks = std::mem::take(&mut self.step.flocks);
         let Birds { all, forward: [x, y, z], radius } = &mut flocks.birds;
@@ -107,10 +108,9 @@ impl World {
         self.step.flocks = flocks;
     }
 
-    /// The forces of those that are birds of a flock; and who of those who look at everybody is so close to somebody that
-    /// it is to be measured.
+    /// Computes the forces of the birds of flocks, and finds the pairs that are close enough to be measured.
     pub(super) fn flock(&mut self, seconds: f32, now: f64) {
-        if !self.anybody_looks_at_everybody() {
+        if !self.any_looks_at_all() {
             return;
         }
         self.note_birds();
@@ -120,7 +120,7 @@ impl World {
         let world = &*self;
         parallel::ranges_with(&mut forces[..], &mut scratch, |scratch, places, forces| {
             for (index, group) in world.groups.iter().enumerate().filter(|&(index, _)| world.step.groups[index]) {
-                if group.neighbours == Group::EVERYBODY {
+                if group.neighbours == Group::ALL_NEIGHBOURS {
                     world.flock_of_group(index, places.clone(), scratch, forces, (seconds, now));
                 }
             }
@@ -133,12 +133,12 @@ impl World {
         (step.flocks.forces, step.flocks.scratch) = (forces, scratch);
     }
 
-    /// As [`flock`](Self::flock), of those of a group in some places.
+    /// As [`flock`](Self::flock), for the agents of a group in a range of the lattice's order.
     fn flock_of_group(
         &self,
         index: usize,
         places: Range<usize>,
-        Scratch { pack, neighbours }: &mut Scratch,
+        FlockingScratch { pack, neighbours }: &mut FlockingScratch,
         forces: &mut [Vec3],
         (seconds, now): (f32, f64),
     ) {
@@ -148,7 +148,7 @@ impl World {
         let mut force = |place: usize, flocking: &Flocking| {
             let row = lattice.order()[place] as usize;
             let view = self.steering_view(row, seconds, now, neighbours);
-            flocking.steer(&view, &mut [], &mut Why::default()).unwrap_or_default().force
+            flocking.steer(&view, &mut [], &mut TraceRecorder::default()).unwrap_or_default().force
         };
         let level = self.instructions.level().filter(|_| self.agents.all_avoid());
         if let (Some(level), Some(flocking)) = (level, flocking) {
@@ -175,19 +175,19 @@ impl World {
         }
     }
 
-    /// Notes everybody whom an agent sees, if it looks at everybody.
-    pub(super) fn look_at_everybody(&self, row: usize, neighbours: &mut Vec<Neighbour>) {
+    /// Adds all agents within the distance to `neighbours`, if the agent's group searches for all.
+    pub(super) fn look_at_all(&self, row: usize, neighbours: &mut Vec<SteeringNeighbour>) {
         let (agents, Flocks { lattice, birds, .. }) = (&self.agents, &self.step.flocks);
         let group = &self.groups[agents.group[row].index()];
-        if group.neighbours != Group::EVERYBODY {
+        if group.neighbours != Group::ALL_NEIGHBOURS {
             return;
         }
         lattice.within(self.place_in_space(row), group.neighbour_distance, |place, offset| {
             let other = lattice.order()[place] as usize;
             if other != row && agents.avoids(row, other) {
-                neighbours.push(Neighbour {
+                neighbours.push(SteeringNeighbour {
                     offset,
-                    velocity: agents.velocity[other].extend(agents.climb[other]),
+                    velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
                     forward: birds.all[place].forward,
                     radius: agents.radius[other],
                     number: agents.number[other],
@@ -195,9 +195,9 @@ impl World {
                 });
             }
         });
-        // birds of a flock do not mind in which order, and are many
+        // birds are many, and their forces do not depend on the order
         if group.steering.as_ref().is_none_or(|steering| steering.as_flocking().is_none()) {
-            let distance = |other: &Neighbour| other.offset.length_squared();
+            let distance = |other: &SteeringNeighbour| other.offset.length_squared();
             neighbours.sort_unstable_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.number.cmp(&b.number)));
         }
     }

@@ -1,29 +1,30 @@
-//! 2c. Where does the crowd flow: what fields have to say.
+//! 2c. Fields: the velocities that they prescribe.
 
 use super::World;
 use crate::field::{Governed, Source, blend};
 use crate::parallel;
 use glam::{Vec2, Vec3};
 
-/// The agents that fields go with, as they are in this sub-step, and where others look because of them.
+/// Source agents, around which fields are defined, in their state in this sub-step; and the directions in which these
+/// fields make other agents face.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
-    /// Rows and poses by group, in the order of the agents' numbers.
+    /// Rows and sources by group, in the order of the agents' numbers.
     all: Vec<Vec<(usize, Source)>>,
-    /// Whether a field goes with the agents of a group.
+    /// Whether a field is defined around the agents of a group.
     wanted: Vec<bool>,
-    /// By row; zero: nowhere.
+    /// Directions to face, by row; zero for none.
     pub looks: Vec<Vec2>,
 }
 
 impl World {
-    /// Whether anybody looks where a field says.
-    pub(super) fn anybody_looks_about(&self) -> bool {
+    /// Whether a field of any group in use makes agents face a direction.
+    pub(super) fn any_looks_about(&self) -> bool {
         let fields = self.groups_in_use().filter_map(|group| group.field.as_ref());
         fields.flat_map(|field| &field.around).any(|around| around.looks.is_some())
     }
 
-    /// Notes whom fields go with.
+    /// Gathers the source agents of fields.
     pub(super) fn note_sources(&mut self) {
         let mut sources = std::mem::take(&mut self.step.sources);
         let Sources { all, wanted, .. } = &mut sources;
@@ -47,7 +48,7 @@ impl World {
         self.step.sources = sources;
     }
 
-    /// What of a preferred velocity is left where a field governs too.
+    /// Returns the preferred velocity of an agent blended with the field of its group.
     pub(super) fn governed(&self, row: usize, own: Vec3, now: f64) -> Vec3 {
         let Some(governed) = &self.groups[self.agents.group[row].index()].field else { return own };
         if !self.step.shown[row].way.walks() {
@@ -63,7 +64,7 @@ impl World {
         blended.clamp_length_max(self.agents.max_speed[row]).extend(own.z)
     }
 
-    /// The mean of what a field and those that go with others say, along the ground.
+    /// Returns the weighted mean of the velocities of a field and of the fields around source agents, along the ground.
     fn flow(&self, governed: &Governed, row: usize, place: Vec3, now: f64) -> Vec2 {
         let adapted = self.adapted.get(self.agents.group[row].index()).and_then(Option::as_ref);
         let field = adapted.map_or(&governed.field, |adapted| &adapted.field);
@@ -84,11 +85,11 @@ impl World {
         if weights > 0.0 { sum / weights } else { sum }
     }
 
-    /// Notes where everybody looks because fields say so; nothing where no field says so.
+    /// Computes the directions in which fields make agents face; empty if no field does.
     pub(super) fn note_looks(&mut self, now: f64) {
         let mut looks = std::mem::take(&mut self.step.sources.looks);
         looks.clear();
-        if self.anybody_looks_about() {
+        if self.any_looks_about() {
             looks.resize(self.agents.len(), Vec2::ZERO);
             let world = &*self;
             parallel::ranges(&mut looks[..], |rows, looks| {
@@ -110,7 +111,7 @@ impl World {
         sum.normalize_or_zero()
     }
 
-    /// All agents of a group within a distance of another.
+    /// Calls `found` for the source agents of a group within a distance of an agent.
     fn each_source(&self, row: usize, group: usize, reach: f32, mut found: impl FnMut(Source)) {
         let place = self.agents.position[row];
         for &(other, source) in self.step.sources.all.get(group).into_iter().flatten() {

@@ -1,36 +1,37 @@
-//! Whether agents get on, and what hinders those that do not: looked at twice a second, from how far they have come.
+//! The progress of agents, and what hinders them. It is checked twice a second, from how far the agents have come.
 
-use super::World;
 use super::advance::SEEN;
-use super::way::SAME_WAY;
+use super::neighbour_data::SAME_WAY;
+use super::{EventKind, World};
 use crate::agent::{Hindrance, ProgressMark, Status};
 use crate::navigate::Turn;
 use glam::Vec2;
 
-/// Seconds from one look to the next.
+/// Seconds from one check to the next.
 const TICK: f64 = 0.5;
-/// Half seconds without getting on after which an agent may be queueing, and after which it is blocked.
+/// Half seconds without progress after which an agent may be queueing, and after which it is blocked.
 const SLOW: u16 = 2;
 const BLOCKED: u16 = 20;
-/// Half seconds that a walk without getting on lasts before the summary counts it.
+/// Half seconds without progress after which the summary counts a walk as failed.
 const FAILED: u16 = 60;
-/// Part of its preferred speed at which an agent is slow: one that walks its radius in more than half a second at its
-/// preferred speed is given time in proportion.
+/// Seconds. An agent that needs more time to walk its radius at its preferred speed is slow, and its limits are longer
+/// in proportion.
 const RADIUS_TIME: f32 = 0.5;
-/// Radii a second: an agent that walks less is at rest rather than oscillating.
+/// Radii a second. An agent that walks less stands still rather than oscillates.
 const RESTLESS: f32 = 1.0;
-/// Gap to the agent ahead in a queue, at most, in radii.
+/// Greatest gap to the agent ahead in a queue, in radii.
 const CLOSE: f32 = 3.0;
 /// Cosine of the angle within which another agent is ahead.
 const AHEAD: f32 = 0.3;
 
 impl World {
-    /// What hinders the agent of a row of [`agents`](Self::agents), as it was found within the last half second.
+    /// Returns what hinders the agent of a row of [`agents`](Self::agents), as of the last check, at most half a second
+    /// ago.
     pub fn hindrance(&self, row: usize) -> Hindrance {
         self.agents.progress_mark[row].hindrance
     }
 
-    /// Brings the progress of all agents up to date, in the step that ends at `end` seconds.
+    /// Updates the progress of all agents, in the step that ends at `end` seconds.
     pub(super) fn note_progress(&mut self, end: f64) {
         let half_seconds = |time: f64| (time / TICK + 1e-6).floor();
         let passed = half_seconds(end) - half_seconds(end - self.settings.step);
@@ -44,32 +45,39 @@ impl World {
         let failed =
             |row: usize| self.has_failed(&marks[row], row) && !self.has_failed(&self.agents.progress_mark[row], row);
         self.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
-        // those that are judged have a way left
+        // agents that are not judged have an infinite remaining distance
         let judged = marks.iter().zip(0..).filter(|(mark, _)| mark.remaining != f32::INFINITY);
         let (looks, backwards) = judged
             .fold((0, 0), |(looks, backwards), (_, row)| (looks + 1, backwards + u64::from(self.walks_backwards(row))));
         self.tally.looks += looks;
         self.tally.backwards += backwards;
+        let is_blocked = |mark: &ProgressMark| mark.hindrance == Hindrance::Blocked;
+        for row in (0..marks.len()).filter(|&row| is_blocked(&marks[row])) {
+            if !is_blocked(&self.agents.progress_mark[row]) {
+                self.happened(row, EventKind::Stuck, end);
+            }
+        }
         std::mem::swap(&mut self.agents.progress_mark, &mut marks);
         self.step.progress_marks = marks;
     }
 
-    /// Seconds since an agent, or one with the same goal that it waits for, last got on; 127.5 at most.
+    /// Returns the seconds since an agent, or an agent with the same goal that it waits for, last made progress; at
+    /// most 127.5.
     pub(super) fn without_progress(&self, row: usize) -> f32 {
         f32::from(self.agents.progress_mark[row].queue_ticks) * TICK as f32
     }
 
-    /// Whether an agent moves away from where it is on its way to.
+    /// Whether an agent moves against the direction of its path.
     fn walks_backwards(&self, row: usize) -> bool {
         self.agents.velocity[row].dot(self.step.shown[row].way.direction) < -SEEN
     }
 
-    /// Whether an agent has walked without getting on for 30 seconds.
+    /// Whether an agent has walked without progress for 30 seconds.
     fn has_failed(&self, mark: &ProgressMark, row: usize) -> bool {
         mark.hindrance == Hindrance::Oscillating && mark.ticks >= self.patience(row, FAILED)
     }
 
-    /// So many half seconds, more for an agent that is slow.
+    /// Returns `ticks` half seconds, scaled up for a slow agent.
     fn patience(&self, row: usize, ticks: u16) -> u16 {
         let agents = &self.agents;
         let slow = agents.radius[row] / (agents.preferred_speed[row] * RADIUS_TIME);
@@ -88,7 +96,7 @@ impl World {
             && group.field.is_none()
     }
 
-    /// The progress of an agent, so many half seconds after the last look.
+    /// Returns the progress of an agent, `passed` half seconds after the last check.
     fn progress(&self, row: usize, passed: u16) -> ProgressMark {
         let agents = &self.agents;
         let before = agents.progress_mark[row];
@@ -96,10 +104,10 @@ impl World {
             return ProgressMark::default();
         }
         let (remaining, walked) = (self.step.shown[row].way.remaining, agents.walked[row] as f32);
-        // what is left of the way aside is another way
+        // the path aside of a standoff is another path
         let gets_on = remaining <= before.remaining - agents.radius[row] && agents.travel[row].turn != Turn::Aside;
         let ticks = before.ticks.saturating_add(passed);
-        // an agent that queues goes on doing so until it gets on without delay
+        // an agent that queues continues to queue until it makes progress without delay
         let is_slow = ticks >= self.patience(row, SLOW) || !gets_on && before.hindrance == Hindrance::Queueing;
         let mark = if before.remaining == f32::INFINITY {
             return ProgressMark { remaining, walked, ..before };
@@ -140,7 +148,7 @@ impl World {
         }
     }
 
-    /// The nearest agent close ahead that goes the same way.
+    /// Returns the nearest agent close ahead that goes the same way.
     fn ahead_in_queue(&self, row: usize) -> Option<usize> {
         let (agents, shown) = (&self.agents, &self.step.shown);
         let way = &shown[row].way;

@@ -1,35 +1,35 @@
-//! 2. What would I like: the preferred velocity of everybody.
+//! 2. Intention: the preferred velocities of all agents.
 
 use super::World;
 use super::fill::RETURN_TIME;
 use super::velocities::set;
 use crate::agent::{Group, Status};
-use crate::navigate::{Goal, Keyframe, Travel, Turn};
+use crate::navigate::{Goal, Keyframe, RouteProgress, Turn};
 use crate::parallel;
 use glam::{Vec2, Vec3};
 
-/// What the agents of a group do alike.
+/// The rules that the agents of a group share.
 #[derive(Clone, Debug)]
-pub(super) struct Manners {
+pub(super) struct InteractionRules {
     pub resolve: bool,
-    /// Whether a field has a say.
+    /// Whether a field governs the group.
     pub governed: bool,
 }
 
-impl Manners {
+impl InteractionRules {
     fn of(group: &Group) -> Self {
         let governed = group.field.is_some();
-        // whom a field leads elsewhere is not blocked
+        // an agent that a field leads elsewhere is not blocked
         Self { resolve: group.resolve && !governed, governed }
     }
 }
 
 impl World {
-    /// 2. What would I like: the preferred velocity of everybody in the sub-step that ends at `now`.
+    /// 2. Intention: computes the preferred velocities of all agents in the sub-step that ends at `now`.
     ///
-    /// In the first of a step agents look ahead, and some choose among goals, by turns.
+    /// In the first sub-step of a step the agents look ahead, and the agents that are due choose among goals.
     pub(super) fn intend(&mut self, first: bool, seconds: f32, now: f64) {
-        self.plan(seconds);
+        self.plan(seconds, now);
         if first {
             self.choose(seconds);
             self.look_ahead();
@@ -38,42 +38,43 @@ impl World {
         self.note_sources();
         let mut travels = std::mem::take(&mut self.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
-        let mut manners = std::mem::take(&mut self.step.manners);
-        manners.clear();
-        manners.extend(self.groups.iter().map(Manners::of));
+        let mut interaction = std::mem::take(&mut self.step.interaction);
+        interaction.clear();
+        interaction.extend(self.groups.iter().map(InteractionRules::of));
         preferred.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         let level = self.lanes_to_intend();
-        let one = |row: usize, travel: &mut Travel| match world.scripted(row, now) {
+        let one = |row: usize, travel: &mut RouteProgress| match world.scripted(row, now) {
             Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
             None => {
-                let own = world.preferred_velocity(row, travel, &manners[world.agents.group[row].index()], seconds);
+                let own = world.preferred_velocity(row, travel, &interaction[world.agents.group[row].index()], seconds);
                 world.governed(row, own, now)
             }
         };
-        // who steers is asked afterwards
+        // steering behaviours follow below
         let steers = self.all_steer();
         parallel::ranges((&mut travels[..], preferred.rows()), |rows, both| {
             if steers {
                 return;
             }
             world.step.rest.each(rows, both, |rows, (travels, mut preferred)| match level {
-                Some(level) => world.intend_many(level, rows, travels, preferred.0, (&manners, seconds), one),
+                Some(level) => world.intend_many(level, rows, travels, preferred.0, (&interaction, seconds), one),
                 None => (rows.zip(travels).zip(0..))
                     .for_each(|((row, travel), at)| set(&mut preferred, at, one(row, travel))),
             });
         });
         self.agents.travel = travels;
-        (self.step.preferred, self.step.manners) = (preferred, manners);
-        // what behaviours remember is another thing once they have been asked
-        let memory = self.asked.anybody().then(|| self.agents.memory.clone());
+        (self.step.preferred, self.step.interaction) = (preferred, interaction);
+        // behaviours change their memory, and traces need it as it was before
+        let memory = self.traced.any().then(|| self.agents.memory.clone());
         self.steer(seconds, now);
+        self.command();
         self.account(memory, seconds, now);
     }
 
-    /// Speed at which an agent comes to a point: as slow as stopping there takes, half of the acceleration left to turn with,
-    /// and never past it. Infinite if it does not stop.
-    pub(super) fn arriving(&self, row: usize, travel: &Travel, seconds: f32) -> f32 {
+    /// Returns the greatest speed with which an agent approaches the end of its path: it can stop there with half of
+    /// its acceleration, which leaves half for turning, and never overshoots. Infinite if it does not stop there.
+    pub(super) fn arriving(&self, row: usize, travel: &RouteProgress, seconds: f32) -> f32 {
         let way = &self.step.shown[row].way;
         if way.stops() || travel.turn == Turn::Aside {
             (self.agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)
@@ -82,12 +83,18 @@ impl World {
         }
     }
 
-    /// Where the script of an agent is at a time, if it has one.
+    /// Returns the keyframe of an agent's script at a time; `None` without a script.
     pub(super) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
         Some(self.scripts[self.agents.script[row]?.index()].at(time))
     }
 
-    fn preferred_velocity(&self, row: usize, travel: &mut Travel, manners: &Manners, seconds: f32) -> Vec3 {
+    fn preferred_velocity(
+        &self,
+        row: usize,
+        travel: &mut RouteProgress,
+        interaction: &InteractionRules,
+        seconds: f32,
+    ) -> Vec3 {
         let agents = &self.agents;
         let way = &self.step.shown[row].way;
         if !way.walks() {
@@ -100,18 +107,18 @@ impl World {
         if !way.has_goal() || travel.waits_for_room() {
             return Vec3::ZERO;
         }
-        // who waits aside has no direction that others should see
+        // an agent that waits aside shows no direction to its neighbours
         let waits = travel.turn == Turn::Aside;
         let shown = !waits && way.direction != Vec2::ZERO;
         let mut direction = if shown { way.direction } else { self.towards(row, travel).normalize_or_zero() };
         let mut slope = travel.slope();
         if direction == Vec2::ZERO && slope.y != 0.0 && self.without_progress(row) > 0.0 {
-            // straight up or down no side is the right one
+            // a path straight up or down prefers no side
             (direction, slope) = (self.any_side(row), Vec2::new(0.5, slope.y));
         }
         let radius = agents.radius[row];
         let speed = agents.preferred_speed[row];
-        if manners.resolve {
+        if interaction.resolve {
             travel.stall(way.remaining, radius, seconds * speed / radius);
         }
         let ahead = self.ahead(row);
@@ -120,15 +127,15 @@ impl World {
         (turned * (speed * slope.x)).extend(speed * slope.y)
     }
 
-    /// From an agent to what it heads for.
-    pub(super) fn towards(&self, row: usize, travel: &Travel) -> Vec2 {
+    /// Returns the offset from an agent to the point it heads for.
+    pub(super) fn towards(&self, row: usize, travel: &RouteProgress) -> Vec2 {
         let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg)).unwrap_or_default();
         (aim - self.world_position(row)).as_vec2()
     }
 
-    /// The preferred velocity of an agent that has arrived. In an area it goes to its place and stays there; at a point
-    /// it rests, and comes gently back if it was pushed away and no other agent has taken the point.
-    fn back_to_goal(&self, row: usize, travel: &mut Travel, seconds: f32) -> Vec3 {
+    /// Returns the preferred velocity of an agent that has arrived. In an area it goes to its place and stays there. At
+    /// a point it stands, and returns slowly if it was pushed away and no other agent has taken the point.
+    fn back_to_goal(&self, row: usize, travel: &mut RouteProgress, seconds: f32) -> Vec3 {
         if travel.standing().is_some() {
             let towards = self.towards(row, travel);
             let left = travel.standing().map_or(towards, |standing| (standing.at - self.world_position(row)).as_vec2());
@@ -147,7 +154,7 @@ impl World {
         }
     }
 
-    /// Whether somebody who has arrived at the same goal is nearer to it.
+    /// Whether an agent that has arrived at the same goal is nearer to it.
     fn is_taken(&self, row: usize, point: &Goal) -> bool {
         let agents = &self.agents;
         let shown = &self.step.shown;

@@ -1,22 +1,23 @@
-//! Looking ahead: in which direction there is room, and how fast an agent can walk there.
+//! Looking ahead: the direction in which there is free space, and the speed at which an agent can walk there.
 //!
-//! After the vision heuristics of Moussaïd, Helbing, Theraulaz, How simple rules determine pedestrian behavior and crowd
-//! disasters, PNAS 108:6884 (2011), with the speed of Seyfried, Steffen, Klingsch, Boltes, The fundamental diagram of
-//! pedestrian movement revisited (2005):
+//! After the vision heuristics of Moussaïd, Helbing, Theraulaz, How simple rules determine pedestrian behavior and
+//! crowd disasters, PNAS 108:6884 (2011), with the speed of Seyfried, Steffen, Klingsch, Boltes, The fundamental
+//! diagram of pedestrian movement revisited (2005):
 //!
 //! 1. *Speed.* An agent walks no faster than the gap to the agent ahead, divided by its time gap.
-//! 2. *Direction.* It compares directions round its way. In each it walks, at the speed that the gaps allow there, until it
-//!    meets a neighbour that keeps its velocity, or a wall. It takes the direction that brings it nearest to a point straight
-//!    ahead at the end of its sight.
-//! 3. *Side.* It turns a little from agents that come the other way, to the side on which they pass, to the right if that is
-//!    undecided.
+//! 2. *Direction.* An agent compares directions around the direction of its path. In each direction it would walk, at
+//!    the speed that the gaps permit, until it meets a wall, or a neighbour that keeps its velocity. The agent takes
+//!    the direction that brings it nearest to a point straight ahead at the limit of its sight.
+//! 3. *Side.* An agent turns slightly from agents that come the opposite way, to the side on which they pass, and to
+//!    the right if the side is undecided.
 //!
-//! Only agents that stand or go the same way count for the direction, unless the agent does not get on: then all do. An agent
-//! compares no directions while others come the other way, or are about to cross its way, as long as it gets on: so lanes form,
-//! and each keeps to its own. Agents with a model in space never compare directions. Agents that a wall hides do not count.
+//! Only agents that stand or go the same way count for the choice of direction, unless the agent makes no progress:
+//! then all agents count. An agent that makes progress compares no directions while other agents come the opposite way
+//! or are about to cross its path: so lanes form, and each agent keeps to its lane. Agents with a 3D local model never
+//! compare directions. Agents hidden by a wall do not count.
 
 use super::World;
-use super::crowd_ahead::{CrowdAhead, Eye, Met};
+use super::crowd_ahead::{CrowdAhead, MetNeighbour, Viewpoint};
 use super::walls_ahead::WallsAhead;
 use crate::agent::Group;
 use crate::avoid::{MARGIN, time_to_disc};
@@ -26,52 +27,54 @@ use fearless_simd::{Level, Simd, dispatch};
 use glam::Vec2;
 use std::ops::Range;
 
-/// Angles between the way and the directions that are compared, degrees. Only impatience leads an agent back.
+/// Angles between the path and the directions that are compared, degrees. An agent turns back only when it is
+/// impatient.
 const ANGLES: [f32; 7] = [10.0, 20.0, 35.0, 50.0, 70.0, 85.0, 115.0];
-/// Directions that are compared: straight on, and these angles to both sides.
+/// Number of directions that are compared: straight ahead, and these angles to both sides.
 const DIRECTIONS: usize = 1 + 2 * ANGLES.len();
-/// Seconds that an agent sees ahead, and within which agents that are about to cross its way count.
+/// Seconds that an agent looks ahead, and within which agents that are about to cross its path count.
 const SIGHT: f32 = 4.0;
 const SIGHT_CROSSING: f32 = 2.0;
-/// Metres from the wall of sight beyond which walls are not looked for.
+/// Distance beyond the clearance of walls at which walls are no longer considered, metres.
 const SIGHT_WALLS: f32 = 2.0;
-/// Speed that a gap never takes, m/s: without it the last agents of an arch before a door wait for each other.
+/// Least speed that a gap permits, m/s. Without it the last agents of an arch before a door wait for each other.
 const LEAST_SPEED: f32 = 0.05;
-/// Cost of a direction at a right angle to the present one, in lengths of sight: an agent keeps to the side on which it
-/// began to pass.
+/// Cost of a direction at a right angle to the present direction of motion, in lengths of sight. It keeps an agent on
+/// the side on which it began to pass.
 const TURNING: f32 = 0.3;
-/// Part of its way that counts as its present direction, for an agent that stands: a crowd that waits does not dance.
+/// Part of the path direction in the present direction of motion of a standing agent. It keeps a waiting crowd still.
 const STEADY: f32 = 0.25;
-/// Greatest cost, in lengths of sight, that an agent adds at random to directions when it does not get on, and the seconds
-/// without progress after which it does: an agent tries other directions when its way is blocked. After twice as many seconds it
-/// walks in any direction rather than stand. So a crowd of agents that block each other dissolves from its rim. After so many
-/// times as many seconds it is patient again, and tries its way anew.
+/// An agent without progress adds random costs to directions, so it tries other directions when its path is blocked.
+/// `IMPATIENCE` is the greatest cost, in lengths of sight; it is reached after `PATIENCE` seconds without progress.
+/// After twice that time the agent walks in any direction rather than stand, so a crowd of agents that block each other
+/// dissolves from its rim. After `PATIENT_AGAIN` times that time the agent is patient again and tries its path anew.
 const IMPATIENCE: f32 = 0.5;
 const PATIENCE: f32 = 5.0;
 const PATIENT_AGAIN: f32 = 6.0;
-/// Seconds that it keeps them.
+/// Seconds for which an agent keeps its random costs.
 const WHIM: f64 = 1.0;
-/// Seconds without progress up to which an agent keeps to its lane while streams meet; then all agents count for the direction.
+/// Seconds without progress up to which an agent keeps to its lane while streams meet. Afterwards all agents count for
+/// the choice of direction.
 const GETS_ON: f32 = 2.0;
-/// Metres to the side within which it is undecided on which side an agent that comes the other way passes.
+/// Lateral distance, metres, within which the passing side of an agent that comes the opposite way is undecided.
 const UNDECIDED: f32 = 0.3;
-/// Least time in which an agent makes room for one that comes the other way, seconds.
+/// Least time in which an agent makes room for an agent that comes the opposite way, seconds.
 const SOONEST: f32 = 0.1;
 
-/// What an agent found when it looked ahead.
+/// The result of an agent's look ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ahead {
-    /// Cosine and sine of the angle by which it turns from its way to the right.
+pub(super) struct LookAhead {
+    /// Cosine and sine of the angle by which it turns to the right of its path.
     pub turn: Vec2,
-    /// Speed that the gap ahead allows, m/s; as fast as it likes, or infinite, if no agent hinders it.
+    /// Speed that the gap ahead permits, m/s. If no agent hinders it: its preferred speed or more.
     pub speed: f32,
 }
 
-impl Ahead {
-    /// Straight on, as fast as it likes.
+impl LookAhead {
+    /// Straight ahead at the preferred speed.
     const FREE: Self = Self { turn: Vec2::X, speed: f32::INFINITY };
 
-    /// As fast as it likes, turned to the right by an angle, radians.
+    /// Returns a turn to the right by an angle, radians, at the preferred speed.
     fn turned_by(angle: f32) -> Self {
         if angle == 0.0 {
             return Self::FREE;
@@ -80,89 +83,89 @@ impl Ahead {
         Self { turn: Vec2::new(cos, sin), ..Self::FREE }
     }
 
-    /// A direction after the turn.
+    /// Returns a direction after the turn.
     pub fn turned(&self, direction: Vec2) -> Vec2 {
         let Vec2 { x: cos, y: sin } = self.turn;
         Vec2::new(cos * direction.x + sin * direction.y, cos * direction.y - sin * direction.x)
     }
 }
 
-/// What a thread keeps from agent to agent.
+/// Scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct LookAheadScratch {
     crowd: CrowdAhead,
     walls: WallsAhead,
 }
 
 /// What is the same for all agents in a step.
-struct Common {
+struct LookAheadShared {
     /// Whether all bodies are discs, and their radius if all have the same.
     discs: bool,
     radius: Option<f32>,
     /// Whether any agent is above the ground.
     in_space: bool,
-    /// The directions that are compared, for an agent that turns from no other.
-    directions: [Ahead; DIRECTIONS],
+    /// The directions to compare, for an agent that turns from no oncoming agent.
+    directions: [LookAhead; DIRECTIONS],
 }
 
-/// The room that neighbours leave an agent in a direction.
+/// The free space that neighbours leave an agent in a direction.
 #[derive(Clone, Copy)]
-struct Room {
-    /// Seconds until it meets one, if it walks as fast as it likes.
+struct FreeDistance {
+    /// Seconds until it meets a neighbour at its preferred speed.
     time: f32,
-    /// Speed that the gaps ahead allow.
+    /// Speed that the gaps ahead permit.
     speed: f32,
 }
 
-/// What an agent looks at, and how.
-struct Sight<'a> {
+/// The neighbours that an agent looks at, and the parameters of looking.
+struct LookAheadInput<'a> {
     crowd: &'a mut CrowdAhead,
     /// Preferred speed.
     speed: f32,
     time_gap: f32,
-    /// Seconds that it sees ahead.
+    /// Seconds that it looks ahead.
     seconds: f32,
-    /// Whether agents come the other way, or are about to cross its way.
+    /// Whether agents come the opposite way or are about to cross its path.
     streams_meet: bool,
 }
 
-impl Sight<'_> {
-    /// Seconds until an agent with this velocity meets a neighbour, as far as it sees.
+impl LookAheadInput<'_> {
+    /// Returns the seconds until an agent with this velocity meets a neighbour, at most `seconds`.
     #[inline(always)]
     fn time<S: Simd>(&self, simd: S, velocity: Vec2) -> f32 {
         self.crowd.time(simd, velocity, self.seconds)
     }
 
-    /// Speed that the gaps ahead allow in a direction, as fast as it likes at most.
+    /// Returns the speed that the gaps ahead permit in a direction, at most the preferred speed.
     #[inline(always)]
     fn gap_speed<S: Simd>(&self, simd: S, direction: Vec2) -> f32 {
         let speed = self.crowd.gap_speed(simd, direction, (self.time_gap, self.speed), self.streams_meet);
         speed.max(LEAST_SPEED)
     }
 
-    /// The room in a direction.
+    /// Returns the free space in a direction.
     #[inline(always)]
-    fn room<S: Simd>(&self, simd: S, direction: Vec2) -> Room {
-        Room { time: self.time(simd, direction * self.speed), speed: self.gap_speed(simd, direction) }
+    fn room<S: Simd>(&self, simd: S, direction: Vec2) -> FreeDistance {
+        FreeDistance { time: self.time(simd, direction * self.speed), speed: self.gap_speed(simd, direction) }
     }
 
-    /// Whether no neighbour hinders an agent that walks as fast as it likes.
-    fn is_free(&self, room: Room) -> bool {
+    /// Whether no neighbour hinders an agent at its preferred speed.
+    fn is_free(&self, room: FreeDistance) -> bool {
         room.time >= self.seconds && room.speed >= self.speed
     }
 }
 
 impl World {
-    /// Lets all agents look ahead. They do so once a step.
+    /// Lets all agents look ahead, once a step.
     pub(super) fn look_ahead(&mut self) {
         let looks = self.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
         let mut ahead = std::mem::take(&mut self.step.ahead);
         let mut scratch = std::mem::take(&mut self.step.looking);
-        ahead.resize(if looks { self.agents.len() } else { 0 }, Ahead::FREE);
+        ahead.resize(if looks { self.agents.len() } else { 0 }, LookAhead::FREE);
         let world = &*self;
-        let (discs, in_space) = (self.agents.all_discs(), self.agents.anybody_flies());
+        let (discs, in_space) = (self.agents.all_discs(), self.agents.any_flies());
         let radius = self.agents.radius.uniform().filter(|_| discs);
-        let common = Common { discs, radius, in_space, directions: directions(0.0) };
+        let common = LookAheadShared { discs, radius, in_space, directions: directions(0.0) };
         let level = self.instructions.level().unwrap_or(Level::baseline());
         parallel::ranges_with(&mut ahead[..], &mut scratch, |scratch, rows, ahead| {
             dispatch!(level, simd => world.look_ahead_of_rows(simd, rows, ahead, &common, scratch));
@@ -175,45 +178,51 @@ impl World {
         &self,
         simd: S,
         rows: Range<usize>,
-        ahead: &mut [Ahead],
-        common: &Common,
-        scratch: &mut Scratch,
+        ahead: &mut [LookAhead],
+        common: &LookAheadShared,
+        scratch: &mut LookAheadScratch,
     ) {
         for (row, ahead) in rows.zip(ahead) {
             *ahead = self.ahead_of(simd, row, common, scratch);
         }
     }
 
-    /// What an agent found.
+    /// Returns the result of an agent's look ahead.
     #[inline]
-    pub(super) fn ahead(&self, row: usize) -> Ahead {
-        self.step.ahead.get(row).copied().unwrap_or(Ahead::FREE)
+    pub(super) fn ahead(&self, row: usize) -> LookAhead {
+        self.step.ahead.get(row).copied().unwrap_or(LookAhead::FREE)
     }
 
-    /// What one agent finds.
+    /// Computes the result of an agent's look ahead.
     #[inline(always)]
-    fn ahead_of<S: Simd>(&self, simd: S, row: usize, common: &Common, scratch: &mut Scratch) -> Ahead {
+    fn ahead_of<S: Simd>(
+        &self,
+        simd: S,
+        row: usize,
+        common: &LookAheadShared,
+        scratch: &mut LookAheadScratch,
+    ) -> LookAhead {
         let agents = &self.agents;
         let group = &self.groups[agents.group[row].index()];
         let own = &self.step.shown[row];
         let (way, speed) = (&own.way, agents.preferred_speed[row]);
         if !group.look_ahead {
-            // one that is blocked for long tries any side
+            // an agent that is blocked for long tries any side
             let blocked = group.keep_right != 0.0 && self.without_progress(row) >= PATIENCE;
             let aside = if blocked { (self.whim(row, 0) - 0.5) * std::f32::consts::PI } else { 0.0 };
-            return Ahead::turned_by(group.keep_right + aside);
+            return LookAhead::turned_by(group.keep_right + aside);
         }
         if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
-            return Ahead::FREE;
+            return LookAhead::FREE;
         }
-        let Scratch { crowd, walls } = scratch;
+        let LookAheadScratch { crowd, walls } = scratch;
         walls.forget();
         let at = agents.position[row].as_dvec2();
         let in_space = common.in_space && self.model(row).looks_in_space();
         let gets_on = self.without_progress(row) < GETS_ON;
         self.see_crowd(row, common, in_space, crowd);
         let Group { personal_space, shoulders, .. } = *group;
-        crowd.sort(simd, &Eye { way: way.direction, gets_on, personal_space, shoulders });
+        crowd.sort(simd, &Viewpoint { way: way.direction, gets_on, personal_space, shoulders });
         let mut hidden = |offset: Vec2| {
             if in_space {
                 return false;
@@ -221,11 +230,11 @@ impl World {
             walls.find(&self.walls, at, || self.range_of_walls(row));
             walls.hide(offset)
         };
-        // nothing beyond the point where it stops concerns it
+        // nothing beyond the point where it stops matters
         let to_goal = if way.stops() { way.remaining / speed } else { f32::INFINITY };
         let mut oncoming = Oncoming { time: SIGHT.min(to_goal), turn: 0.0, any: false };
         let mut crosses = false;
-        for Met { row: other, offset, velocity, radii, space, is_opposite } in crowd.met() {
+        for MetNeighbour { row: other, offset, velocity, radii, space, is_opposite } in crowd.met() {
             let relative = way.direction * speed - velocity;
             if is_opposite {
                 if !hidden(offset) {
@@ -237,20 +246,20 @@ impl World {
             }
         }
         let streams_meet = oncoming.any || crosses;
-        let straight = Ahead::turned_by(oncoming.turn);
+        let straight = LookAhead::turned_by(oncoming.turn);
         let direction = straight.turned(way.direction);
         if in_space {
             return straight;
         }
         let seconds = SIGHT.min(to_goal);
-        let sight = Sight { crowd, speed, time_gap: agents.time_gap[row], seconds, streams_meet };
-        // walls are looked at only where an agent would hinder it
+        let sight = LookAheadInput { crowd, speed, time_gap: agents.time_gap[row], seconds, streams_meet };
+        // walls matter only if a neighbour would hinder the agent
         if streams_meet && gets_on {
             let mut gap_speed = sight.gap_speed(simd, direction);
             if gap_speed < speed && sight.crowd.forget(hidden) {
                 gap_speed = sight.gap_speed(simd, direction);
             }
-            return Ahead { speed: gap_speed, ..straight };
+            return LookAhead { speed: gap_speed, ..straight };
         }
         let mut room = sight.room(simd, direction);
         if !sight.is_free(room) && sight.crowd.forget(hidden) {
@@ -263,16 +272,16 @@ impl World {
         self.freest(simd, row, &sight, (way.direction, oncoming.turn, room), queues, (common, walls))
     }
 
-    /// Lets an agent see its neighbours.
+    /// Gathers the neighbours of an agent.
     #[inline(always)]
-    fn see_crowd(&self, row: usize, common: &Common, in_space: bool, crowd: &mut CrowdAhead) {
+    fn see_crowd(&self, row: usize, common: &LookAheadShared, in_space: bool, crowd: &mut CrowdAhead) {
         let (agents, shown) = (&self.agents, &self.step.shown);
         let own = &shown[row];
-        // a long body turns its narrow side to where it goes; how long it is the local model knows
+        // a long body turns its narrow side forward; the local model takes its length into account
         let breadth = |row: usize| match common.radius {
             Some(radius) => radius,
             None if common.discs => agents.radius[row],
-            None => agents.body(row).girth(),
+            None => agents.body(row).clearance_radius(),
         };
         let own_breadth = breadth(row);
         crowd.clear();
@@ -286,24 +295,24 @@ impl World {
             }
             let their = &shown[other];
             let offset = if common.discs { their.position() - own.position() } else { agents.offset(row, other) };
-            // agents on one journey stand close where it ends
+            // agents on the same journey stand close together where it ends
             let close = their.way.walks() || agents.journey[row] == agents.journey[other];
             let radii = (own_breadth + breadth(other)) * (1.0 + MARGIN);
             crowd.push(other, (offset, their.velocity()), &their.way, radii, close);
         }
     }
 
-    /// The direction in which an agent gets farthest.
+    /// Returns the direction in which an agent gets farthest.
     #[inline(always)]
     fn freest<S: Simd>(
         &self,
         simd: S,
         row: usize,
-        sight: &Sight<'_>,
-        (way, side, straight): (Vec2, f32, Room),
+        sight: &LookAheadInput<'_>,
+        (way, side, straight): (Vec2, f32, FreeDistance),
         queues: bool,
-        (common, walls): (&Common, &mut WallsAhead),
-    ) -> Ahead {
+        (common, walls): (&LookAheadShared, &mut WallsAhead),
+    ) -> LookAhead {
         let (agents, range) = (&self.agents, sight.speed * sight.seconds);
         let group = &self.groups[agents.group[row].index()];
         let at = agents.position[row].as_dvec2();
@@ -313,9 +322,9 @@ impl World {
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
         let patience = (self.without_progress(row) / PATIENCE) % PATIENT_AGAIN;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
-        // finite where restlessness is 1: times the sine of no angle it is 0
+        // finite where restlessness is 1, since it is multiplied by a sine that may be 0
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
-        let mut best = (f32::INFINITY, Ahead::FREE);
+        let mut best = (f32::INFINITY, LookAhead::FREE);
         let turned = (side != 0.0).then(|| directions(side));
         for (index, &ahead) in (0..).zip(turned.as_ref().unwrap_or(&common.directions)) {
             let Vec2 { x: cos, y: sin } = ahead.turn;
@@ -323,7 +332,8 @@ impl World {
             let turning = course.length() - course.dot(direction);
             let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
             let added = range * (TURNING * turning + whim);
-            // it walks until the cost would rise: without restlessness, to where it is nearest to the point straight ahead
+            // it walks until the cost would rise; without restlessness, to where it is nearest to the point straight
+            // ahead
             let most = range * (cos + beyond * sin.abs()).clamp(0.0, 1.0);
             let walked = |free: f32| free.min(most);
             let cost = |free: f32| {
@@ -331,7 +341,7 @@ impl World {
                 let left = (range * range + walked * walked - 2.0 * range * walked * cos).max(0.0).sqrt();
                 added + left - restlessness * walked
             };
-            // each test is dearer than the one before
+            // each test costs more time than the test before
             if cost(range) >= best.0 {
                 continue;
             }
@@ -347,62 +357,65 @@ impl World {
             let free = sight.speed * walls.time(velocity, speed * time / sight.speed);
             let cost = cost(free);
             if cost < best.0 {
-                // beside a queue it walks as far as that helps, and no faster than it comes to rest there
+                // beside a queue it walks as far as that helps, and no faster than lets it stop there
                 let useful = if index == 0 || !queues { f32::INFINITY } else { walked(free) / group.relaxation_time };
-                best = (cost, Ahead { speed: speed.min(useful.max(LEAST_SPEED)), ..ahead });
+                best = (cost, LookAhead { speed: speed.min(useful.max(LEAST_SPEED)), ..ahead });
             }
         }
         best.1
     }
 
-    /// How far an agent that looks ahead sees walls, metres from its centre.
+    /// Returns the distance from its centre within which an agent that looks ahead considers walls, metres.
     fn range_of_walls(&self, row: usize) -> f32 {
         SIGHT_WALLS + self.clear_of_walls(row)
     }
 
-    /// Distance of its centre from walls that an agent keeps where it has the room: half of its shoulders, or of its body.
+    /// Returns the distance that an agent's centre keeps from walls where there is space: half the breadth of its
+    /// shoulders, or the clearance radius of its body if that is more.
     fn clear_of_walls(&self, row: usize) -> f32 {
-        self.agents.body(row).girth().max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
+        self.agents.body(row).clearance_radius().max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
     }
 
-    /// A number in [0, 1) for one of the directions that an agent compares, which it keeps for a while.
+    /// Returns a random number in [0, 1) for one of the directions that an agent compares. The agent keeps the number
+    /// for `WHIM` seconds.
     fn whim(&self, row: usize, direction: u64) -> f32 {
         let while_kept = (self.time() / WHIM) as u64;
         unit(self.settings.seed, self.agents.number[row], while_kept << 8 | direction, Purpose::Whim)
     }
 
-    /// A direction in the plane, which an agent keeps for a while.
+    /// Returns a random direction in the plane, which an agent keeps for `WHIM` seconds.
     pub(super) fn any_side(&self, row: usize) -> Vec2 {
         let (sin, cos) = libm::sincosf(std::f32::consts::TAU * self.whim(row, u64::from(u8::MAX)));
         Vec2::new(cos, sin)
     }
 }
 
-/// The directions that an agent compares if it turns to the right by an angle, radians; the first is straight on.
-fn directions(side: f32) -> [Ahead; DIRECTIONS] {
+/// Returns the directions that an agent compares if it turns to the right by an angle, radians. The first is straight
+/// ahead.
+fn directions(side: f32) -> [LookAhead; DIRECTIONS] {
     std::array::from_fn(|index| {
         let angle = match index.checked_sub(1) {
             Some(index) if index % 2 == 0 => ANGLES[index / 2],
             Some(index) => -ANGLES[index / 2],
             None => 0.0,
         };
-        Ahead::turned_by(angle.to_radians() + side)
+        LookAhead::turned_by(angle.to_radians() + side)
     })
 }
 
-/// The agent that comes the other way and is met first.
+/// The first oncoming agent that the agent meets.
 struct Oncoming {
     /// Seconds until the two are nearest to each other.
     time: f32,
-    /// Angle that makes room for it, radians to the right.
+    /// Angle to the right that makes room for it, radians.
     turn: f32,
-    /// Whether any agent ahead comes the other way.
+    /// Whether any agent ahead comes the opposite way.
     any: bool,
 }
 
 impl Oncoming {
-    /// Takes an agent into account: where it is and the relative velocity, and the distance to keep. The agent makes its
-    /// share of the room, and turns by `most` at most.
+    /// Takes an oncoming agent into account: its offset, the relative velocity, and the distance to keep. The agent
+    /// makes its share of the room and turns by at most `most`.
     fn meet(&mut self, (offset, relative): (Vec2, Vec2), wanted: f32, speed: f32, share: f32, most: f32) {
         self.any = true;
         let closing = relative.length_squared().max(1e-6);

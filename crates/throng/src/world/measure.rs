@@ -1,24 +1,25 @@
-//! How close bodies came to each other, to walls and to solids.
+//! Measures how close bodies come to each other, to walls and to solids.
 
 use super::World;
 use crate::agent::Columns;
 use crate::guard::Solids;
-use crate::lanes::ones;
 use crate::parallel::{self, WORD, Words};
+use crate::simd::ones;
 use crate::space::{Core, Walls};
 
-/// What was measured, as in [`Tally`](crate::summary::Tally).
+/// The measurements, as in [`Tally`](crate::summary::Tally).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measured {
     least_separation: f64,
     least_wall_separation: f64,
     overlaps: u64,
-    /// Discs whose separation is surely more than this neither overlap nor are the nearest.
+    /// Discs with a greater approximate separation neither overlap nor are the nearest pair.
     looks_below: f32,
 }
 
 impl World {
-    /// How near two must be at the start of a sub-step that they can overlap at its end, or be nearer than any before.
+    /// Returns the distance of two agents at the start of a sub-step above which they can neither overlap at its end
+    /// nor be nearer than any pair before.
     pub(super) fn close_enough_to_measure(&self, seconds: f32) -> f32 {
         let agents = &self.agents;
         let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
@@ -29,10 +30,10 @@ impl World {
         2.001 * (radius * looks_below(self.tally.least_separation) + reach)
     }
 
-    /// Notes how close bodies came to each other and to walls.
+    /// Measures how close bodies come to each other, to walls and to solids.
     pub(super) fn measure(&mut self) {
         let Self { agents, step, walls, tally, .. } = self;
-        if step.rest.is_everybodys() {
+        if step.rest.all_asleep() {
             return;
         }
         let before = Measured {
@@ -44,16 +45,16 @@ impl World {
         step.measured.clear();
         step.measured.resize(agents.len().div_ceil(WORD), before);
         let (contacts, solids, near) = (&step.contacts, &step.solids, &step.near);
-        // where nobody is guarded contacts are not collected, and who is perceived has to do
+        // without guarded agents no contacts are collected, so the neighbour lists are used
         let guarded = step.guarded.uniform() != Some(false);
         let discs_only = step.long.is_empty();
         let measure = |measured: &mut Measured, first: usize| {
-            // listed before anybody is looked at, so that nothing is waited for one by one
+            // pairs are listed before their rows are read, so that the reads overlap
             let (mut pairs, mut count) = ([(0, 0); PAIRS], 0);
             for (row, close) in
                 near.close_from(step.grid.order(), first).filter(|&(row, _)| !step.rest.sleeps(row as usize / WORD))
             {
-                // of those who can't touch yet the nearest that was perceived
+                // contacts cover every pair that can touch; of the remaining pairs the nearest is enough
                 let close = if guarded { &close[..1] } else { close };
                 for &other in close {
                     if count == PAIRS {
@@ -71,7 +72,7 @@ impl World {
             }
             for row in ones(contacts.touching(part)).map(|at| first + at) {
                 contacts.of(row).iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
-                // a script without guard may lead through walls and off the ground
+                // an unguarded script may lead through walls and above the ground
                 let counts = agents.script[row].is_none() || step.guarded[row];
                 if counts && !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
@@ -88,7 +89,7 @@ impl World {
         for &(row, other) in step.flocks.close_pairs() {
             let (row, other) = (row as usize, other as usize);
             if guarded {
-                // contacts tell who overlaps
+                // contacts count the overlaps
                 near.separation(agents, row, other);
             } else {
                 near.pair(agents, row, other, discs_only);
@@ -103,12 +104,12 @@ impl World {
 }
 
 impl Measured {
-    /// Whether nobody overlaps.
+    /// Whether no body overlaps another body, a wall or a solid.
     pub fn no_overlap(&self) -> bool {
         self.overlaps == 0
     }
 
-    /// Notes the separation of pairs that were perceived, and how many overlap where nobody is guarded.
+    /// Measures the separation of neighbours, and counts overlaps if no agent is guarded.
     fn pairs(&mut self, agents: &Columns, pairs: &[(u32, u32)], (discs_only, guarded): (bool, bool)) {
         for (row, other) in pairs.iter().map(|&(row, other)| (row as usize, other as usize)) {
             if !discs_only || self.is_near(agents, row, other) {
@@ -119,7 +120,8 @@ impl Measured {
         }
     }
 
-    /// Notes the separation of two, and whether they overlap: once, for the one with the lower number.
+    /// Measures the separation of two agents and counts an overlap; each pair once, for the agent with the lower
+    /// number.
     #[inline]
     fn pair(&mut self, agents: &Columns, row: usize, other: usize, discs_only: bool) {
         if (!discs_only || self.is_near(agents, row, other)) && agents.number[row] < agents.number[other] {
@@ -128,15 +130,15 @@ impl Measured {
         }
     }
 
-    /// Whether two discs may overlap, or be nearer than any before: most are not, which is seen in the plan, without a
-    /// root or a quotient.
+    /// Whether two discs may overlap or be nearer than any pair before. The test uses ground distances, without a
+    /// square root or a division, because it is false for most pairs.
     #[inline]
     fn is_near(&self, agents: &Columns, row: usize, other: usize) -> bool {
         let limit = (agents.radius[row] + agents.radius[other]) * self.looks_below;
         agents.position[row].distance_squared(agents.position[other]) <= limit * limit
     }
 
-    /// The separation of two, noted.
+    /// Returns the separation of two agents, and records the least one.
     fn separation(&mut self, agents: &Columns, row: usize, other: usize) -> f64 {
         let separation = agents.separation(row, other);
         if separation < self.least_separation {
@@ -164,23 +166,23 @@ impl Measured {
         }
     }
 
-    /// A body counts as the ball round it.
+    /// Measures the separation from solids. A body counts as its bounding ball.
     fn solid(&mut self, agents: &Columns, row: usize, solids: &Solids) {
         let room = solids.room(row, agents.position[row].extend(agents.altitude[row]));
         self.apart(f64::from(room - agents.core[row].length()) / f64::from(agents.radius[row]));
     }
 
-    /// Notes how far somebody is from a wall or a solid.
+    /// Records the separation of an agent from a wall or a solid.
     fn apart(&mut self, separation: f64) {
         self.least_wall_separation = self.least_wall_separation.min(separation);
         self.overlaps += u64::from(separation < TOUCH);
     }
 }
 
-/// Pairs that are looked at together.
+/// Pairs that are measured together.
 const PAIRS: usize = 128;
 
-/// Bodies that are nearer than this overlap; less is rounding.
+/// Separation below which bodies overlap. A smaller difference from 1 is rounding.
 const TOUCH: f64 = 1.0 - 1e-4;
 
 fn looks_below(least_separation: f64) -> f32 {

@@ -1,29 +1,29 @@
-//! The order of rows: who is near on the ground is to be near in memory too.
+//! The order of rows: agents that are near on the ground are to be near in memory.
 
 use super::{StepMemory, World};
 
-/// Agents from which on it pays to move rows: fewer lie in the nearest memory, however they lie there.
+/// Number of agents from which on sorting the rows pays. The data of fewer agents fits into the caches in any order.
 const LARGE: usize = 2048;
-/// Sub-steps between two looks.
+/// Sub-steps between two checks.
 const EVERY: u64 = 16;
-/// Rows from one to the next in the grid that memory is not read ahead over, and one in how many are this far apart
-/// when rows are moved.
+/// Distance of two rows, consecutive in the grid, beyond which the processor does not prefetch; and the part of such
+/// pairs (one in `PART`) from which on the rows are sorted.
 const FAR: u32 = 64;
 const PART: usize = 8;
 
 impl World {
-    /// Puts the rows of [`agents`](Self::agents) in the order in which they lie on the ground, strip by strip. Large
-    /// crowds do so by themselves now and then: everything is the same after it, but faster.
+    /// Sorts the rows of [`agents`](Self::agents) by their position on the ground, strip by strip. Large crowds are
+    /// sorted automatically from time to time. It changes speed only, not results.
     pub fn sort_rows(&mut self) {
         self.rebuild_grid();
         self.put_in_order(false);
     }
 
-    /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is fresh, if it pays.
+    /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is up to date, if it pays.
     pub(super) fn sort_rows_if_scattered(&mut self) {
-        let in_lattice = self.nobody_counts_the_nearest();
-        if in_lattice && !self.anybody_looks_at_everybody() {
-            // where nobody looks at anybody, nobody knows who is near
+        let in_lattice = self.none_counts_the_nearest();
+        if in_lattice && !self.any_looks_at_all() {
+            // without a neighbour search the neighbours are unknown
             return;
         }
         let order = if in_lattice { self.step.flocks.order() } else { self.step.grid.order() };
@@ -32,7 +32,7 @@ impl World {
         }
     }
 
-    /// Puts the rows in the order of the grid, or of the lattice.
+    /// Sorts the rows into the order of the grid, or of the lattice.
     fn put_in_order(&mut self, lattice: bool) {
         let StepMemory { grid, flocks, cycles, rest, ahead, .. } = &mut self.step;
         cycles.find(if lattice { flocks.order() } else { grid.order() });

@@ -1,25 +1,26 @@
-//! 1. Who is near: how finely to divide the step, and the nearest neighbours of everybody.
+//! 1. Perception: the number of sub-steps of a step, and the nearest neighbours of all agents.
 
 use super::World;
 use crate::SubSteps;
 use crate::agent::{Columns, Group};
-use crate::lanes::ones;
-use crate::parallel::{self, Lists, WORD};
+use crate::parallel::{self, RowLists, WORD};
 use crate::perceive::{Grid, MOST_NEIGHBOURS, Near};
+use crate::simd::ones;
 use glam::Vec2;
 
-/// Part of the smallest radius (half of the narrower side of who is no disc) that anybody moves in a sub-step at most, where nobody is near, and in a crowd.
+/// Greatest distance that an agent moves in a sub-step, as a part of the smallest clearance radius: while no two agents
+/// are near each other, and in a crowd.
 const FREE_MOVE: f32 = 0.25;
 const CROWD_MOVE: f32 = 0.125;
 
 impl World {
-    /// Into how many sub-steps the next step is divided.
+    /// Returns the number of sub-steps of the next step.
     pub(super) fn sub_steps(&mut self) -> u32 {
         let parts = match self.settings.sub_steps {
             SubSteps::Fixed(parts) => return parts,
             SubSteps::Auto => {
                 let agents = &self.agents;
-                let smallest = agents.bodies().map(|body| body.girth()).fold(f32::INFINITY, f32::min);
+                let smallest = agents.bodies().map(|body| body.clearance_radius()).fold(f32::INFINITY, f32::min);
                 let fastest = agents.max_speed.values().iter().copied().fold(0.0, f32::max);
                 let part = if self.is_crowded() { CROWD_MOVE } else { FREE_MOVE };
                 // an empty or motionless world: 0 / inf or 0 / x
@@ -35,13 +36,13 @@ impl World {
             return self.step.close_pair.is_some();
         }
         let agents = &self.agents;
-        let widest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max) * 2.0;
-        let anybody_flies = agents.anybody_flies();
+        let widest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max) * 2.0;
+        let any_flies = agents.any_flies();
         let close = |row: usize, other: usize, distance_squared: f32| {
-            let above = if anybody_flies { agents.above(row, other) } else { 0.0 };
+            let above = if any_flies { agents.above(row, other) } else { 0.0 };
             row != other && distance_squared + above * above <= 4.0 * widest * widest
         };
-        // who was close before most likely still is
+        // the pair that was close before is most likely still close
         if let Some((row, other)) = self.step.close_pair
             && row.max(other) < agents.len()
         {
@@ -65,7 +66,7 @@ impl World {
         self.step.close_pair.is_some()
     }
 
-    /// Sorts everybody into cells; gives how far anybody looks.
+    /// Sorts all agents into the cells of the grid. Returns the greatest neighbour distance.
     pub(super) fn rebuild_grid(&mut self) -> f32 {
         self.note_groups();
         let range = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
@@ -73,15 +74,15 @@ impl World {
         range
     }
 
-    /// 1. Who is near: the nearest neighbours of everybody.
+    /// 1. Perception: finds the nearest neighbours of all agents.
     pub(super) fn perceive(&mut self, seconds: f32) {
-        if self.step.rest.is_everybodys() {
+        if self.step.rest.all_asleep() {
             return;
         }
         self.note_groups();
         self.rebuild_lattice(seconds);
         let guarded = self.groups_in_use().any(|group| group.guard);
-        if self.nobody_counts_the_nearest() && !guarded {
+        if self.none_counts_the_nearest() && !guarded {
             self.step.near.clear(self.agents.len());
             return self.sort_rows_if_scattered();
         }
@@ -95,20 +96,17 @@ impl World {
         step.near.resize(step.grid.order(), most);
         let (grid, long, rest, scratch, level) =
             (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.instructions.level());
-        let anybody_flies = agents.anybody_flies();
+        let any_flies = agents.any_flies();
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let flat = !group.model.looks_in_space() && !group.steers_in_space();
             let accept = |near: &mut Near| {
                 let other = near.row as usize;
-                if other == row
-                    || !agents.avoids(row, other)
-                    || anybody_flies && flat && agents.passes_clear(row, other)
-                {
+                if other == row || !agents.avoids(row, other) || any_flies && flat && agents.passes_clear(row, other) {
                     return false;
                 }
-                if anybody_flies {
+                if any_flies {
                     near.distance_squared += agents.above(row, other) * agents.above(row, other);
                 }
                 true
@@ -125,7 +123,7 @@ impl World {
                 *entry = near.row;
             }
         };
-        // who looks less far, or at fewer
+        // groups with a shorter neighbour distance or fewer neighbours
         let shorten = |place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
@@ -136,11 +134,11 @@ impl World {
             *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
         let many =
-            level.filter(|_| most <= MOST_NEIGHBOURS && !anybody_flies && long.rows.is_empty() && agents.all_avoid());
-        let lists = Lists { all: &mut step.near.lists, stride: most + 1 };
+            level.filter(|_| most <= MOST_NEIGHBOURS && !any_flies && long.rows.is_empty() && agents.all_avoid());
+        let lists = RowLists { all: &mut step.near.lists, stride: most + 1 };
         let all = (lists, &mut step.near.close[..]);
         parallel::ranges_with(all, scratch, |(pack, found), places, all| {
-            rest.each_place(grid.order(), places, all, |places, (Lists { all: lists, .. }, counts)| {
+            rest.each_place(grid.order(), places, all, |places, (RowLists { all: lists, .. }, counts)| {
                 let Some(level) = many else {
                     let all = lists.chunks_mut(most + 1).zip(counts);
                     return places.zip(all).for_each(|(place, (list, count))| plain(found, place, list, count));
@@ -155,7 +153,7 @@ impl World {
         });
     }
 
-    /// Notes which groups have agents.
+    /// Records which groups have agents.
     pub(super) fn note_groups(&mut self) {
         let Self { agents, groups, step, .. } = self;
         step.groups.clear();
@@ -163,26 +161,27 @@ impl World {
         agents.group.values().iter().for_each(|group| step.groups[group.index()] = true);
     }
 
-    /// The groups that have agents.
+    /// Returns the groups that have agents.
     pub(super) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
         self.groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
     }
 
-    /// Rows of the neighbours of an agent, nearest first.
+    /// Returns the rows of the neighbours of an agent, nearest first.
     pub(super) fn neighbours(&self, row: usize) -> &[u32] {
         self.step.near.of(row)
     }
 }
 
-/// The nearest neighbours of everybody.
+/// The nearest neighbours of all agents.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Neighbours {
-    /// For each row how many it sees, and places for as many as anybody looks at; in the order of the grid.
+    /// For each row the number of its neighbours, then space for as many as any agent may have; in the order of the
+    /// grid.
     lists: Vec<u32>,
-    /// How many of those may come close enough to be measured, in the order of the grid.
+    /// How many of the neighbours may come close enough to be measured, in the order of the grid.
     close: Vec<u16>,
     most: usize,
-    /// Where the list of each row is.
+    /// Index of the list of each row.
     places: Vec<u32>,
 }
 
@@ -197,7 +196,7 @@ impl Neighbours {
         }
     }
 
-    /// Nobody sees anybody.
+    /// Empties the lists of all rows.
     fn clear(&mut self, rows: usize) {
         self.most = 0;
         self.lists.clear();
@@ -207,38 +206,38 @@ impl Neighbours {
         self.places.resize(rows, 0);
     }
 
-    /// Of 64 places of the grid, or fewer, from one on, the rows near which somebody may come close enough to be measured,
-    /// each with the rows of those, nearest first.
+    /// Returns rows with neighbours that may come close enough to be measured, each with these neighbours, nearest
+    /// first. Covers the 64 indices from `first` on in the order of the grid, or fewer at the end.
     pub(super) fn close_from<'a>(&'a self, order: &'a [u32], first: usize) -> impl Iterator<Item = (u32, &'a [u32])> {
         let counts = self.close[first.min(self.close.len())..].iter().take(WORD);
         let bits = counts.rev().fold(0, |bits, &close| bits << 1 | u64::from(close != 0));
-        // how many they are is known without a look at the list
+        // their number is known without reading the list
         let list = |place: usize| &self.lists[place * (self.most + 1) + 1..][..self.close[place].into()];
         ones(bits).map(move |at| (order[first + at], list(first + at)))
     }
 
-    /// Rows of the neighbours of a row, nearest first.
+    /// Returns the rows of the neighbours of a row, nearest first.
     #[inline]
     pub(super) fn of(&self, row: usize) -> &[u32] {
         self.at(self.places[row] as usize)
     }
 
-    /// Rows of the neighbours of whoever is at a place of the grid, nearest first.
+    /// Returns the rows of the neighbours of the agent at an index in the order of the grid, nearest first.
     #[inline]
     pub(super) fn at(&self, place: usize) -> &[u32] {
         let list = &self.lists[place * (self.most + 1)..];
         &list[1..=list[0] as usize]
     }
 
-    /// At which place of the grid each row is.
+    /// Returns the index of each row in the order of the grid.
     pub(super) fn places(&self) -> &[u32] {
         &self.places
     }
 }
 
-/// Bodies that are no discs: they may be near with their centres far.
+/// Bodies that are not discs: they may be near although their centres are far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Long {
+pub(super) struct LongBodies {
     rows: Vec<usize>,
     points: Vec<Vec2>,
     numbers: Vec<u32>,
@@ -247,7 +246,7 @@ pub(super) struct Long {
     reach: f32,
 }
 
-impl Long {
+impl LongBodies {
     /// Whether all bodies are discs.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -267,8 +266,8 @@ impl Long {
         self.grid.rebuild(points, numbers, cell);
     }
 
-    /// Puts bodies into `found`, the discs nearest to `row` by their centres, where their cores are nearer: the `k`
-    /// nearest within `range` by the distance of cores.
+    /// Merges long bodies into `found`, which holds the nearest discs to `row` by their centres. `found` then holds the
+    /// `k` nearest bodies within `range` by the distance of cores.
     fn add(
         &self,
         agents: &Columns,
@@ -289,7 +288,7 @@ impl Long {
             grid.within(at, range + self.reach + agents.core[row].length(), |near| found.push(near));
         }
         found.retain_mut(accept);
-        // cores are at least this far apart: who is too far by that needs no closer look
+        // cores are at least this far apart: a body beyond the limit by this measure needs no exact test
         let reach = |row: usize| agents.core[row].length();
         let least = |near: &Near| {
             let cores = reach(row) + reach(near.row as usize);
@@ -310,7 +309,7 @@ impl Long {
             let place = found[..kept]
                 .partition_point(|other| (other.distance_squared, other.number) < (near.distance_squared, near.number));
             if place < k {
-                // the kept ones are in front, by distance
+                // kept neighbours are in front, sorted by distance
                 kept = (kept + 1).min(k);
                 found[place..=next].rotate_right(1);
                 found[place] = near;

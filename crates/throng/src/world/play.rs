@@ -1,22 +1,22 @@
-//! Rules: what happens after each step, and what is remembered of it.
+//! Rules: their state in a world, and their call after each step.
 
 use super::World;
-use crate::random::{Dice, Purpose};
+use crate::random::{Purpose, Rng};
 use crate::{Error, Rules};
 use std::sync::Arc;
 
 /// The rules of a world, and their figures.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Game {
+pub(super) struct RulesState {
     rules: Option<Arc<dyn Rules>>,
     names: Vec<String>,
     pub figures: Vec<f64>,
-    /// What the world last refused them.
+    /// The last error of a change that the world refused.
     refused: Option<Error>,
 }
 
-impl Game {
-    /// The figures by name, to be saved.
+impl RulesState {
+    /// Returns the figures with their names, for saving.
     pub fn saved(&self) -> Vec<(String, f64)> {
         self.names.iter().cloned().zip(self.figures.iter().copied()).collect()
     }
@@ -28,56 +28,56 @@ impl Game {
 }
 
 impl World {
-    /// Lets a game be played by these rules from now on, its figures at zero.
+    /// Sets the rules of the world, with all figures at zero.
     ///
     /// # Errors
-    /// What the rules miss in this world; then it has none.
+    /// What the rules lack in this world. The world then has no rules.
     pub fn set_rules(&mut self, rules: Arc<dyn Rules>) -> Result<(), Error> {
         let names = rules.figures();
         let mut figures = vec![0.0; names.len()];
-        self.game = Game::default();
+        self.game = RulesState::default();
         rules.begin(self, &mut figures)?;
-        self.game = Game { rules: Some(rules), names, figures, refused: None };
+        self.game = RulesState { rules: Some(rules), names, figures, refused: None };
         Ok(())
     }
 
-    /// After a step.
+    /// Lets the rules act after a step.
     pub(super) fn play(&mut self) {
         let Some(rules) = self.game.rules.take() else { return };
-        // the old ones stay to be seen while the rules make the new ones
+        // the old figures stay readable while the rules compute the new ones
         let mut figures = self.game.figures.clone();
         if let Err(error) = rules.act(self, &mut figures) {
             self.game.refused = Some(error);
         }
-        // unless the rules have put others in their place
+        // unless the rules have replaced themselves
         if self.game.rules.is_none() {
             self.game.figures = figures;
             self.game.rules = Some(rules);
         }
     }
 
-    /// The figures of the rules: names and values, in the order of [`Rules::figures`]. None without rules.
+    /// Returns the names and values of the figures, in the order of [`Rules::figures`]. Empty without rules.
     pub fn figures(&self) -> impl ExactSizeIterator<Item = (&str, f64)> {
         self.game.names.iter().zip(&self.game.figures).map(|(name, &value)| (name.as_str(), value))
     }
 
-    /// A figure of the rules, by name.
+    /// Returns a figure of the rules by name.
     pub fn figure(&self, name: &str) -> Option<f64> {
         self.figures().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
-    /// How the game stands, a few words; empty where there is nothing to say.
+    /// Returns the state of the game in a few words; empty without rules, or if the rules have nothing to say.
     pub fn standing(&self) -> String {
         self.game.rules.as_ref().map_or_else(String::new, |rules| rules.standing(self, &self.game.figures))
     }
 
-    /// What the world last refused its rules, if anything.
+    /// Returns the last error of a change that the world refused its rules, if any.
     pub fn refused(&self) -> Option<&Error> {
         self.game.refused.as_ref()
     }
 
-    /// The `k`-th random number in [0, 1) of the rules after this step: the same for the same seed and step.
+    /// Returns the `k`-th random number in [0, 1) of the rules after this step: the same for the same seed and step.
     pub fn draw(&self, k: u32) -> f32 {
-        Dice { seed: self.settings.seed, number: u32::MAX, step: self.steps }.nth(k, Purpose::Rules)
+        Rng { seed: self.settings.seed, number: u32::MAX, step: self.steps }.nth(k, Purpose::Rules)
     }
 }

@@ -1,16 +1,18 @@
-//! 3a. How soon an agent comes to the velocity that it would like.
+//! 3a. Relaxation of the velocity towards the preferred velocity.
 
 use super::World;
 use crate::agent::Group;
 use glam::Vec2;
 
-/// Part of the relaxation time in which an agent comes to the velocity across its way: a step to the side.
+/// Part of the relaxation time that applies to the velocity across the path: a step to the side is quicker.
 const SIDEWAYS: f32 = 0.5;
 
 impl World {
-    /// The velocity that the local model is to prefer for an agent. One that looks ahead comes to the velocity that it would
-    /// like in its relaxation time: a = (wanted - v) / time, an implicit step of Euler; across its way in half of the time,
-    /// so streams that cross do not sweep it aside. At the end of its way it brakes as hard as it must. Helbing, Molnár, Social force model for pedestrian dynamics, PRE 51:4282 (1995), equation 2.
+    /// Returns the velocity that the local model is to approach. The velocity of an agent that looks ahead relaxes to
+    /// the preferred velocity: a = (preferred - v) / time, as an implicit Euler step (Helbing, Molnár, Social force
+    /// model for pedestrian dynamics, PRE 51:4282 (1995), equation 2). Across the path the time is half of the
+    /// relaxation time, so crossing streams do not sweep the agent aside. At the end of its path the agent brakes as
+    /// hard as it must.
     #[inline]
     pub(super) fn relaxed(&self, row: usize, seconds: f32) -> Vec2 {
         let (agents, wanted) = (&self.agents, self.step.preferred.ground[row]);
@@ -29,12 +31,12 @@ impl World {
 }
 
 impl Group {
-    /// Whether its agents come to the velocities that they would like in their relaxation time.
+    /// Whether the velocities of its agents relax to the preferred velocities in the relaxation time.
     fn relaxes(&self) -> bool {
         self.relaxation_time > 0.0 && self.walks_by_looking_ahead() && !self.model.relaxes()
     }
 
-    /// Whether its agents walk where they look ahead. It is false where a field governs them: they would leave its flow at every
+    /// Whether its agents walk by looking ahead. Agents that a field governs do not: they would leave its flow at every
     /// bend.
     pub(super) fn walks_by_looking_ahead(&self) -> bool {
         self.look_ahead && self.steering.is_none() && self.field.is_none()

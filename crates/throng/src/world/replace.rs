@@ -1,4 +1,4 @@
-//! Changing agents from outside: where they are, how they move, what they are.
+//! Changes of agents by the program: position, motion and properties.
 
 use super::World;
 use crate::agent::{Agent, AgentId, GroupId};
@@ -7,22 +7,22 @@ use crate::{Error, Status};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 
 impl World {
-    /// The group of a name; the one added last, if several have it.
+    /// Returns the group with a name; the last one added, if several groups have it.
     ///
     /// # Errors
-    /// [`Error::NoGroup`] if there is none.
+    /// [`Error::NoGroup`] if no group has the name.
     pub fn group_named(&self, name: &str) -> Result<GroupId, Error> {
         let index = self.groups.iter().rposition(|group| group.name == name);
         index.map(|index| GroupId(index as u32)).ok_or_else(|| Error::NoGroup { name: name.to_owned() })
     }
 
-    /// The agents of a group, in the order of their numbers.
+    /// Returns the agents of a group, in the order of their numbers.
     pub fn members(&self, group: GroupId) -> Vec<AgentId> {
         self.in_order(|row| self.agents.group[row] == group)
     }
 
-    /// All agents, in the order of their numbers.
-    pub fn everybody(&self) -> Vec<AgentId> {
+    /// Returns all agents, in the order of their numbers.
+    pub fn agent_ids(&self) -> Vec<AgentId> {
         self.in_order(|_| true)
     }
 
@@ -32,10 +32,10 @@ impl World {
         rows.into_iter().map(|row| self.id(row)).collect()
     }
 
-    /// An agent as it is now, as [`add_agent`](Self::add_agent) would take it; `None` if it has been removed.
-    pub fn agent(&self, id: AgentId) -> Option<Agent> {
-        let (row, agents) = (self.row(id)?, &self.agents);
-        Some(Agent {
+    /// Returns the present state of an agent, in the form that [`add_agent`](Self::add_agent) takes.
+    pub(super) fn to_agent(&self, row: usize) -> Agent {
+        let agents = &self.agents;
+        Agent {
             position: self.world_position(row),
             altitude: agents.altitude[row],
             velocity: agents.velocity[row],
@@ -56,51 +56,54 @@ impl World {
             layers: agents.layers[row],
             avoids: agents.avoids[row],
             number: Some(agents.number[row]),
-        })
+            goal: self.own_goal(row),
+            user_data: agents.user_data[row],
+        }
     }
 
-    /// Lets an agent begin anew as another: elsewhere, in another group, with another journey. Its id and its number stay
-    /// (`agent.number` does not count), its trip and what its behaviour remembers begin with it.
-    /// It may overlap others as [one that is added](Self::add_agent) may; [`is_free`](Self::is_free) tells beforehand.
+    /// Replaces an agent by another: at another position, in another group, with another journey. Its id and number
+    /// stay (`agent.number` is ignored). Its trip statistics and the memory of its behaviours start again. It may
+    /// overlap other agents as [a new agent](Self::add_agent) may; [`is_free`](Self::is_free) tests a place beforehand.
     ///
     /// # Errors
-    /// Those of [`add_agent`](Self::add_agent), and [`Error::Gone`] for an agent that has been removed; the world is as it
-    /// was.
+    /// Those of [`add_agent`](Self::add_agent), and [`Error::Gone`] for an agent that has been removed. The world is
+    /// unchanged.
     pub fn replace(&mut self, id: AgentId, agent: Agent) -> Result<(), Error> {
         let row = self.row(id).ok_or(Error::Gone)?;
-        self.check(&agent)?;
+        let agent = self.with_journey(agent)?;
         let number = self.agents.number[row];
         self.remove_row(row);
-        // the slot that has just become free is the first to be taken again
+        // the slot that has just become free is the next to be used
         let AgentId { slot, generation } = self.put(&agent, number, self.time());
         debug_assert_eq!(slot, id.slot);
         self.slots.generations.set(slot as usize, generation - 1);
         Ok(())
     }
 
-    /// Gives an agent another velocity, metres a second, as a kick does; its body and its behaviour make of it what they can.
+    /// Sets the velocity of an agent, m/s, as a kick would. The body and the behaviour of the agent act on it from the
+    /// next step on.
     ///
     /// # Errors
-    /// [`Error::Limit`] if it is not finite, [`Error::Gone`] for an agent that has been removed.
+    /// [`Error::Limit`] if the velocity is not finite, [`Error::Gone`] for an agent that has been removed.
     pub fn set_velocity(&mut self, id: AgentId, velocity: Vec3) -> Result<(), Error> {
         let row = self.row(id).ok_or(Error::Gone)?;
         Error::unless_finite("velocity", f64::from(velocity.element_sum()))?;
         self.agents.velocity[row] = velocity.truncate();
-        self.agents.climb.set(row, velocity.z);
+        self.agents.vertical_velocity.set(row, velocity.z);
         if self.agents.status[row] != Status::Walking {
             self.step.rest.end();
         }
         Ok(())
     }
 
-    /// Whether a disc (a sphere, at an altitude) could be there, and would touch nobody.
+    /// Whether a disc (a sphere, at an altitude) can be at a place and touches no agent there.
     pub fn is_free(&self, at: DVec3, radius: f32) -> bool {
         let place: DVec2 = at.truncate();
         if !place.is_finite() || self.no_room(place, radius).is_some() {
             return false;
         }
         let agents = &self.agents;
-        let largest = agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
+        let largest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let center = (place - self.settings.origin).extend(at.z);
         let disc = crate::space::Core::new(center.truncate(), 0.0, Vec2::ZERO);
         let touches = |row: usize| {

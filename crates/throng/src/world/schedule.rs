@@ -1,6 +1,6 @@
-//! Who enters when.
+//! The schedule of agents that enter later.
 
-use super::World;
+use super::{EventKind, World};
 use crate::agent::Agent;
 use crate::perceive::Grid;
 use crate::space::Core;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// Agents that have yet to enter.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Schedule {
-    /// By time, then number; the last enters first.
+    /// By time, then number, in descending order: the last entry enters first.
     entries: Vec<(f64, Agent)>,
     sorted: bool,
 }
@@ -29,7 +29,7 @@ impl Schedule {
         self.entries.is_empty()
     }
 
-    pub(super) fn anybody_flies(&self) -> bool {
+    pub(super) fn any_flies(&self) -> bool {
         self.entries.iter().any(|(_, agent)| agent.altitude != 0.0)
     }
 
@@ -37,12 +37,12 @@ impl Schedule {
         self.entries.iter().any(|(_, agent)| agent.number == Some(number))
     }
 
-    /// Everybody who is to come.
+    /// Returns all scheduled agents.
     pub(super) fn agents(&mut self) -> impl Iterator<Item = &mut Agent> {
         self.entries.iter_mut().map(|(_, agent)| agent)
     }
 
-    /// Takes out everybody whose time has come.
+    /// Removes and returns the agents that are due.
     fn due(&mut self, now: f64) -> Vec<(f64, Agent)> {
         if !self.sorted {
             self.entries.sort_by(|a, b| b.0.total_cmp(&a.0).then(b.1.number.cmp(&a.1.number)));
@@ -59,7 +59,7 @@ impl Schedule {
 }
 
 impl World {
-    /// Lets in those whose time has come and whose place is free; the others wait.
+    /// Adds the agents that are due and have a free place; the other agents wait.
     pub(super) fn enter(&mut self) {
         let now = self.time();
         let due = self.schedule.due(now + 1e-9);
@@ -68,7 +68,7 @@ impl World {
         }
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let largest = self.agents.bodies().map(|body| body.bound()).fold(0.0, f32::max);
+        let largest = self.agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let settled = self.agents.len();
         for (time, agent) in due {
             let at = (agent.position - self.settings.origin).as_vec2();
@@ -82,12 +82,15 @@ impl World {
                 d < (f64::from(self.agents.radius[other]) + f64::from(agent.radius)) * 1.01
             };
             let mut taken = (settled..self.agents.len()).any(touches);
-            grid.within(at, (agent.body().bound() + largest) * 1.02, |near| taken |= touches(near.row as usize));
+            grid.within(at, (agent.body().bounding_radius() + largest) * 1.02, |near| {
+                taken |= touches(near.row as usize)
+            });
             if taken || self.no_room_for(&agent).is_some() {
                 self.schedule.add(time, agent);
             } else {
                 let number = agent.number.unwrap_or_default();
                 self.put(&agent, number, now);
+                self.happened(self.agents.len() - 1, EventKind::Entered, now);
             }
         }
     }

@@ -1,21 +1,21 @@
-//! Save, load, continue.
+//! Saving and loading the state of a world.
 
-use super::{Settings, Slots, World, schedule::Schedule, standoff::Standoff};
+use super::{Settings, Slots, World, control::OwnJourneys, fnv_1a, schedule::Schedule, standoff::Standoff};
 use crate::Error;
 use crate::agent::{Columns, JourneyId};
 use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
-use crate::steer::{Branch, Event};
+use crate::steer::{BoxedBehaviour, Stimulus};
 use crate::summary::Tally;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// Begins every saved state: what it is, and the version of its layout.
-const MAGIC: &[u8] = b"throng state 12\n";
+/// First bytes of every saved state: its kind and the version of its layout. The hash of the rest follows, 8 bytes.
+const MAGIC: &[u8] = b"throng state 14\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
-struct State {
+struct SavedWorld {
     settings: Settings,
     steps: u64,
     agents: Columns,
@@ -30,17 +30,18 @@ struct State {
     tally: Tally,
     stranded: Vec<(u32, Unreachable)>,
     standoffs: Vec<Standoff>,
-    events: Vec<Event>,
+    stimuli: Vec<Stimulus>,
     figures: Vec<(String, f64)>,
+    own_journeys: OwnJourneys,
     field_memories: Vec<Vec<f32>>,
     extent: Option<(DVec2, DVec2)>,
 }
 
 impl World {
-    /// The whole state as bytes. A world that [loads](Self::load) them continues with the same bits. Groups are
-    /// kept by name only, since their models are code; of [rules](crate::Rules), the figures.
+    /// Returns the whole state as bytes. A world that [loads](Self::load) them continues with the same bits. Groups are
+    /// saved by name only, since their models are code. Of [rules](crate::Rules) the figures are saved.
     pub fn save(&self) -> Vec<u8> {
-        let state = State {
+        let state = SavedWorld {
             settings: self.settings,
             steps: self.steps,
             agents: self.agents.clone(),
@@ -55,24 +56,32 @@ impl World {
             tally: self.tally.clone(),
             stranded: self.stranded.clone(),
             standoffs: self.standoffs.clone(),
-            events: self.events.clone(),
+            stimuli: self.stimuli.clone(),
             figures: self.game.saved(),
+            own_journeys: self.own_journeys.clone(),
             field_memories: self.field_memories(),
             extent: self.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
-        postcard::to_extend(&state, MAGIC.to_vec()).unwrap_or_default()
+        let body = postcard::to_stdvec(&state).unwrap_or_default();
+        [MAGIC, &fnv_1a(body.iter().copied()).to_le_bytes(), &body].concat()
     }
 
-    /// Puts the world into a [saved](Self::save) state. The world must have the same groups, by name, and
-    /// rules with the same figures: one built from the same scene has.
+    /// Replaces the state of the world by a [saved](Self::save) one. The world must have groups of the same names, and
+    /// rules with the same figures, as a world built from the same scene has. A hash in the state detects damage. The
+    /// content is trusted: a forged state may cause a panic.
     ///
     /// # Errors
-    /// [`Error::Snapshot`] if the bytes are not a saved state or groups or rules differ; the world is as it was.
+    /// [`Error::Snapshot`] if the bytes are not a saved state or are damaged, or if groups or rules differ. The world
+    /// is unchanged.
     pub fn load(&mut self, bytes: &[u8]) -> Result<(), Error> {
         let fail = |why: String| Error::Snapshot { why };
-        let body = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
-        let state: State = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
+        let sealed = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
+        let (hash, body) = sealed.split_first_chunk().ok_or_else(|| fail("it ends too early".into()))?;
+        if *hash != fnv_1a(body.iter().copied()).to_le_bytes() {
+            return Err(fail("its bytes are not as they were saved".into()));
+        }
+        let state: SavedWorld = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
         let names: Vec<&String> = self.groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
@@ -86,14 +95,14 @@ impl World {
             return Err(fail("its columns differ in length".into()));
         }
         let adapted = self.fields_that_remember(state.field_memories);
-        self.adapted = adapted.ok_or_else(|| fail("its fields remember other places than this world's".into()))?;
+        self.adapted = adapted.ok_or_else(|| fail("its field memories do not fit this world's fields".into()))?;
         self.settings = state.settings;
         self.place = state.place;
         self.agents = Columns::default();
         self.place_changed();
         self.steps = state.steps;
         self.agents = state.agents;
-        let words = self.groups.iter().filter_map(|group| group.steering.as_ref()).map(Branch::words);
+        let words = self.groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
         self.agents.memory.widen(words.max().unwrap_or(0));
         self.slots = state.slots;
         self.goals = state.goals;
@@ -105,7 +114,9 @@ impl World {
         self.tally = state.tally;
         self.stranded = state.stranded;
         self.standoffs = state.standoffs;
-        self.events = state.events;
+        self.stimuli = state.stimuli;
+        self.events.clear();
+        self.own_journeys = state.own_journeys;
         self.game.figures = state.figures.into_iter().map(|(_, value)| value).collect();
         self.extent = state.extent;
         self.prepare_all_meshes();

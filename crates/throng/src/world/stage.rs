@@ -1,25 +1,26 @@
-//! The stages of a sub-step, for those who want to know where the time goes.
+//! The stages of a sub-step, for profiling.
 
-/// A stage of a sub-step. [`World::step_in_stages`](super::World::step_in_stages) tells when each has ended.
+/// A stage of a sub-step. [`World::step_in_stages`](super::World::step_in_stages) reports the end of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
-    /// 1. Who is near. What a step does before its first sub-step counts here too: who enters, how many sub-steps.
+    /// 1. Neighbour search. It includes the work of a step before its first sub-step: agents enter, and the number of
+    ///    sub-steps is chosen.
     Perceive,
-    /// 2. How do I get there.
+    /// 2. Paths and preferred velocities.
     Intend,
-    /// 3. What is safe.
+    /// 3. Avoidance: chosen velocities.
     Avoid,
-    /// 4. What is certain.
+    /// 4. Guard: targets without overlaps.
     Guard,
-    /// 5. Move: positions, headings, arrivals, exits.
+    /// 5. Motion: positions, headings, arrivals and exits.
     Move,
 }
 
 impl Stage {
-    /// All of them, in order.
+    /// All stages, in order.
     pub const ALL: [Self; 5] = [Self::Perceive, Self::Intend, Self::Avoid, Self::Guard, Self::Move];
 
-    /// Its name, one word in lower case.
+    /// Returns the name of the stage, one word in lower case.
     pub fn name(self) -> &'static str {
         match self {
             Self::Perceive => "perceive",

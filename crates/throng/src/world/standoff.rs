@@ -1,39 +1,42 @@
-//! Standoffs: where people block each other's ways and cannot pass, some step aside and let the others by.
+//! Standoffs: where agents block each other's paths and cannot pass, some step aside and let the other agents by.
 //!
-//! After the locally confined planning of Dergachev and Yakovlev (CASE 2021; MODELS 1.10), with ways in place of plans
-//! in time: two who get no nearer to their goals and stand in each other's way agree, together with those round them,
-//! which side goes first. The others go to the nearest place out of its way, wait there, and go on when it has passed.
+//! After the local planning for stuck groups of Dergachev and Yakovlev, CASE 2021 (arXiv 2107.00246), with paths in
+//! place of plans in time. Two agents that get no nearer to their goals and stand in each other's way agree, together
+//! with the agents around them, which side goes first. The agents of the other side go to the nearest places off its
+//! path, wait there, and continue when it has passed.
 
 use super::World;
-use super::agree::Agreement;
+use super::agree::StandoffAgreement;
 use crate::agent::{AgentId, Status};
 use crate::navigate::{Route, Turn};
 use serde::{Deserialize, Serialize};
 
-/// Radii that somebody who gets on by less than one could have walked: from here on it looks round, and again each time
-/// they have doubled. At 1.3 m/s and 0.2 m these are 0.3 s.
+/// Time without progress by one radius, in walked radii at the preferred speed, after which an agent looks for a
+/// partner. It looks again each time this time has doubled. At 1.3 m/s and 0.2 m it is 0.3 s.
 const LOOKS: f32 = 2.0;
-/// The same for who is stuck where two could pass: 2.5 s.
+/// The same for an agent that is stuck where two agents could pass: 2.5 s.
 const STUCK: f32 = 16.0;
-/// Sums of radii within which two block each other, and within which they do where two cannot pass.
+/// Distance, in sums of radii, within which two agents block each other; and the distance where the path is too narrow
+/// for two.
 const CLOSE: f32 = 1.6;
 const CLOSE_IF_NARROW: f32 = 8.0;
-/// How much longer than it should take everybody waits, and seconds beyond that.
+/// Factor on the expected duration of a standoff for which agents wait, and seconds added to it.
 const PATIENCE: f32 = 2.0;
 const GRACE: f32 = 5.0;
-/// Seconds between looks at who comes.
+/// Seconds between two searches for newcomers.
 const LOOK: f32 = 0.5;
 
-/// Some who go first, and some who step aside for them.
+/// Agents that go first, and agents that step aside for them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Standoff {
     first: Vec<First>,
     aside: Vec<AgentId>,
-    /// Seconds after which nobody waits any longer.
+    /// Seconds after which the standoff ends in any case.
     left: f32,
 }
 
-/// Who goes first: the leg it is on, and metres of its way left when it is past everybody.
+/// An agent that goes first: the leg it is on, and the distance to its goal, metres, at which it is past all agents
+/// that stepped aside.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct First {
     agent: AgentId,
@@ -42,7 +45,7 @@ struct First {
 }
 
 impl World {
-    /// Ends standoffs that are over, and lets those who are stuck agree on new ones.
+    /// Ends standoffs that are over, and lets stuck agents agree on new ones.
     pub(super) fn resolve(&mut self, seconds: f32) {
         let mut standoffs = std::mem::take(&mut self.standoffs);
         standoffs.retain_mut(|standoff| self.go_on(standoff, seconds));
@@ -60,7 +63,7 @@ impl World {
         self.step.stuck = stuck;
     }
 
-    /// Finds those who are stuck and look round in this sub-step, by number.
+    /// Finds the stuck agents that look for a partner in this sub-step, sorted by number.
     fn find_stuck(&self, seconds: f32, rows: &mut Vec<usize>) {
         let agents = &self.agents;
         let looks = |&row: &usize| {
@@ -73,7 +76,7 @@ impl World {
         rows.sort_unstable_by_key(|&row| agents.number[row]);
     }
 
-    /// Whether an agent can still agree with others: on the ground, since over and under there is another way out.
+    /// Whether an agent can join an agreement. Agents in the air cannot: they have another way out, above or below.
     pub(super) fn may_resolve(&self, row: usize) -> bool {
         let agents = &self.agents;
         agents.status[row] == Status::Walking
@@ -83,12 +86,12 @@ impl World {
             && self.groups[agents.group[row].index()].resolve
     }
 
-    /// The nearest in whose way an agent is, and who is in its way, if both are stuck.
+    /// Returns the nearest agent with which it blocks each other's paths, if both are stuck.
     fn partner(&self, row: usize) -> Option<usize> {
         let agents = &self.agents;
-        // where all is open only those agree who are stuck
-        let may_be_narrow = self.meshes.mesh(agents.body(row).girth()).is_some();
-        // who joined one that began in this sub-step has found its partner
+        // in the open only stuck agents agree
+        let may_be_narrow = self.meshes.mesh(agents.body(row).clearance_radius()).is_some();
+        // an agent that joined a standoff in this sub-step already has a partner
         if !self.may_resolve(row) || agents.travel[row].stalled < STUCK && !may_be_narrow {
             return None;
         }
@@ -103,7 +106,7 @@ impl World {
         })
     }
 
-    fn begin(&mut self, agreement: Agreement) {
+    fn begin(&mut self, agreement: StandoffAgreement) {
         let agents = &self.agents;
         let way =
             agreement.first.iter().map(|&(row, past)| self.step.shown[row].way.remaining - past).fold(0.0, f32::max);
@@ -125,7 +128,8 @@ impl World {
         self.standoffs.push(standoff);
     }
 
-    /// Whether a standoff goes on: somebody is not yet past those who stepped aside.
+    /// Updates a standoff. Returns whether it continues: an agent that goes first is not yet past the agents that
+    /// stepped aside.
     fn go_on(&mut self, standoff: &mut Standoff, seconds: f32) -> bool {
         let before = standoff.left;
         standoff.left -= seconds;
@@ -151,7 +155,7 @@ impl World {
         !standoff.first.is_empty()
     }
 
-    /// Who comes towards those who go first steps aside too.
+    /// Makes agents that come towards the agents that go first step aside too.
     fn join(&mut self, standoff: &mut Standoff) {
         let first: Vec<AgentId> = standoff.first.iter().map(|first| first.agent).collect();
         for (row, path) in self.newcomers(&self.rows_of(&first), &self.rows_of(&standoff.aside)) {

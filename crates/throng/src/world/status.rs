@@ -1,17 +1,17 @@
-//! How the run went so far: counts and the summary.
+//! The counts and the summary of a run.
 
 use super::World;
 use crate::agent::{Hindered, Status};
 use crate::summary::{Counts, Ended, Summary};
 
 impl World {
-    /// Rows of the agents that follow no script: the ones that are counted.
+    /// Returns the rows of the agents without a script: the agents that are counted.
     fn walkers(&self) -> impl Iterator<Item = usize> {
         (0..self.agents.len()).filter(|&row| self.agents.script[row].is_none())
     }
 
-    /// Returns how many agents there are, how many have arrived and how many are hindered, moving obstacles left aside:
-    /// cheap, for every frame of a recording.
+    /// Returns how many agents there are, how many have arrived and how many are hindered, without scripted agents. It
+    /// is cheap enough for every frame of a recording.
     pub fn counts(&self) -> Counts {
         let (present, removed) = (self.walkers().count(), self.tally.removed.len());
         Counts {
@@ -23,7 +23,7 @@ impl World {
         }
     }
 
-    /// The agents that are in place at the end of their journeys, those that exits removed included.
+    /// Returns the number of agents in place at the end of their journeys, including agents removed by exits.
     fn arrived_now(&self) -> usize {
         let in_place = self.walkers().filter(|&row| self.agents.status[row] == Status::Arrived);
         in_place.count() + self.tally.removed.len()
@@ -33,7 +33,7 @@ impl World {
         Hindered::of(self.walkers().map(|row| self.hindrance(row)))
     }
 
-    /// How the run went so far. Moving obstacles do not count, but what they touch does.
+    /// Returns the statistics of the run so far. Scripted agents do not count, but agents that they touch do.
     pub fn summary(&self) -> Summary {
         let agents = &self.agents;
         let trips = self.walkers().map(|row| {

@@ -1,25 +1,27 @@
-//! 2. What would I like, of those who steer.
+//! 2. Intention, for agents that steer.
 //!
-//! A behaviour gives a force, and what their vehicle makes of it is their preferred velocity. What is safe is asked
-//! afterwards, as of everybody.
+//! A behaviour returns a force, and the velocity that the vehicle reaches with it is the preferred velocity. Avoidance
+//! and guard follow, as for all agents.
 
 use super::World;
-use super::flock_lanes::Insects;
+use super::flock_simd::Insects;
 use crate::agent::{Group, Status};
 use crate::motion::{Attitude, Basis, Motion, Steering};
 use crate::parallel;
-use crate::steer::{Branch, Mark, Neighbour, Others, Told, View, Why};
+use crate::steer::{
+    AgentQuery, BoxedBehaviour, Kinematics, SteeringInput, SteeringNeighbour, TraceEntry, TraceRecorder,
+};
 use glam::Vec3;
 
-/// Seconds after which nobody remembers what happened.
+/// Seconds after which events are forgotten.
 const FORGOTTEN: f64 = 600.0;
 
-/// How those who steer will move if nothing hinders them, by row.
+/// The planned motion of agents that steer, if nothing hinders them, by row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Planned {
     pub velocity: Vec<Vec3>,
     pub attitude: Vec<Attitude>,
-    /// Whether they face where they were told to, and not where they go.
+    /// Whether they face the direction that the behaviour gives, instead of the direction of motion.
     pub faces: Vec<bool>,
 }
 
@@ -31,16 +33,16 @@ impl Planned {
     }
 }
 
-/// Rows of agents by their numbers; `u32::MAX`: nobody has it.
+/// Rows of agents by their numbers; `u32::MAX` for an unused number.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Index {
+pub(super) struct SteeringIndex {
     rows: Vec<u32>,
-    /// The place of each among those of its group, by number.
+    /// Index of each agent within its group, in the order of numbers.
     slots: Vec<u32>,
     counts: Vec<u32>,
 }
 
-impl Index {
+impl SteeringIndex {
     fn rebuild(&mut self, world: &World) {
         let agents = &world.agents;
         self.rows.clear();
@@ -57,42 +59,42 @@ impl Index {
     }
 }
 
-impl Others for World {
-    fn find(&self, number: u32) -> Option<Mark> {
+impl AgentQuery for World {
+    fn find(&self, number: u32) -> Option<Kinematics> {
         let &row = self.step.index.rows.get(number as usize).filter(|&&row| row != u32::MAX)?;
         let Motion { position, velocity, basis, .. } = self.motion(row as usize);
-        Some(Mark { position, velocity, basis, radius: self.agents.radius[row as usize] })
+        Some(Kinematics { position, velocity, basis, radius: self.agents.radius[row as usize] })
     }
 }
 
 impl World {
-    /// The behaviour that an agent steers by.
-    pub(super) fn steering(&self, row: usize) -> Option<&Branch> {
+    /// Returns the behaviour that an agent steers by; `None` if it does not steer.
+    pub(super) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
         self.groups[self.agents.group[row].index()].steering.as_ref()
     }
 
-    /// Whether anybody steers.
-    pub(super) fn anybody_steers(&self) -> bool {
+    /// Whether any agent steers.
+    pub(super) fn any_steers(&self) -> bool {
         self.groups_in_use().any(|group| group.steering.is_some())
     }
 
-    /// Whether everybody does.
+    /// Whether all agents steer.
     pub(super) fn all_steer(&self) -> bool {
         self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
     }
 
-    /// Whether anybody who steers may leave the ground.
-    pub(super) fn anybody_steers_in_space(&self) -> bool {
+    /// Whether any agent that steers may leave the ground.
+    pub(super) fn any_steers_in_space(&self) -> bool {
         self.groups_in_use().any(Group::steers_in_space)
     }
 
-    /// The preferred velocities of those who steer.
+    /// Computes the preferred velocities of agents that steer.
     pub(super) fn steer(&mut self, seconds: f32, now: f64) {
-        if !self.anybody_steers() {
+        if !self.any_steers() {
             self.step.planned.resize(0);
             return;
         }
-        self.events.retain(|event| now - event.time <= FORGOTTEN);
+        self.stimuli.retain(|stimulus| now - stimulus.time <= FORGOTTEN);
         let mut index = std::mem::take(&mut self.step.index);
         index.rebuild(self);
         self.step.index = index;
@@ -125,7 +127,7 @@ impl World {
                     } else {
                         let memory = &mut memory.all[at * each..][..steering.words()];
                         let view = world.steering_view(row, seconds, now, neighbours);
-                        steering.steer(&view, memory, &mut Why::default()).unwrap_or_default()
+                        steering.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
                     };
                     let mut motion = before;
                     vehicle.step(&mut motion, steering, seconds);
@@ -140,22 +142,22 @@ impl World {
         (self.agents.memory, self.step.preferred) = (memory, preferred);
     }
 
-    /// What an agent steers by in the sub-step that ends at `now`, and what led to it.
-    pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<Told>) {
-        let mut told = Vec::new();
+    /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.
+    pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<TraceEntry>) {
+        let mut entries = Vec::new();
         let said = self.steering(row).and_then(|steering| {
             let (mut memory, mut neighbours) = (self.agents.memory.of(row).to_vec(), Vec::new());
             let view = self.steering_view(row, seconds, now, &mut neighbours);
-            steering.steer(&view, &mut memory[..steering.words()], &mut Why::asked(&mut told))
+            steering.steer(&view, &mut memory[..steering.words()], &mut TraceRecorder::requested(&mut entries))
         });
-        (said, told)
+        (said, entries)
     }
 
-    /// Where an agent is and how it moves.
+    /// Returns the position, velocity and orientation of an agent.
     pub(super) fn motion(&self, row: usize) -> Motion {
         let agents = &self.agents;
         let position = self.place_in_space(row);
-        let velocity = agents.velocity[row].extend(agents.climb[row]);
+        let velocity = agents.velocity_in_space(row);
         if self.steering(row).is_some() {
             agents.attitude[row].motion(position, velocity)
         } else {
@@ -163,12 +165,12 @@ impl World {
         }
     }
 
-    /// Where the centre of an agent is in space.
+    /// Returns the centre of an agent in space.
     pub(super) fn place_in_space(&self, row: usize) -> Vec3 {
         self.agents.position[row].extend(self.agents.altitude[row])
     }
 
-    /// Which way an agent faces.
+    /// Returns the direction that an agent faces.
     pub(super) fn forward(&self, row: usize) -> Vec3 {
         if self.steering(row).is_some() {
             self.agents.attitude[row].basis.forward
@@ -178,29 +180,29 @@ impl World {
         }
     }
 
-    /// What the behaviour of an agent sees.
+    /// Returns the input of the behaviour of an agent.
     pub(super) fn steering_view<'a>(
         &'a self,
         row: usize,
         seconds: f32,
         now: f64,
-        neighbours: &'a mut Vec<Neighbour>,
-    ) -> View<'a> {
+        neighbours: &'a mut Vec<SteeringNeighbour>,
+    ) -> SteeringInput<'a> {
         let (agents, own) = (&self.agents, self.motion(row));
         neighbours.clear();
-        self.look_at_everybody(row, neighbours);
+        self.look_at_all(row, neighbours);
         neighbours.extend(self.neighbours(row).iter().map(|&other| {
             let other = other as usize;
-            Neighbour {
+            SteeringNeighbour {
                 offset: self.place_in_space(other) - own.position,
-                velocity: agents.velocity[other].extend(agents.climb[other]),
+                velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
                 forward: self.forward(other),
                 radius: agents.radius[other],
                 number: agents.number[other],
                 group: agents.group[other].index(),
             }
         }));
-        View {
+        SteeringInput {
             motion: own,
             vehicle: self.groups[agents.group[row].index()].vehicle,
             radius: agents.radius[row],
@@ -209,15 +211,16 @@ impl World {
             goal: self.steering_goal(row),
             neighbours,
             others: self,
-            events: &self.events,
+            stimuli: &self.stimuli,
             figures: &self.game.figures,
             time: now - f64::from(seconds),
             seconds,
-            dice: self.dice(row),
+            rng: self.rng(row),
         }
     }
 
-    /// Where the journey of an agent leads next; who waits or has arrived is there.
+    /// Returns the point that the journey of an agent leads to next: the next corner of its path, or its goal if it
+    /// waits or has arrived.
     pub(super) fn steering_goal(&self, row: usize) -> Option<Vec3> {
         let travel = &self.agents.travel[row];
         let leg = travel.leg;

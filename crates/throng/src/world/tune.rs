@@ -1,15 +1,15 @@
-//! Changing what groups and agents are while the world runs: where they are and where they go stays as it is.
+//! Changes of groups and agents while the world runs. Positions and destinations stay as they are.
 
-use super::World;
 use super::build::known;
+use super::{AgentRef, World};
 use crate::Error;
 use crate::agent::{Agent, Group, GroupId};
 use crate::motion::{Attitude, Basis};
 use glam::Vec3;
 
 impl World {
-    /// Lets a group be another from the next step on: with another local model, other manners, another field, other
-    /// behaviours. Its agents stay where they are and go on to their goals; what their behaviours remember begins anew.
+    /// Replaces a group from the next step on: its local model, interaction rules, field and behaviours. Its agents
+    /// stay where they are and continue to their goals. The memory of their behaviours starts again.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -26,7 +26,8 @@ impl World {
     /// ```
     ///
     /// # Errors
-    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that is not there; the world is as it was.
+    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
+    /// unchanged.
     pub fn set_group(&mut self, id: GroupId, group: Group) -> Result<(), Error> {
         known("group", id.index(), self.groups.len())?;
         group.check()?;
@@ -46,15 +47,16 @@ impl World {
                 self.agents.attitude.set(row, Attitude { basis, ..Attitude::default() });
             }
             if self.agents.script[row].is_none() {
-                self.go_on_with_field(row);
+                self.update_status_without_stops(row);
             }
         }
         Ok(())
     }
 
-    /// Changes what agents are, those who have yet to enter too: `into` is given each one's number and the agent as it is, and
-    /// changes its body, speeds, priority, share of the field, or layers. What it makes of the rest does not count: who is
-    /// there stays where it is, in its group, on its way. Bodies that come to overlap part as [bad starts](crate::guard) do.
+    /// Changes the properties of agents, including agents that are scheduled to enter. `into` gets the number of each
+    /// agent and its present properties, and changes its body, speeds, priority, share of the field, or layers. Other
+    /// changes are ignored: an agent stays where it is, in its group, on its path. Bodies that come to overlap part as
+    /// in an [overlapping start](crate::guard).
     ///
     /// ```
     /// use throng::{Agent, Settings, World};
@@ -62,12 +64,12 @@ impl World {
     /// let mut world = World::new(Settings::default())?;
     /// world.add_agent(Agent::default())?;
     /// world.adjust(|_, agent| agent.preferred_speed = 0.8)?;
-    /// assert_eq!(world.agents().preferred_speed[0], 0.8);
+    /// assert_eq!(world.relative_columns().preferred_speed[0], 0.8);
     /// # Ok::<(), throng::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::Limit`] names the parameter that is out of range; the world is as it was.
+    /// [`Error::Limit`] names the parameter that is out of range. The world is unchanged.
     pub fn adjust(&mut self, mut into: impl FnMut(u32, &mut Agent)) -> Result<(), Error> {
         let mut changed = |number: u32, agent: &Agent| -> Result<Agent, Error> {
             let mut other = agent.clone();
@@ -77,7 +79,7 @@ impl World {
         };
         let mut here = Vec::with_capacity(self.agents.len());
         for row in 0..self.agents.len() {
-            if let Some(agent) = self.agent(self.id(row)) {
+            if let Some(agent) = self.agent(self.id(row)).map(AgentRef::to_agent) {
                 here.push(changed(self.agents.number[row], &agent)?);
             }
         }

@@ -1,65 +1,67 @@
-//! A velocity for every row, in space.
+//! Velocities in space, one for each row.
 
-use crate::lanes::from_side_by_side;
-use crate::parallel::Lists;
+use crate::parallel::RowLists;
+use crate::simd::from_side_by_side;
 use fearless_simd::prelude::*;
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
-/// A velocity for every row. While nobody leaves the ground, what is upwards takes no memory.
+/// Velocities in space, one for each row. While no agent leaves the ground, vertical velocities take no memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Velocities {
-    /// Along the ground.
+    /// Velocities along the ground.
     pub ground: Vec<Vec2>,
-    /// Upwards; nothing if it is 0 for everybody.
-    climb: Vec<f32>,
+    /// Vertical velocities; empty if all are 0.
+    vertical_velocity: Vec<f32>,
 }
 
-/// Those of some rows, to be written.
-pub(super) type Rows<'a> = (&'a mut [Vec2], Lists<'a, f32>);
+/// Mutable velocities of some rows.
+pub(super) type Rows<'a> = (&'a mut [Vec2], RowLists<'a, f32>);
 
 impl Velocities {
-    /// Makes room for those of so many rows, in space or on the ground.
+    /// Resizes to this number of rows, in space or on the ground.
     pub fn resize(&mut self, rows: usize, in_space: bool) {
         self.ground.resize(rows, Vec2::ZERO);
-        self.climb.resize(if in_space { rows } else { 0 }, 0.0);
+        self.vertical_velocity.resize(if in_space { rows } else { 0 }, 0.0);
     }
 
-    /// All of them, to be written.
+    /// Returns all velocities, mutable.
     pub fn rows(&mut self) -> Rows<'_> {
-        let stride = usize::from(!self.climb.is_empty());
-        (&mut self.ground, Lists { all: &mut self.climb, stride })
+        let stride = usize::from(!self.vertical_velocity.is_empty());
+        (&mut self.ground, RowLists { all: &mut self.vertical_velocity, stride })
     }
 
-    /// Upwards.
+    /// Returns the vertical velocity of a row.
     #[inline]
-    pub fn climb(&self, row: usize) -> f32 {
-        self.climb.get(row).copied().unwrap_or(0.0)
+    pub fn vertical_velocity(&self, row: usize) -> f32 {
+        self.vertical_velocity.get(row).copied().unwrap_or(0.0)
     }
 
-    /// Whether anybody may go up or down.
+    /// Whether any vertical velocity may differ from 0.
     pub fn is_in_space(&self) -> bool {
-        !self.climb.is_empty()
+        !self.vertical_velocity.is_empty()
     }
 
-    /// Upwards, of a vector of rows.
+    /// Returns the vertical velocities of a SIMD vector of rows.
     #[inline(always)]
-    pub fn climbs<S: Simd>(&self, simd: S, rows: Range<usize>) -> S::f32s {
-        self.climb.get(rows).map_or(S::f32s::splat(simd, 0.0), |climbs| from_side_by_side(simd, climbs))
+    pub fn vertical_velocities<S: Simd>(&self, simd: S, rows: Range<usize>) -> S::f32s {
+        self.vertical_velocity
+            .get(rows)
+            .map_or(S::f32s::splat(simd, 0.0), |vertical_velocities| from_side_by_side(simd, vertical_velocities))
     }
 
-    /// That of a row.
+    /// Returns the velocity of a row.
     #[inline]
     pub fn at(&self, row: usize) -> Vec3 {
-        self.ground[row].extend(self.climb(row))
+        self.ground[row].extend(self.vertical_velocity(row))
     }
 }
 
-/// Sets one of some rows.
+/// Sets the velocity at an index of some rows.
 #[inline]
-pub(super) fn set((ground, climb): &mut Rows<'_>, at: usize, velocity: Vec3) {
+pub(super) fn set((ground, vertical_velocity): &mut Rows<'_>, at: usize, velocity: Vec3) {
     ground[at] = velocity.truncate();
-    if let Some(climb) = climb.all.get_mut(at) {
-        *climb = velocity.z;
+    if let Some(vertical_velocity) = vertical_velocity.all.get_mut(at) {
+        *vertical_velocity = velocity.z;
     }
 }

@@ -1,25 +1,25 @@
-//! The walls that an agent sees when it looks ahead.
+//! The walls that an agent takes into account when it looks ahead.
 
 use super::avoid::is_between;
 use crate::avoid::{time_to_disc, time_to_segment};
-use crate::space::{Met, Wall, Walls};
+use crate::space::{VisitedWalls, Wall, Walls};
 use glam::{DVec2, Vec2};
 
-/// Metres by which an agent may come nearer to a wall than it is, where it has less room than it likes.
+/// Distance by which an agent may come nearer to a wall than it is, where it has less space than it prefers, metres.
 const NEARER: f32 = 0.01;
 
-/// The walls near an agent: what a thread keeps from agent to agent.
+/// The walls near an agent: scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WallsAhead {
-    met: Met,
-    /// Whether the walls near the present agent were found, and the distance of the nearest from its centre.
+    met: VisitedWalls,
+    /// Whether the walls near the present agent have been found; and the distance of the nearest wall from its centre.
     found: bool,
     nearest: f32,
-    /// Distances of the edges, and their ends, from the agent's centre.
+    /// Distances of the edges from the agent's centre, and their ends relative to it.
     edges: Vec<(f32, Vec2, Vec2)>,
-    /// Centres of the discs, from the agent's centre, and their radii.
+    /// Centres of the discs relative to the agent's centre, and their radii.
     discs: Vec<(Vec2, f32)>,
-    /// Distance that the agent's centre keeps from them, metres.
+    /// Distance that the agent's centre keeps from walls, metres.
     clearance: f32,
 }
 
@@ -41,7 +41,7 @@ impl WallsAhead {
         walls.visit_once(at, f64::from(range), met, |wall| match wall {
             Wall::Edge(edge) => {
                 let start = (edge.start - at).as_vec2();
-                // seen from behind, it is hidden by what is solid
+                // an edge seen from behind is hidden by the solid it bounds
                 if edge.direction.perp_dot(start) < 0.0 {
                     return;
                 }
@@ -62,17 +62,17 @@ impl WallsAhead {
         });
     }
 
-    /// Forgets the walls near the last agent.
+    /// Forgets the walls near the previous agent.
     pub fn forget(&mut self) {
         self.found = false;
     }
 
-    /// Keeps the agent's centre this far from walls, as far as it is now.
+    /// Sets the distance that the agent's centre keeps from walls, limited to its present distance.
     pub fn keep(&mut self, clearance: f32) {
         self.clearance = clearance.min(self.nearest - NEARER).max(0.0);
     }
 
-    /// Whether an edge lies between the agent and what is at `offset`.
+    /// Whether an edge lies between the agent and the point at `offset`.
     pub fn hide(&self, offset: Vec2) -> bool {
         if self.edges.is_empty() {
             return false;
@@ -81,7 +81,7 @@ impl WallsAhead {
         self.edges.iter().any(|&(distance, start, end)| distance < reach && is_between(start, end, offset))
     }
 
-    /// Seconds until an agent with this velocity meets a wall, `most` at most.
+    /// Returns the seconds until an agent with this velocity meets a wall, at most `most`.
     pub fn time(&self, velocity: Vec2, most: f32) -> f32 {
         let (clearance, speed) = (self.clearance, velocity.length());
         let discs = self.discs.iter().map(|&(center, radius)| time_to_disc(center, velocity, radius + clearance));

@@ -1,10 +1,10 @@
-//! The reference work that crowd simulators are compared on.
+//! The reference workload for comparisons of crowd simulators.
 
 use glam::DVec2;
 use std::f64::consts::TAU;
 use throng::{Agent, Goal, Group, GroupId, Journey, JourneyId, Settings, Stop, SubSteps, World};
 
-/// 0.25 people per m2 in the open, added in no spatial order, each bound for a place far away in one of many directions.
+/// 0.25 agents per m2 in the open, added in no spatial order, each with a distant goal in one of 64 directions.
 pub fn crossing(count: u32, group: Group) -> World {
     let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
     let mut world = World::new(settings).unwrap();
@@ -19,7 +19,7 @@ pub fn crossing(count: u32, group: Group) -> World {
     world.reserve(count as usize);
     let side = f64::from(count).sqrt().ceil();
     for number in 0..count {
-        // a prime steps through places, directions and speeds in no order
+        // a prime step goes through places, directions and speeds in no order
         let mixed = number * 7919;
         let place = DVec2::new(f64::from(mixed % count) % side, (f64::from(mixed % count) / side).floor());
         let preferred_speed = 1.3 + 0.2 * (mixed % 101) as f32 / 101.0;

@@ -1,8 +1,8 @@
-//! Distances of convex polygons, for checks: nothing of the library is asked.
+//! Distances of convex polygons, for checks, without functions of the library.
 
 use glam::DVec2;
 
-/// Distance of two convex polygons (points and segments are some), zero where they overlap: by their sides alone.
+/// Distance of two convex polygons, points or segments from their sides; zero where they overlap.
 pub fn apart(a: &[DVec2], b: &[DVec2]) -> f64 {
     let sides = |ring: &[DVec2]| {
         let next = ring.iter().cycle().skip(1).copied();

@@ -1,22 +1,22 @@
-//! The figures over time that the page shows.
+//! The plots of figures over time on the page.
 
 use crate::page::{Height, Plot, TIME};
 use std::borrow::Cow;
-use throng_record::series::{Point, Series};
+use throng_record::series::{Series, SeriesPoint};
 
-/// Points of a line of a plot, at most.
+/// The maximum number of points of a line of a plot.
 const POINTS: usize = 400;
-/// Separations above this are not told apart: what is of interest is near 1.
+/// Separations above this value are cut off: only values near 1 matter.
 const FAR: f64 = 3.0;
 
-/// All plots, as HTML; a line a model. `agents` is how many can arrive.
+/// Returns all plots as HTML, with one line per model. `agents` is the number of agents that can arrive.
 pub fn plots(series: &[&Series], agents: usize) -> String {
-    let points: Vec<Vec<Point>> = series.iter().map(|series| series.thinned(POINTS)).collect();
+    let points: Vec<Vec<SeriesPoint>> = series.iter().map(|series| series.thinned(POINTS)).collect();
     let end = points.iter().filter_map(|points| points.last()).map(|point| point.time).fold(0.0, f64::max);
-    let lines = |figure: fn(&Point) -> f64| -> Vec<Vec<(f64, f64)>> {
+    let lines = |figure: fn(&SeriesPoint) -> f64| -> Vec<Vec<(f64, f64)>> {
         points.iter().map(|points| points.iter().map(|point| (point.time, figure(point))).collect()).collect()
     };
-    let plot = |title, unit, top: [f64; 2], figure: fn(&Point) -> f64| {
+    let plot = |title, unit, top: [f64; 2], figure: fn(&SeriesPoint) -> f64| {
         let mark = (top[1] == FAR).then_some((1.0, "1: two touch"));
         Plot {
             title: Cow::Borrowed(title),
@@ -32,8 +32,8 @@ pub fn plots(series: &[&Series], agents: usize) -> String {
     let plots = [
         plot("Arrived", "agents", [agents as f64, any], |point| point.arrived as f64),
         plot("Least separation", "distance of centres over the sum of radii", [1.2, FAR], |point| point.separation),
-        plot("Mean speed", "m/s, of those on their way", [0.1, any], |point| point.speed),
-        plot("Mean turning of headings", "°/s, of those on their way", [10.0, any], |point| point.turning),
+        plot("Mean speed", "m/s, of walking agents", [0.1, any], |point| point.speed),
+        plot("Mean turning of headings", "°/s, of walking agents", [10.0, any], |point| point.turning),
         plot("Mean swing of velocities", "m/s there and back in two steps", [0.1, any], |point| point.swing),
     ];
     plots.iter().map(Plot::svg).collect()

@@ -1,11 +1,12 @@
-//! The page: one file without network, with the table, figures over time, a player and the wildest moments.
+//! The HTML page: one self-contained file with the table, figures over time, a player, and the moments of the largest
+//! swings.
 
 mod charts;
 mod moments;
 
-use super::figures::{FIGURES, Results};
-use super::race::{Plan, Run};
-use super::table::{Row, caption, rows};
+use super::figures::{CompareResults, FIGURES};
+use super::race::{ComparePlan, ModelRun};
+use super::table::{ComparisonRow, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
 use crate::page::{Player, Scenery, document, escape, fill, swatch};
@@ -15,25 +16,25 @@ use throng_record::{Frame, moment};
 
 const PAGE: &str = include_str!("page.html");
 
-/// A page being made.
-pub struct Page {
+/// A page under construction.
+pub struct ComparePage {
     player: Player,
     agents: usize,
 }
 
-impl Page {
-    /// A page about these runs.
+impl ComparePage {
+    /// Begins a page about these runs.
     ///
     /// # Errors
-    /// The camera sees nothing.
-    pub fn new(args: &FilmArgs, plan: &Plan, runs: &[Run]) -> Result<Self, Failure> {
+    /// The camera's view is empty.
+    pub fn new(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<Self, Failure> {
         let Style { view, trails, groups, .. } = args.look.style(&plan.loaded.scene, runs[0].built.bounds)?;
         let setting = moment::setting(&runs[0].world, &runs[0].built, plan.loaded.title());
         let [min, max] = runs[0].built.bounds;
         let all = WorldBox::of(&setting, &runs[0].frame).unwrap_or(WorldBox { min, max });
         let color = |k: usize| groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
         let agents = runs[0].built.agents;
-        // what moves by a script has a number too
+        // Scripted bodies have numbers too, beyond those of the agents.
         let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);
         let numbers = present.chain([agents]).max().unwrap_or(0);
         let scenery = Scenery {
@@ -52,20 +53,20 @@ impl Page {
         Ok(Self { player: Player::new(scenery, runs.len(), numbers, runs[0].world.settings().step), agents })
     }
 
-    /// Takes in the runs that have moved on.
-    pub fn push(&mut self, runs: &[Run]) {
+    /// Adds the current moment of the runs that made the latest step.
+    pub fn push(&mut self, runs: &[ModelRun]) {
         let now = runs.iter().map(|run| run.world.steps()).max().unwrap_or(0);
         let moved = runs.iter().enumerate().filter(|(_, run)| run.world.steps() == now);
         self.player.push(now, moved.map(|(k, run)| (k, &*run.frame)));
     }
 
-    /// Takes in the last moment of all runs.
-    pub fn end(&mut self, runs: &[Run]) {
+    /// Adds the last moment of all runs.
+    pub fn end(&mut self, runs: &[ModelRun]) {
         runs.iter().enumerate().for_each(|(k, run)| self.player.end(k, &run.frame));
     }
 
-    /// The page.
-    pub fn text(self, plan: &Plan, results: &Results, all: bool) -> String {
+    /// Returns the text of the page.
+    pub fn text(self, plan: &ComparePlan, results: &CompareResults, all: bool) -> String {
         let series: Vec<&Series> =
             results.models.iter().filter_map(|(_, runs)| runs.first()).map(|run| &run.series).collect();
         let scene = &plan.loaded.scene;
@@ -89,7 +90,7 @@ impl Page {
         document(&title, &fill(PAGE, &parts), &self.player.script())
     }
 
-    fn facts(&self, plan: &Plan) -> String {
+    fn facts(&self, plan: &ComparePlan) -> String {
         let seeds: Vec<String> = plan.seeds.iter().map(u64::to_string).collect();
         let facts = [
             ("scene", plan.loaded.name.clone()),
@@ -101,7 +102,7 @@ impl Page {
         facts.iter().map(|(name, value)| format!("<div><dt>{name}</dt><dd>{}</dd></div>\n", escape(value))).collect()
     }
 
-    fn moments(&self, results: &Results, series: &[&Series]) -> String {
+    fn moments(&self, results: &CompareResults, series: &[&Series]) -> String {
         let row = |((label, _), series): (&(String, _), &&Series)| match series.peak() {
             Some(frames) => format!(
                 "<article><h3>{}</h3><p>{}</p><div class=\"three\">{}</div></article>\n",
@@ -109,33 +110,33 @@ impl Page {
                 swing_of(frames, series),
                 moments::pictures(frames, self.player.setting(), self.player.colors())
             ),
-            None => format!("<article><h3>{}</h3><p>no velocity ever swung</p></article>\n", escape(label)),
+            None => format!("<article><h3>{}</h3><p>no velocity swings</p></article>\n", escape(label)),
         };
         results.models.iter().zip(series).map(row).collect()
     }
 }
 
-/// How much velocities swung at these moments.
+/// Describes how far velocities swing at these moments.
 fn swing_of(frames: &[Frame; 3], series: &Series) -> String {
     let point = series.points().iter().find(|point| point.time == frames[2].time);
     let swing = point.map_or(0.0, |point| point.swing);
     format!(
-        "{:.2} to {:.2} s: velocities go {swing:.2} m/s there and back, mean of all on their way",
+        "{:.2} to {:.2} s: velocities swing by {swing:.2} m/s and back, mean of all walking agents",
         frames[0].time, frames[2].time
     )
 }
 
-/// What is in the table, in words.
-fn notes(plan: &Plan, results: &Results) -> String {
+/// Returns the caption of the table.
+fn notes(plan: &ComparePlan, results: &CompareResults) -> String {
     let small = if plan.seeds.len() > 1 { " Small: from the least to the greatest." } else { "" };
-    let ended = if results.interrupted { " Interrupted: figures are those up to there." } else { "" };
+    let ended = if results.interrupted { " Interrupted: figures cover the time until then." } else { "" };
     format!("{}.{small}{ended}", escape(&caption(plan, results)))
 }
 
-fn table(results: &Results, all: bool) -> String {
+fn table(results: &CompareResults, all: bool) -> String {
     let head = FIGURES.iter().map(|figure| format!("<th title=\"{}\">{}</th>", escape(figure.meaning), figure.head));
     let mut out = format!("<thead><tr><th>model</th>{}</tr></thead>\n<tbody>\n", head.collect::<String>());
-    for Row { name, cells, single } in rows(results, all) {
+    for ComparisonRow { name, cells, single } in rows(results, all) {
         let class = if single { " class=\"single\"" } else { "" };
         out.push_str(&format!("<tr{class}><th>{}</th>", escape(&name)));
         for cell in cells {
@@ -148,7 +149,7 @@ fn table(results: &Results, all: bool) -> String {
     out
 }
 
-fn legend(results: &Results) -> String {
+fn legend(results: &CompareResults) -> String {
     let entry = |(k, (label, _)): (usize, &(String, _))| format!("<span>{}{}</span>\n", swatch(k), escape(label));
     results.models.iter().enumerate().map(entry).collect()
 }

@@ -1,4 +1,5 @@
-//! The three consecutive moments of a run in which velocities swing most, near the agent whose velocity swings most.
+//! Pictures of the three consecutive moments of a run in which velocities swing most, around the agent with the largest
+//! swing.
 
 use glam::{DVec2, Vec2};
 use std::fmt::Write;
@@ -6,18 +7,18 @@ use throng::Obstacle;
 use throng_record::series::swing;
 use throng_record::{Body, Frame, Setting};
 
-/// Side of a picture, pixels, and in radii of the agent in its middle.
+/// The side of a picture: in pixels, and in radii of the agent in its middle.
 const SIDE: f64 = 240.0;
 const RADII: f64 = 14.0;
-/// An arrow is as long as the way of so many seconds.
+/// The length of arrows, in seconds of motion.
 const SECONDS: f64 = 0.5;
 
-/// The moments as three SVG elements with captions. `colors` are those of the groups.
+/// Returns the moments as three SVG elements with captions. `colors` are the colours of the groups.
 pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> String {
     let Some(middle) = wildest(frames) else { return String::new() };
     let view = |frame: &Frame| at(frame, middle).map(|body| body.position);
     let center = view(&frames[1]).unwrap_or_default();
-    let radius = at(&frames[1], middle).map_or(0.2, |body| f64::from(body.shape().bound()));
+    let radius = at(&frames[1], middle).map_or(0.2, |body| f64::from(body.shape().bounding_radius()));
     let window = Window { center, scale: SIDE / (RADII * radius) };
     let mut out = String::new();
     for (k, frame) in frames.iter().enumerate() {
@@ -43,7 +44,7 @@ pub fn pictures(frames: &[Frame; 3], setting: &Setting, colors: &[String]) -> St
     out
 }
 
-/// The agent whose velocity swings most.
+/// Returns the number of the walking agent with the largest swing of its velocity.
 fn wildest(frames: &[Frame; 3]) -> Option<u32> {
     let swings = frames[2].bodies.iter().filter(|body| body.status == throng::Status::Walking).filter_map(|body| {
         let (a, b) = (at(&frames[0], body.number)?, at(&frames[1], body.number)?);
@@ -58,7 +59,7 @@ fn at(frame: &Frame, number: u32) -> Option<&Body> {
 
 struct Window {
     center: DVec2,
-    /// Pixels a metre.
+    /// Pixels per metre.
     scale: f64,
 }
 
@@ -69,7 +70,7 @@ impl Window {
     }
 
     fn sees(&self, body: &Body) -> bool {
-        let reach = 0.5 * SIDE / self.scale + f64::from(body.shape().bound());
+        let reach = 0.5 * SIDE / self.scale + f64::from(body.shape().bounding_radius());
         (body.position - self.center).abs().max_element() < reach
     }
 

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use throng_record::Table;
 use throng_record::pedestrian::{Figures, Inside, Question, flow, steady_flow};
 
-/// The figures as one object.
+/// Returns the figures as one JSON object.
 pub fn json(People { question, figures, .. }: &People) -> Value {
     object(question, figures)
 }
 
-/// The same of figures that were measured elsewhere.
+/// Returns figures that another command measured as one JSON object.
 pub fn object(question: &Question, figures: &Figures) -> Value {
     let areas = question.areas.iter().zip(&figures.areas).map(|(area, inside)| {
         let diagram = Inside::fundamental_diagram(inside);

@@ -1,4 +1,4 @@
-//! People of a recording: their figures for the terminal, for programs, as a table of all moments, and as plots.
+//! People of a recording: their figures as text, as JSON, as a table of all moments, and as plots.
 
 mod json;
 mod moments;
@@ -6,7 +6,7 @@ mod player;
 mod plots;
 mod text;
 
-use super::Subject;
+use super::MeasuredSubject;
 use super::args::MeasureArgs;
 use crate::failure::Failure;
 use crate::files::is;
@@ -14,28 +14,28 @@ use crate::out::note;
 use crate::page::Player;
 use std::path::Path;
 use throng_record::pedestrian::{self, Figures, Ground, Question};
-use throng_record::{Spot, Table, Tracks};
+use throng_record::{Sample, Table, Trajectories};
 
 pub use json::{json, object};
 pub use plots::KEY;
 
-/// How far Voronoi cells reach where the ground is not known, metres.
+/// How far Voronoi cells reach without known ground, metres.
 const CUT_OFF: f64 = 1.0;
 
-/// People and what was measured.
+/// The people of a recording and their figures.
 pub struct People {
-    /// What was asked.
+    /// What was measured.
     question: Question,
-    /// What was found.
+    /// The results.
     figures: Figures,
-    /// They themselves, where a page is to show them.
+    /// The player that shows the people, if a page is written.
     player: Option<Player>,
 }
 
-/// That nothing is asked of a scene that is measured of recordings only.
+/// Checks that a scene is not measured with options that apply only to recordings.
 ///
 /// # Errors
-/// Something is.
+/// Such an option is given.
 pub fn not_of_scenes(args: &MeasureArgs) -> Result<(), Failure> {
     let people = &args.people;
     if people.area.is_empty() && people.line.is_empty() && people.walkable.is_none() && people.cut_off.is_none() {
@@ -45,11 +45,16 @@ pub fn not_of_scenes(args: &MeasureArgs) -> Result<(), Failure> {
     Err(Failure::hint(text, "record it first, with `throng run SCENE -o NAME.csv`, and measure NAME.csv"))
 }
 
-/// Those of a recording who count; `None` where somebody is above the ground and nothing of people is asked.
+/// Measures the people of a recording that `counts` selects; `None` where a sample is above the ground and no area or
+/// line is given.
 ///
 /// # Errors
 /// The floor plan cannot be read, or a page would have more moments than the limit.
-pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -> Result<Option<People>, Failure> {
+pub fn of(
+    args: &MeasureArgs,
+    tracks: &Trajectories,
+    counts: impl Fn(&Sample) -> bool,
+) -> Result<Option<People>, Failure> {
     let asked = &args.people;
     let flies = tracks.spots.iter().any(|spot| spot.place.z != 0.0);
     if flies && asked.area.is_empty() && asked.line.is_empty() {
@@ -74,11 +79,11 @@ pub fn of(args: &MeasureArgs, tracks: &Tracks, counts: impl Fn(&Spot) -> bool) -
     Ok(Some(People { figures: Figures::of(&people, &question), question, player }))
 }
 
-/// All moments as a table.
+/// Returns the figures of all moments as a table.
 ///
 /// # Errors
 /// There are no people, as in a scene.
-pub fn table(path: &Path, subject: &Subject) -> Result<Table, Failure> {
+pub fn table(path: &Path, subject: &MeasuredSubject) -> Result<Table, Failure> {
     let Some(People { question, figures, .. }) = &subject.people else {
         let text = format!("{}: only people of a file of trajectories have a table of moments", path.display());
         return Err(Failure::hint(text, "end the name in .html for a page of plots"));

@@ -1,19 +1,19 @@
-//! All moments as a table.
+//! The figures of all moments as a table.
 
 use throng_record::Table;
 use throng_record::pedestrian::{Figures, Inside, Instant, Question, count};
 
-/// A column an instant, an area, or a line has.
+/// The name of a column, and its value in an instant or an area.
 type Value<T> = (&'static str, fn(&T) -> f64);
 
-/// Of the whole.
+/// The columns of the whole recording.
 const WHOLE: [Value<Instant>; 4] = [
     ("time", |at| at.time),
     ("people", |at| at.people as f64),
     ("speed", |at| at.speed),
     ("lane_order", |at| at.lane_order),
 ];
-/// Of each area.
+/// The columns of each area.
 const AREA: [Value<Inside>; 4] = [
     ("density", |at| at.density),
     ("area_speed", |at| at.speed),
@@ -21,8 +21,8 @@ const AREA: [Value<Inside>; 4] = [
     ("voronoi_speed", |at| at.voronoi_speed),
 ];
 
-/// The figures of all moments: those of the whole, of each area, and how many have crossed each line. Where there are several areas
-/// or lines their columns are numbered from 1.
+/// Returns the figures of all moments: those of the whole recording, of each area, and the number of people across
+/// each line so far. Where there are several areas or lines, their columns are numbered from 1.
 pub fn table(question: &Question, figures: &Figures) -> Table {
     let mut table = Table::default();
     for (name, value) in WHOLE {
@@ -40,7 +40,7 @@ pub fn table(question: &Question, figures: &Figures) -> Table {
     table
 }
 
-/// A name, with a number from 1 behind it where there are several.
+/// Returns a name, followed by its number (from 1) where there are several.
 pub fn numbered(name: &str, between: &str, index: usize, of: usize) -> String {
     if of > 1 { format!("{name}{between}{}", index + 1) } else { name.to_owned() }
 }

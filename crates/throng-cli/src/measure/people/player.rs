@@ -1,4 +1,4 @@
-//! Those who are measured, in the page's player.
+//! The measured people in the page's player.
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -9,33 +9,33 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use throng_draw::{Style, WorldBox, palette};
 use throng_record::pedestrian::Question;
-use throng_record::{Frame, Moments, Spot, Tracks};
+use throng_record::{Frame, Moments, Sample, Trajectories};
 
-/// A player of those of tracks who count, with the areas and lines that figures are of.
+/// Returns a player of the samples that `counts` selects, with the measured areas and lines.
 ///
 /// # Errors
-/// It has more moments than the limit.
+/// The page would have more moments than the limit.
 pub fn player(
     path: &Path,
-    tracks: &Tracks,
+    tracks: &Trajectories,
     question: &Question,
-    counts: impl Fn(&Spot) -> bool,
+    counts: impl Fn(&Sample) -> bool,
 ) -> Result<Player, Failure> {
-    let mut spots: Vec<Spot> = tracks.spots.iter().filter(|spot| counts(spot)).copied().collect();
-    // a page holds as many ways as there are numbers
+    let mut spots: Vec<Sample> = tracks.spots.iter().filter(|spot| counts(spot)).copied().collect();
+    // The player stores a trajectory for every number up to the largest, so people are renumbered without gaps.
     let mut dense = BTreeMap::new();
     for spot in &spots {
         let next = dense.len() as u32;
         dense.entry(spot.number).or_insert(next);
     }
     spots.iter_mut().for_each(|spot| spot.number = dense[&spot.number]);
-    let moments = Moments::of(Tracks { setting: tracks.setting.clone(), spots, ..Tracks::default() });
+    let moments = Moments::of(Trajectories { setting: tracks.setting.clone(), spots, ..Trajectories::default() });
     let mut setting = moments.setting.clone();
     if setting.walkable.is_empty() {
         setting.walkable.clone_from(&question.ground.walkable);
     }
-    let one = WorldBox { min: DVec2::ZERO, max: DVec2::ONE };
-    let view = WorldBox::of(&setting, &moments.everybody()).unwrap_or(one);
+    let unit = WorldBox { min: DVec2::ZERO, max: DVec2::ONE };
+    let view = WorldBox::of(&setting, &moments.all_bodies()).unwrap_or(unit);
     let (start, step, last) = (moments.time(0), moments.period(), moments.count().saturating_sub(1));
     let scenery = Scenery {
         view,
@@ -52,7 +52,7 @@ pub fn player(
     };
     let mut player = Player::new(scenery, 1, dense.len(), step);
     let mut frame = Frame::default();
-    // a moment every step, the last that was where one is missing
+    // The player takes one moment per step; the previous moment fills in for a missing one.
     let (mut moment, steps) = (0, ((moments.time(last) - start) / step).round());
     limit(path, "moments of a page", steps, [start, moments.time(last)], "choose a part with --from and --to")?;
     for k in (0..=steps as u64).take_while(|_| !interrupt::asked()) {

@@ -1,4 +1,4 @@
-//! The section about people on the page.
+//! The section of the page about people.
 
 use super::People;
 use super::moments::numbered;
@@ -6,18 +6,18 @@ use crate::measure::page::escape_lines;
 use crate::page::{Height, Player, Plot, TIME, escape, swatch};
 use throng_record::pedestrian::{Inside, Instant, count};
 
-/// Points of a line over time, at most.
+/// The maximum number of points of a line over time.
 const POINTS: usize = 400;
-/// Width of the bins of densities, 1/m².
+/// The width of the bins of densities, 1/m².
 const BIN: f64 = 0.25;
 /// The highest density of the diagram, 1/m².
 const DENSEST: f64 = 6.0;
 
-/// What the lines of plots are.
+/// The meanings of the lines in plots.
 pub const KEY: [(usize, &str); 3] = [(0, "measured; classic"), (1, "by Voronoi cells"), (5, "Weidmann 1993")];
 
 impl People {
-    /// The section.
+    /// Returns the section as HTML.
     pub fn section(&self, name: &str) -> String {
         let figures = escape_lines(&self.text(name));
         let plots: String = self.plots().iter().map(Plot::svg).collect();
@@ -25,21 +25,21 @@ impl People {
         let player = self.player.as_ref().map_or_else(String::new, |player| player.section(&[escape(name)], ""));
         format!(
             "<section>\n<h2>People</h2>\n<pre>{figures}</pre>\n{player}<p class=\"legend\">\n{legend}</p>\n<div class=\"plots\">\n{plots}</div>\n\
-             <p class=\"note\">Speed at a density is the mean of all moments whose density is within {BIN} /m². A click on a plot over time sets the clock of the player.</p>\n</section>\n"
+             <p class=\"note\">Speed at a density is the mean of all moments with a density within {BIN} /m². A click on a plot over time sets the clock of the player.</p>\n</section>\n"
         )
     }
 
-    /// What makes the player play, where there is one.
+    /// Returns the script of the player; empty without a player.
     pub fn script(&self) -> String {
         self.player.as_ref().map_or_else(String::new, Player::script)
     }
 
-    /// All plots.
+    /// Returns all plots.
     pub fn plots(&self) -> Vec<Plot<'static>> {
         let Self { question, figures, .. } = self;
         let whole = |figure: fn(&Instant) -> f64| figures.instants.iter().map(figure).collect();
         let mut out = vec![
-            self.over_time("People".into(), "who are there", [whole(|at| at.people as f64)]),
+            self.over_time("People".into(), "present", [whole(|at| at.people as f64)]),
             self.over_time("Mean speed".into(), "m/s", [whole(|at| at.speed)]),
         ];
         for (k, inside) in figures.areas.iter().enumerate() {
@@ -54,7 +54,7 @@ impl People {
         for (k, crossings) in figures.crossings.iter().enumerate() {
             let line = numbered("line", " ", k, question.lines.len());
             let crossed = figures.instants.iter().map(|at| count(crossings, at.time) as f64).collect();
-            out.push(self.over_time(format!("N(t): how many have crossed {line}"), "", [crossed]));
+            out.push(self.over_time(format!("N(t): people that have crossed {line}"), "", [crossed]));
         }
         if figures.directions.iter().all(|&count| count > 0) {
             out.push(self.over_time("Lane order".into(), "", [whole(|at| at.lane_order)]));
@@ -62,7 +62,7 @@ impl People {
         out
     }
 
-    /// Figures of all moments.
+    /// Returns a plot of figures of all moments.
     fn over_time<const N: usize>(&self, title: String, unit: &'static str, figures: [Vec<f64>; N]) -> Plot<'static> {
         let instants = &self.figures.instants;
         let thin = instants.len().div_ceil(POINTS).max(1);
@@ -74,7 +74,7 @@ impl People {
     }
 }
 
-/// The fundamental diagram of an area, beside Weidmann's.
+/// Returns the fundamental diagram of an area beside that of Weidmann (1993).
 fn diagram(title: String, inside: &[Inside]) -> Plot<'static> {
     let mut bins: Vec<(f64, u32)> = Vec::new();
     let all = Inside::fundamental_diagram(inside);

@@ -9,7 +9,7 @@ use throng_record::pedestrian::{Inside, NEAR_MISS, flow, steady_flow};
 use throng_record::swarm::Distribution;
 
 impl People {
-    /// The figures as a table.
+    /// Returns the figures as text.
     pub fn text(&self, name: &str) -> String {
         let Self { question, figures, .. } = self;
         let (motion, ways, contacts) = (&figures.motion, &figures.ways, &figures.contacts);
@@ -35,7 +35,7 @@ impl People {
             row("path length, m", &ways.length),
             row("path ratio", &ways.ratio),
         ]));
-        // writing to a string does not fail
+        // Writing to a string does not fail.
         for (k, (area, inside)) in question.areas.iter().zip(&figures.areas).enumerate() {
             let mean = |figure: fn(&Inside) -> f64| short(Inside::mean(inside, figure));
             let (density, cells) = (mean(|at| at.density), mean(|at| at.voronoi_density));
@@ -62,11 +62,11 @@ impl People {
         if one.min(other) > 0 {
             let [order, steady] = [figures.mean(|at| at.lane_order), figures.steady_lane_order()].map(short);
             let _ =
-                writeln!(out, "  lanes      {one} go one way, {other} the other; order {order}, when steady {steady}");
+                writeln!(out, "  lanes      {one} people one way, {other} the other; order {order}, steady {steady}");
         }
         let [least, separation, time] = [contacts.least, contacts.separation, contacts.least_time].map(short);
         let (collisions, misses) = (contacts.collisions, contacts.near_misses);
-        let _ = writeln!(out, "  nearest    {least} m, {separation} of what they touch at; {collisions} collisions");
+        let _ = writeln!(out, "  nearest    {least} m, {separation} of the sum of radii; {collisions} collisions");
         let _ = writeln!(out, "  near miss  {misses} within {NEAR_MISS} s of a collision; the nearest {time} s");
         let [half, most, all] = [0.5, 0.95, 1.0].map(|part| short(ways.left(part).unwrap_or(f64::NAN)));
         let _ = writeln!(out, "  left       half after {half} s, 95 % after {most} s, all after {all} s");

@@ -9,73 +9,73 @@ use place::place;
 use serde_json::json;
 use throng_draw::{WorldBox, columns};
 use throng_record::{Frame, Setting};
-use tracks::Tracks;
+use tracks::PlayerTracks;
 
 const SECTION: &str = include_str!("player.html");
 const SCRIPT: &str = include_str!("player.js");
 
-/// What a player shows besides people.
+/// The contents of a player besides the trajectories.
 pub struct Scenery {
-    /// The place, and the names of the groups.
+    /// The place and the names of the groups.
     pub setting: Setting,
     /// The part of the world to show.
     pub view: WorldBox,
-    /// Where everybody is at all times.
+    /// The box of all positions at all times.
     pub all: WorldBox,
-    /// Colours of the groups.
+    /// The colours of the groups.
     pub colors: Vec<String>,
-    /// How long trails are, seconds.
+    /// The length of trails, seconds.
     pub trails: f32,
-    /// Point goals and their tolerances.
+    /// The point goals and their tolerances.
     pub points: Vec<(DVec2, f64)>,
-    /// Corners of areas, and ends of lines, that figures are of.
+    /// The corners of the areas of figures.
     pub marked: Vec<Vec<DVec2>>,
-    /// The ends of lines that figures are of.
+    /// The ends of the lines of figures.
     pub counted: Vec<Vec<DVec2>>,
-    /// How many people there are in a run.
+    /// The number of people in a run.
     pub agents: usize,
-    /// What has become of those that frames count as arrived, in a word.
+    /// The word for people that frames count as arrived.
     pub gone: &'static str,
-    /// Time of the first moment, seconds.
+    /// The time of the first moment, seconds.
     pub start: f64,
 }
 
-/// A player being made.
+/// A player under construction.
 pub struct Player {
     scenery: Scenery,
     count: usize,
-    tracks: Tracks,
+    tracks: PlayerTracks,
 }
 
 impl Player {
-    /// Of so many runs, whose moments are `step` seconds apart and whose agents have numbers below `numbers`.
+    /// Creates a player of `count` runs. Moments are `step` seconds apart; numbers of agents are below `numbers`.
     pub fn new(scenery: Scenery, count: usize, numbers: usize, step: f64) -> Self {
         let Scenery { view, all, .. } = &scenery;
         let held = WorldBox { min: view.min.min(all.min), max: view.max.max(all.max) };
-        Self { tracks: Tracks::new(count, numbers, step, held), scenery, count }
+        Self { tracks: PlayerTracks::new(count, numbers, step, held), scenery, count }
     }
 
-    /// Takes in a moment, so many steps after the first, of those runs that have come so far.
+    /// Adds a moment, `steps` steps after the first, of the runs that have reached it.
     pub fn push<'a>(&mut self, steps: u64, frames: impl IntoIterator<Item = (usize, &'a Frame)>) {
         self.tracks.push(steps, frames);
     }
 
-    /// Takes in the last moment of a run.
+    /// Adds the last moment of a run.
     pub fn end(&mut self, run: usize, frame: &Frame) {
         self.tracks.end(run, frame, frame.time - self.scenery.start);
     }
 
-    /// The place and the names of the groups.
+    /// Returns the place and the names of the groups.
     pub fn setting(&self) -> &Setting {
         &self.scenery.setting
     }
 
-    /// Colours of the groups.
+    /// Returns the colours of the groups.
     pub fn colors(&self) -> &[String] {
         &self.scenery.colors
     }
 
-    /// The panels, whose names are HTML, the controls, and what is said of them.
+    /// Returns the panels, the controls and the note as HTML. `names` of the panels are HTML.
     pub fn section(&self, names: &[String], note: &str) -> String {
         let panel = |name: &String| {
             format!(
@@ -90,7 +90,7 @@ impl Player {
         fill(SECTION, &parts)
     }
 
-    /// What makes it play; the last thing on the page.
+    /// Returns the script and its data; they must be the last elements of the page.
     pub fn script(&self) -> String {
         let Scenery { setting, view, colors, trails, points, marked, counted, agents, gone, start, .. } = &self.scenery;
         let size = view.max - view.min;
@@ -106,7 +106,7 @@ impl Player {
             "place": place(setting, points, marked, counted),
             "tracks": self.tracks.json(),
         });
-        // a script ends at the first `</`
+        // A script element ends at the first `</`.
         let data = data.to_string().replace('<', "\\u003c");
         format!("<script type=\"application/json\" id=\"data\">{data}</script>\n<script>\n{SCRIPT}\n</script>")
     }

@@ -1,12 +1,12 @@
-//! The place, as the page's script reads it.
+//! The place as data for the page's script.
 
 use glam::DVec2;
 use serde_json::{Value, json};
 use throng::{Goal, Obstacle};
 use throng_record::Setting;
 
-/// Ground, obstacles and goals; `points` are the point goals that are drawn, with their tolerances, `marked` the areas and
-/// `counted` the lines that figures are of.
+/// Returns ground, obstacles and goals as JSON. `points` are the drawn point goals with their tolerances, `marked` the
+/// areas and `counted` the lines of figures.
 pub fn place(setting: &Setting, points: &[(DVec2, f64)], marked: &[Vec<DVec2>], counted: &[Vec<DVec2>]) -> Value {
     let (mut circles, mut polygons, mut walls) = (Vec::new(), Vec::new(), Vec::new());
     for obstacle in &setting.obstacles {
@@ -39,7 +39,7 @@ fn line(points: &[DVec2]) -> Value {
     points.iter().map(|point| json!([short(point.x), short(point.y)])).collect()
 }
 
-/// Millimetres are enough for a picture.
+/// Rounds to millimetres, which are enough for a picture.
 fn short(metres: f64) -> f64 {
     (metres * 1e3).round() / 1e3
 }

@@ -1,9 +1,9 @@
-//! Trajectories, small enough for a page: a word of 32 bits an agent and frame.
+//! Trajectories, packed for a page: one word of 32 bits per agent and frame.
 //!
 //! From the lowest bit: 12 bits x and 12 bits y in parts of the larger side of the box, 6 bits heading in parts of a
-//! turn, 2 bits status: 0 not there, 1 on its way, 2 arrived, 3 cannot arrive. At 25 frames a second at most; where
-//! that is more than the page should hold, every other frame is left out, again and again, and of very many agents only
-//! every n-th is kept.
+//! turn, 2 bits status: 0 absent, 1 walking, 2 arrived, 3 cannot arrive. There are at most 25 frames per second. While
+//! the data exceeds the limit of the page, every other frame is dropped, repeatedly. Of very many agents only every
+//! n-th agent is kept.
 
 use glam::DVec2;
 use serde_json::{Value, json};
@@ -13,54 +13,54 @@ use throng_draw::WorldBox;
 use throng_draw::base64;
 use throng_record::{Body, Frame};
 
-/// Words on a page: 12 MB of text.
+/// The maximum number of words on a page: 12 MB of text.
 const BUDGET: usize = 2_250_000;
-/// Frames a run, for which rather agents are left out.
+/// The number of frames per run below which agents are dropped instead.
 const FRAMES: usize = 60;
-/// Frames a second.
+/// Frames per second.
 const RATE: f64 = 25.0;
 
-/// Trajectories of all runs.
-pub struct Tracks {
+/// The trajectories of all runs.
+pub struct PlayerTracks {
     corner: DVec2,
     quantum: f64,
-    /// Of so many agents one is kept.
+    /// One agent of this many is kept.
     every: usize,
-    /// Agents kept.
+    /// The number of agents kept.
     slots: usize,
-    /// Frames a run at most.
+    /// The maximum number of frames per run.
     most: usize,
-    /// Steps from one frame to the next.
+    /// The number of steps from one frame to the next.
     stride: u64,
     finest: u64,
     step: f64,
-    runs: Vec<Track>,
+    runs: Vec<PlayerTrack>,
     radius: Vec<f32>,
     core: Vec<[f32; 2]>,
     group: Vec<u32>,
 }
 
 #[derive(Default)]
-struct Track {
+struct PlayerTrack {
     words: Vec<u32>,
     arrived: Vec<usize>,
     end: f64,
 }
 
-impl Tracks {
-    /// Of so many runs of so many agents, whose numbers are below that, in this box; `step` is the time from a moment to the next,
-    /// seconds.
+impl PlayerTracks {
+    /// Creates the trajectories of `runs` runs within a box. Numbers of agents are below `agents`; `step` is the time
+    /// between moments, seconds.
     pub fn new(runs: usize, agents: usize, step: f64, view: WorldBox) -> Self {
         Self::within(BUDGET, runs, agents, step, view)
     }
 
-    /// In so many words.
+    /// Creates the trajectories within a budget of words.
     fn within(budget: usize, runs: usize, agents: usize, step: f64, view: WorldBox) -> Self {
         let room = 0.1 * (view.max - view.min).max_element() + 1.0;
         let (low, high) = (view.min - room, view.max + room);
         let every = (agents * runs * FRAMES).div_ceil(budget).max(1);
         let slots = agents.div_ceil(every);
-        // frames lie on steps, so that they are evenly apart
+        // Frames lie on steps, so that they are evenly spaced.
         let finest = (1.0 / (RATE * step) - 1e-6).ceil().max(1.0) as u64;
         Self {
             corner: low,
@@ -71,14 +71,14 @@ impl Tracks {
             stride: finest,
             finest,
             step,
-            runs: (0..runs).map(|_| Track::default()).collect(),
+            runs: (0..runs).map(|_| PlayerTrack::default()).collect(),
             radius: vec![0.0; slots],
             core: vec![[0.0; 2]; slots],
             group: vec![0; slots],
         }
     }
 
-    /// Takes in a moment, so many steps after the first, of those runs that have come so far.
+    /// Adds a moment, `steps` steps after the first, of the runs that have reached it.
     pub fn push<'a>(&mut self, steps: u64, frames: impl IntoIterator<Item = (usize, &'a Frame)>) {
         if !steps.is_multiple_of(self.stride) {
             return;
@@ -96,7 +96,7 @@ impl Tracks {
         }
     }
 
-    /// Adds the last moment of a run, so many seconds after its first.
+    /// Adds the last moment of a run, `seconds` after its first.
     pub fn end(&mut self, run: usize, frame: &Frame, seconds: f64) {
         self.add(run, frame);
         self.runs[run].end = seconds;
@@ -127,7 +127,7 @@ impl Tracks {
         at.x as u32 | (at.y as u32) << 12 | heading << 24 | status << 30
     }
 
-    /// What was left out, in words; empty for nothing.
+    /// Describes what was dropped; empty for nothing.
     pub fn left_out(&self) -> String {
         let rate = if self.stride > self.finest {
             format!("{} frames a second", (100.0 / self.seconds()).round() / 100.0)
@@ -138,12 +138,12 @@ impl Tracks {
         [rate, agents].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
     }
 
-    /// From one frame to the next.
+    /// Returns the time from one frame to the next, seconds.
     fn seconds(&self) -> f64 {
         self.stride as f64 * self.step
     }
 
-    /// As the page's script reads it. A run's last frame is at its end, the others are evenly apart.
+    /// Returns the data for the page's script. A run's last frame is at its end, all other frames are evenly spaced.
     pub fn json(&self) -> Value {
         let runs = self.runs.iter().map(|run| {
             let bytes: Vec<u8> = run.words.iter().flat_map(|word| word.to_le_bytes()).collect();
@@ -165,8 +165,8 @@ impl Tracks {
 mod tests {
     use super::*;
 
-    /// Two people who walk 100 steps of 0.04 s, in so many words for two runs.
-    fn walk(budget: usize) -> Tracks {
+    /// Returns two people that walk 100 steps of 0.04 s in two runs, within a budget of words.
+    fn walk(budget: usize) -> PlayerTracks {
         let frame = |step: u32| {
             let body = |number: u32| {
                 let x = f64::from(step) * 0.05 * if number == 0 { 1.0 } else { -1.0 };
@@ -175,7 +175,7 @@ mod tests {
             Frame { time: f64::from(step) * 0.04, bodies: vec![body(0), body(1)], ..Frame::default() }
         };
         let view = WorldBox { min: DVec2::splat(-10.0), max: DVec2::splat(10.0) };
-        let mut tracks = Tracks::within(budget, 2, 2, 0.04, view);
+        let mut tracks = PlayerTracks::within(budget, 2, 2, 0.04, view);
         for step in 0..=100 {
             let frame = frame(step);
             tracks.push(step.into(), [(0, &frame), (1, &frame)]);
@@ -191,7 +191,7 @@ mod tests {
         position: DVec2::ZERO,
         altitude: 0.0,
         velocity: glam::Vec2::ZERO,
-        climb: 0.0,
+        vertical_velocity: 0.0,
         heading: 0.0,
         basis: None,
         radius: 0.2,
@@ -201,10 +201,10 @@ mod tests {
     };
 
     #[test]
-    fn what_would_be_too_much_is_thinned_evenly() {
+    fn data_over_the_budget_is_thinned_evenly() {
         let whole = walk(BUDGET);
         assert_eq!((whole.left_out().as_str(), whole.runs[0].arrived.len(), whole.seconds()), ("", 102, 0.04));
-        // 102 frames of 2 agents of 2 models are 408 words
+        // 102 frames of 2 agents in 2 runs are 408 words.
         let thin = walk(250);
         assert_eq!((thin.left_out().as_str(), thin.runs[1].arrived.len()), ("12.5 frames a second", 52));
         for (k, words) in thin.runs[1].words.chunks_exact(2).enumerate() {
@@ -213,7 +213,7 @@ mod tests {
         }
         let few = walk(200);
         assert_eq!((few.left_out().as_str(), few.runs[1].words.len()), ("12.5 frames a second, one of 2 agents", 52));
-        assert!(few.runs[1].words.iter().zip(thin.runs[1].words.chunks_exact(2)).all(|(one, both)| *one == both[0]));
+        assert!(few.runs[1].words.iter().zip(thin.runs[1].words.chunks_exact(2)).all(|(half, both)| *half == both[0]));
     }
 
     #[test]

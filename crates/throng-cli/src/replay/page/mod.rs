@@ -1,8 +1,8 @@
-//! The page of a replay: the tables, a player of the recorded and of every model on one clock, and plots.
+//! The page of a replay: the tables, a player of the recording and every model on one clock, and plots.
 
 mod plots;
 
-use super::report::Report;
+use super::report::ReplayReport;
 use super::setup::Setup;
 use super::tables::tables;
 use super::text::facts;
@@ -14,18 +14,18 @@ use throng_record::Frame;
 
 const PAGE: &str = include_str!("page.html");
 
-/// A page being made.
-pub struct Page {
+/// A page under construction.
+pub struct ReplayPage {
     player: Player,
-    /// A moment with people by their walks.
+    /// A moment in which people are numbered by their walks.
     frame: Frame,
 }
 
-impl Page {
-    /// A page whose player shows what pictures of this style do.
+impl ReplayPage {
+    /// Begins a page. Its player shows the same view as pictures of this style.
     pub fn new(setup: &Setup, style: &Style) -> Self {
-        let one = WorldBox { min: glam::DVec2::ZERO, max: glam::DVec2::ONE };
-        let view = style.view.unwrap_or(one);
+        let unit = WorldBox { min: glam::DVec2::ZERO, max: glam::DVec2::ONE };
+        let view = style.view.unwrap_or(unit);
         let (walks, [start, _]) = (setup.cast.people.walks.len(), setup.span());
         let setting = setup.setting("");
         let scenery = Scenery {
@@ -45,7 +45,7 @@ impl Page {
         Self { player: Player::new(scenery, setup.models.len() + 1, walks, step), frame: Frame::default() }
     }
 
-    /// Takes in a moment of the recorded and of every model, so many steps after the first.
+    /// Adds a moment of the recording and of every model, `steps` steps after the first.
     pub fn push(&mut self, setup: &Setup, steps: u64, frames: &[Arc<Frame>]) {
         for (run, frame) in frames.iter().enumerate() {
             self.take(setup, frame);
@@ -53,7 +53,7 @@ impl Page {
         }
     }
 
-    /// Takes in the last moment.
+    /// Adds the last moment.
     pub fn end(&mut self, setup: &Setup, frames: &[Arc<Frame>]) {
         for (run, frame) in frames.iter().enumerate() {
             self.take(setup, frame);
@@ -61,7 +61,7 @@ impl Page {
         }
     }
 
-    /// A player holds a row for every number.
+    /// Renumbers people by their walks: the player stores a row for every number up to the largest.
     fn take(&mut self, setup: &Setup, frame: &Frame) {
         self.frame.clone_from(frame);
         for body in &mut self.frame.bodies {
@@ -69,8 +69,8 @@ impl Page {
         }
     }
 
-    /// The page.
-    pub fn text(self, report: &Report) -> String {
+    /// Returns the text of the page.
+    pub fn text(self, report: &ReplayReport) -> String {
         let setup = report.setup;
         let name = title(&setup.args.data);
         let names = std::iter::once("recorded").chain(setup.models.iter().map(String::as_str));
@@ -80,13 +80,13 @@ impl Page {
             grids.iter().map(|grid| format!("<h3>{}</h3>\n{}", escape(&grid.title), table(&grid.head, &grid.rows)));
         let key = std::iter::once("recorded").chain(report.predictors().into_iter().map(|predictor| predictor.name));
         let key = key.enumerate().map(|(k, name)| format!("<span>{}{}</span>\n", swatch(k), escape(name)));
-        let ended = if report.interrupted { " Interrupted: figures are those up to there." } else { "" };
+        let ended = if report.interrupted { " Interrupted: figures cover the time until then." } else { "" };
         let parts = [
             ("name", escape(&name)),
             ("facts", escape(&(facts(report).join("; ") + "."))),
             ("version", env!("CARGO_PKG_VERSION").to_owned()),
             ("ended", ended.to_owned()),
-            ("player", self.player.section(&names, "Those who have gone are counted over each panel.")),
+            ("player", self.player.section(&names, "The number of people that have left is shown above each panel.")),
             ("key", key.collect()),
             ("plots", plots::plots(report).iter().map(Plot::svg).collect()),
             ("tables", grids.collect()),

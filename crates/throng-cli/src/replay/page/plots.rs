@@ -1,42 +1,42 @@
-//! The plots of a replay: a line for the recorded, for each model, and for the two predictors that know nothing of others.
+//! The plots of a replay: a line for the recording, for each model, and for the two predictors without interaction.
 
 use crate::page::{Height, Plot, TIME};
-use crate::replay::report::{Came, Report, mean_and_median};
-use throng_record::pedestrian::replay::{Pair, Sample, from_entry};
+use crate::replay::report::{ModelResults, ReplayReport, mean_and_median};
+use throng_record::pedestrian::replay::{Pair, PredictionSample, from_entry};
 use throng_record::pedestrian::{Figures, Instant, count};
 
-/// Points of a line, at most.
+/// The maximum number of points of a line.
 const POINTS: usize = 400;
-/// Points of the displacement since people entered.
+/// The number of points of the displacement since entry.
 const SINCE: u32 = 40;
-/// As far as fewer people than this share were recorded is not plotted.
+/// Times at which fewer people than this share were recorded are not plotted.
 const FEW: f64 = 0.1;
-/// The share of values as far as which distributions are plotted.
+/// The share of values up to which distributions are plotted.
 const MOST: f64 = 0.98;
 
-/// Displacements that are so many times those of models are cut off.
+/// Displacements above this multiple of the models' largest are cut off.
 const BEYOND: f64 = 2.5;
-/// Plots of displacement are at least so high, metres.
+/// The least height of plots of displacement, metres.
 const LEAST: f64 = 0.1;
 
 type Line = Vec<(f64, f64)>;
 
-/// All of them.
-pub fn plots(report: &Report) -> Vec<Plot<'static>> {
+/// Returns all plots.
+pub fn plots(report: &ReplayReport) -> Vec<Plot<'static>> {
     let mut out = vec![since_entry(report)];
     out.extend(ahead(report));
     out.push(distribution(report, "Speed", "speed, m/s", |came| &came.compared.speed));
-    out.push(distribution(report, "Distance to the nearest other", "distance, m", |came| &came.compared.nearest));
-    out.push(over_time(report, "People", "who are there", |_, at| at.people as f64));
+    out.push(distribution(report, "Distance to the nearest neighbour", "distance, m", |came| &came.compared.nearest));
+    out.push(over_time(report, "People", "present", |_, at| at.people as f64));
     out.push(over_time(report, "Mean speed", "m/s", |_, at| at.speed));
     if !report.question.lines.is_empty() {
         let crossed = |figures: &Figures, at: &Instant| count(&figures.crossings[0], at.time) as f64;
-        out.push(over_time(report, "N(t): how many have crossed the line", "", crossed));
+        out.push(over_time(report, "N(t): people that have crossed the line", "", crossed));
     }
     out
 }
 
-fn since_entry(report: &Report) -> Plot<'static> {
+fn since_entry(report: &ReplayReport) -> Plot<'static> {
     let cast = &report.setup.cast;
     let duration = |walk: &throng_record::pedestrian::Walk| walk.times[walk.times.len() - 1] - walk.times[0];
     let mut durations: Vec<f64> = cast.people.walks.iter().map(duration).collect();
@@ -50,21 +50,21 @@ fn since_entry(report: &Report) -> Plot<'static> {
     displacement(report, "Displacement since entry", "since entry, s", points.collect())
 }
 
-fn ahead(report: &Report) -> Option<Plot<'static>> {
+fn ahead(report: &ReplayReport) -> Option<Plot<'static>> {
     let predicted = report.predicted.as_ref()?;
     let of = |k: usize| predicted.samples.iter().map(|all| all[k].clone()).collect();
-    let mut points: Vec<(f64, Vec<Vec<Sample>>)> =
+    let mut points: Vec<(f64, Vec<Vec<PredictionSample>>)> =
         predicted.horizons.iter().enumerate().map(|(k, &seconds)| (seconds, of(k))).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     Some(displacement(report, "Displacement ahead", "ahead, s", points))
 }
 
-/// How far people are off after these times, means; the samples are by model.
+/// Returns a plot of mean displacements after these times; the samples are by model.
 fn displacement(
-    report: &Report,
+    report: &ReplayReport,
     title: &'static str,
     axis: &'static str,
-    points: Vec<(f64, Vec<Vec<Sample>>)>,
+    points: Vec<(f64, Vec<Vec<PredictionSample>>)>,
 ) -> Plot<'static> {
     let mut lines = vec![Line::new()];
     for predictor in report.predictors() {
@@ -73,16 +73,21 @@ fn displacement(
         lines.push(std::iter::once((0.0, 0.0)).chain(found).collect());
     }
     let span = [0.0, points.last().map_or(1.0, |point| point.0)];
-    // who goes on at constant velocity is soon far beyond what tells models apart
+    // Constant velocity soon leads far beyond the differences between models.
     let models = lines[..=report.models.len()].iter().flatten().map(|point| point.1);
     let most = BEYOND * models.filter(|off| off.is_finite()).fold(LEAST, f64::max);
     lines.iter_mut().for_each(|line| line.retain(|point| point.1 <= most));
     let height = Height::FromZero([LEAST, f64::INFINITY]);
-    Plot { title: title.into(), unit: "m, mean of those recorded for so long", lines, height, mark: None, axis, span }
+    Plot { title: title.into(), unit: "m, mean of people recorded that long", lines, height, mark: None, axis, span }
 }
 
-/// Which share of values is at most so large.
-fn distribution(report: &Report, title: &'static str, axis: &'static str, pair: fn(&Came) -> &Pair) -> Plot<'static> {
+/// Returns a plot of cumulative distributions.
+fn distribution(
+    report: &ReplayReport,
+    title: &'static str,
+    axis: &'static str,
+    pair: fn(&ModelResults) -> &Pair,
+) -> Plot<'static> {
     let recorded = pair(&report.models[0]).recorded.clone();
     let all = std::iter::once(recorded).chain(report.models.iter().map(|came| pair(came).replayed.clone()));
     let all: Vec<Vec<f64>> = all
@@ -99,13 +104,13 @@ fn distribution(report: &Report, title: &'static str, axis: &'static str, pair: 
         values.iter().enumerate().step_by(thin).map(share).collect()
     };
     let (lines, height) = (all.iter().map(line).collect(), Height::Between([0.0, 1.0]));
-    let unit = "share that is at most so large";
+    let unit = "share of values up to this one";
     Plot { title: title.into(), unit, lines, height, mark: None, axis, span: [0.0, end] }
 }
 
-/// Figures of all moments.
+/// Returns a plot of a figure over all moments.
 fn over_time(
-    report: &Report,
+    report: &ReplayReport,
     title: &'static str,
     unit: &'static str,
     figure: impl Fn(&Figures, &Instant) -> f64,

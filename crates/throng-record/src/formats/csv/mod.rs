@@ -1,26 +1,27 @@
 //! Trajectories as a table of comma-separated values.
 //!
-//! One line an agent and moment, moment after moment, under a line of names:
+//! A line of names comes first. Every further line holds an agent at a frame; lines are sorted by frame.
 //!
 //! | column | what | unit |
 //! |---|---|---|
-//! | `number` | the agent's own number | |
-//! | `group` | the name of its group; its index where it has no name | |
+//! | `number` | agent number | |
+//! | `group` | name of the group; its index if the group has no name | |
 //! | `time` | time since the start | s |
 //! | `x`, `y` | centre, world coordinates | m |
 //! | `vx`, `vy` | velocity | m/s |
 //! | `heading` | direction of the body, counter-clockwise from +x | rad |
-//! | `radius` | radius of the body; of one that is no disc, half of its narrower side | m |
+//! | `radius` | radius of the body; for bodies other than discs, half of the narrower side | m |
 //! | `status` | `walking`, `waiting`, `arrived` or `stranded` | |
 //! | `z` | height of the centre above the ground | m |
 //! | `vz` | velocity upwards | m/s |
 //!
-//! The last two are there only where somebody flies, or will ([`Setting::in_space`](crate::Setting::in_space)).
+//! The last two columns are written only in scenes with flying agents
+//! ([`Setting::in_space`](crate::Setting::in_space)).
 //!
-//! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted where it
-//! holds commas, quotes or line breaks; lines end in a line feed. A name that a spreadsheet would take for a formula, as it
-//! begins with `=`, `+`, `-`, `@`, a tab or a carriage return, is written with an apostrophe in front of it (`'=1+1`), and so
-//! is a name that begins so after apostrophes. The apostrophe is taken off when the table is read.
+//! Numbers are written with as many digits as it takes to read the same bits back. Text is UTF-8, quoted if it contains
+//! commas, quotes or line breaks; lines end in a line feed. A spreadsheet takes a name that begins with `=`, `+`, `-`,
+//! `@`, a tab or a carriage return for a formula. Such a name is written with an apostrophe before it (`'=1+1`), and so
+//! is a name that begins with apostrophes followed by such a character. The reader removes the apostrophe.
 
 mod read;
 mod write;

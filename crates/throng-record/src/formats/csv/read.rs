@@ -1,46 +1,46 @@
-//! Tables read.
+//! Reads tables.
 
 use super::write::{is_formula, status_of};
-use crate::formats::{Flaw, Reading, text};
+use crate::formats::{FormatFlaw, Reading, text};
 use crate::limits;
-use crate::tracks::{RADIUS, Spot, Tracks};
+use crate::trajectories::{RADIUS, Sample, Trajectories};
 use glam::{DVec3, Vec3};
 use std::borrow::Cow;
 use throng::Status;
 
 const HINT: &str = "a table of trajectories has the columns number, time, x and y, and may have group and z, as `throng run -o NAME.csv` writes them";
 
-/// Reads a table: a line of names, then a line an agent and moment. The columns `number`, `time`, `x` and `y` must
-/// be there; without `group` all are of one without a name, without `z` all are on the ground. Without `vx` and `vy`
-/// velocities are ways over time, without `heading` bodies face where they go, without `radius` they are 0.2 m large,
-/// without `status` they walk; other columns do not count.
+/// Reads a table: a line of names, then a line per agent and frame. The columns `number`, `time`, `x` and `y` are
+/// required. Without `group`, all agents are in a single group without a name. Without `z`, they are on the ground.
+/// Without `vx` and `vy`, velocities are displacements over time. Without `heading`, bodies face along their velocity.
+/// Without `radius`, the radius is 0.2 m. Without `status`, agents walk. Other columns are ignored.
 ///
-/// Names may be in capitals. As PedPy and others have them, `id` is the number, `v_x` and `v_y` the velocity; and
-/// where there is no `time`, `frame` counts frames, of which somebody must say how many a second has.
-pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    let table = Table::open(bytes)?;
+/// Names may be in capitals. As in files of PedPy and other programs, `id` stands for the number, and `v_x` and `v_y`
+/// for the velocity. If there is no `time`, `frame` counts frames, and the reading must state the frame rate.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
+    let table = CsvTable::open(bytes)?;
     let rate = if table.has("time") { 1.0 } else { text::rate(None, reading)? };
     table.tracks(rate, reading.unit.unwrap_or(1.0))
 }
 
-/// What is wrong with a line.
-fn flaw(line: usize, why: String) -> Flaw {
-    Flaw { line: Some(line), why, hint: Some(HINT) }
+/// Returns an error of a line.
+fn flaw(line: usize, why: String) -> FormatFlaw {
+    FormatFlaw { line: Some(line), why, hint: Some(HINT) }
 }
 
-/// A table whose line of names was read.
-struct Table<'a> {
+/// A table after its line of names has been read.
+struct CsvTable<'a> {
     names: Vec<Cow<'a, str>>,
-    records: Records<'a>,
+    records: CsvRecords<'a>,
 }
 
-impl<'a> Table<'a> {
-    fn open(bytes: &'a [u8]) -> Result<Self, Flaw> {
+impl<'a> CsvTable<'a> {
+    fn open(bytes: &'a [u8]) -> Result<Self, FormatFlaw> {
         let text = std::str::from_utf8(bytes).map_err(|error| {
             let before = &bytes[..error.valid_up_to()];
-            flaw(1 + before.iter().filter(|&&byte| byte == b'\n').count(), "it is no text".to_owned())
+            flaw(1 + before.iter().filter(|&&byte| byte == b'\n').count(), "the file is not text".to_owned())
         })?;
-        let mut records = Records { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
+        let mut records = CsvRecords { rest: text.strip_prefix('\u{feff}').unwrap_or(text), line: 1 };
         let (_, names) = records.next().ok_or_else(|| flaw(1, "it is empty".to_owned()))?;
         let table = Self { names, records };
         match ["number", "time", "x", "y"]
@@ -56,7 +56,7 @@ impl<'a> Table<'a> {
         self.column(name).is_some()
     }
 
-    /// Where a column is, by its name or another one it has.
+    /// Returns the index of a column, by its name or its alias.
     fn column(&self, name: &str) -> Option<usize> {
         let other = match name {
             "number" => "id",
@@ -68,8 +68,8 @@ impl<'a> Table<'a> {
         find(name).or_else(|| find(other))
     }
 
-    /// What it says: frames of `rate` a second (1 for seconds), lengths of `unit` metres.
-    fn tracks(self, rate: f64, unit: f64) -> Result<Tracks, Flaw> {
+    /// Reads the rows; `rate` is the frame rate (1 if times are seconds), `unit` the unit of length in metres.
+    fn tracks(self, rate: f64, unit: f64) -> Result<Trajectories, FormatFlaw> {
         let column = |name: &str| self.column(name);
         let needed = |name: &str| column(name).ok_or_else(|| flaw(1, format!("there is no column `{name}`")));
         let [number, x, y] = [needed("number")?, needed("x")?, needed("y")?];
@@ -78,10 +78,13 @@ impl<'a> Table<'a> {
         let [vx, vy, vz] = ["vx", "vy", "vz"].map(column);
         let [heading, radius, status] = ["heading", "radius", "status"].map(column);
         let Self { names, records } = self;
-        let mut tracks = Tracks { unit: Some(unit), ..Tracks::default() };
+        let mut tracks = Trajectories { unit: Some(unit), ..Trajectories::default() };
         for (line, fields) in records {
             if fields.len() < names.len() {
-                return Err(flaw(line, format!("{} fields, but {} names", fields.len(), names.len())));
+                return Err(flaw(
+                    line,
+                    format!("the row has {} fields, but there are {} names", fields.len(), names.len()),
+                ));
             }
             let value = |at: usize| {
                 let value = fields[at].trim().parse::<f64>().ok().filter(|value| value.is_finite());
@@ -98,13 +101,13 @@ impl<'a> Table<'a> {
             let of = fields[number]
                 .trim()
                 .parse()
-                .map_err(|_| flaw(line, format!("`{}` is no number of an agent", fields[number])))?;
+                .map_err(|_| flaw(line, format!("`{}` is not an agent number", fields[number])))?;
             let or = |column: Option<usize>, or: f32| column.map_or(Ok(or), |at| length(at).map(|value| value as f32));
             let status = status.map_or(Ok(Status::Walking), |at| {
                 let found = status_of(fields[at].trim());
                 found.ok_or_else(|| flaw(line, format!("`{}` is no status", fields[at])))
             })?;
-            let spot = Spot {
+            let spot = Sample {
                 number: of,
                 group: group as u32,
                 time: value(time)? / rate,
@@ -114,7 +117,7 @@ impl<'a> Table<'a> {
                 radius: or(radius, RADIUS)?,
                 status,
             };
-            limits::row(&spot).map_err(|flaw| Flaw { line: Some(line), ..flaw })?;
+            limits::row(&spot).map_err(|flaw| FormatFlaw { line: Some(line), ..flaw })?;
             tracks.spots.push(spot);
         }
         tracks.sort();
@@ -123,13 +126,13 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The records of a text of comma-separated values, with the lines on which they begin; empty lines are none.
-struct Records<'a> {
+/// The records of comma-separated values, with their first lines; empty lines are skipped.
+struct CsvRecords<'a> {
     rest: &'a str,
     line: usize,
 }
 
-impl<'a> Iterator for Records<'a> {
+impl<'a> Iterator for CsvRecords<'a> {
     type Item = (usize, Vec<Cow<'a, str>>);
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -156,7 +159,7 @@ impl<'a> Iterator for Records<'a> {
     }
 }
 
-/// The first field of a text, and what comes after it: a comma, a line's end, or nothing.
+/// Returns the first field of a text and the rest after it: a comma, a line end, or nothing.
 fn field(text: &str) -> (Cow<'_, str>, &str) {
     let Some(mut quoted) = text.strip_prefix('"') else {
         let end = text.find([',', '\n']).unwrap_or(text.len());
@@ -171,7 +174,7 @@ fn field(text: &str) -> (Cow<'_, str>, &str) {
                 value.push('"');
                 quoted = after;
             }
-            // what stands behind the closing quote up to the next comma is none of it
+            // text between the closing quote and the next comma is ignored
             None => return (value.into(), after.trim_start_matches(|c| c != ',' && c != '\n')),
         }
     }
@@ -184,8 +187,8 @@ mod tests {
     use super::*;
     use crate::{Body, Frame, Setting, Writer};
 
-    fn parse(bytes: &[u8]) -> Result<Tracks, (usize, String)> {
-        let tracks = Table::open(bytes).and_then(|table| table.tracks(1.0, 1.0));
+    fn parse(bytes: &[u8]) -> Result<Trajectories, (usize, String)> {
+        let tracks = CsvTable::open(bytes).and_then(|table| table.tracks(1.0, 1.0));
         tracks.map_err(|flaw| (flaw.line.unwrap(), flaw.why))
     }
 
@@ -194,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_is_read() {
+    fn written_tables_are_read() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         for in_space in [false, true] {
@@ -207,7 +210,7 @@ mod tests {
                 writer.push(&Frame { time: f64::from(k) * 0.1, bodies, ..Frame::default() }).unwrap();
             }
             writer.finish().unwrap();
-            let tracks = Tracks::read(&path).unwrap();
+            let tracks = Trajectories::read(&path).unwrap();
             assert_eq!(tracks.setting.groups, groups);
             let moments: Vec<_> = tracks.moments(1).collect();
             let want = if in_space { place(6) } else { place(6).with_z(0.0) };
@@ -230,23 +233,23 @@ mod tests {
             assert!(!row[1].starts_with(['=', '+', '-', '@', '\t', '\r']), "{row:?}");
             assert_eq!(&row[3], "-1", "numbers stay as they are");
         }
-        assert_eq!(Tracks::read(&path).unwrap().setting.groups, names);
+        assert_eq!(Trajectories::read(&path).unwrap().setting.groups, names);
     }
 
     #[test]
-    fn what_a_table_does_not_say_is_made_of_what_it_says() {
+    fn missing_columns_are_computed() {
         let tracks = parse(b"number,time,x,y\n3,0,0,0\n3,0.5,0,1\n3,1,0,1\n").unwrap();
-        let said: Vec<_> = tracks.spots.iter().map(|spot| (spot.velocity, spot.heading)).collect();
+        let found: Vec<_> = tracks.spots.iter().map(|spot| (spot.velocity, spot.heading)).collect();
         let north = std::f32::consts::FRAC_PI_2;
-        assert_eq!(said, [(Vec3::ZERO, 0.0), (Vec3::Y * 2.0, north), (Vec3::ZERO, north)]);
+        assert_eq!(found, [(Vec3::ZERO, 0.0), (Vec3::Y * 2.0, north), (Vec3::ZERO, north)]);
         assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (RADIUS, Status::Walking));
         let tracks = parse(b"number,time,x,y,status,radius\n3,0,0,0,arrived,0.3\n").unwrap();
         assert_eq!((tracks.spots[0].radius, tracks.spots[0].status), (0.3, Status::Arrived));
-        assert!(Tracks::are_in("a/b.CSV") && !Tracks::are_in("a.toml") && !Tracks::are_in("csv"));
+        assert!(Trajectories::are_in("a/b.CSV") && !Trajectories::are_in("a.toml") && !Trajectories::are_in("csv"));
     }
 
     #[test]
-    fn frames_count_where_somebody_says_how_long_they_are() {
+    fn frames_are_read_with_a_frame_rate() {
         let bytes = b"ID,Frame,x,y,v_x,v_y\n21,1010,50,-10,100,0\n";
         let missing = read(bytes, &Reading::default()).unwrap_err();
         assert!(missing.hint.unwrap().contains("--frame-rate") && missing.line.is_none());
@@ -260,18 +263,18 @@ mod tests {
         let wrong = |text: &str| parse(text.as_bytes()).unwrap_err();
         assert_eq!(wrong(""), (1, "it is empty".into()));
         assert_eq!(wrong("number,time,x\n"), (1, "there is no column `y`".into()));
-        assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "3 fields, but 4 names".into()));
+        assert_eq!(wrong("number,time,x,y\r\n1,0,0\r\n"), (2, "the row has 3 fields, but there are 4 names".into()));
         assert_eq!(wrong("number,time,x,y\n\n1,0,0,0\n1,nan,0,0\n").0, 4);
-        assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is no number of an agent"));
+        assert!(wrong("number,time,x,y\n-1,0,0,0\n").1.contains("`-1` is not an agent number"));
         let text = "\u{feff}x , y,time,number,group\n1,2,3,4,\"a\nb\"\n5,6,1,4,c";
         let tracks = parse(text.as_bytes()).unwrap();
         assert_eq!(tracks.setting.groups, ["a\nb", "c"]);
         assert_eq!((tracks.spots[0].place, tracks.spots[0].group), (DVec3::new(5.0, 6.0, 0.0), 1));
         assert_eq!(wrong(&format!("{text},,,\n\"x\",1,1,1,1")).0, 5);
         assert!(parse(b"number,time,x,y\n\"").is_err());
-        assert_eq!(parse(b"number,time,x,y\n1,0,0,\xff\n"), Err((2, "it is no text".into())));
+        assert_eq!(parse(b"number,time,x,y\n1,0,0,\xff\n"), Err((2, "the file is not text".into())));
         assert!(wrong("number,time,x,y,status\n1,0,0,0,lost\n").1.contains("`lost` is no status"));
-        let missing = Tracks::read("no/such/file.csv").unwrap_err().to_string();
+        let missing = Trajectories::read("no/such/file.csv").unwrap_err().to_string();
         assert!(missing.starts_with("cannot read no/such/file.csv: "), "{missing}");
     }
 }

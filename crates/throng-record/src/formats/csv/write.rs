@@ -1,4 +1,4 @@
-//! Tables written.
+//! Writes tables.
 
 use crate::formats::{Column, Writer};
 use crate::{Body, Frame, Output, OutputError, Setting};
@@ -6,7 +6,7 @@ use std::fmt::{Display, Write};
 use std::path::Path;
 use throng::Status;
 
-/// The columns where nothing else is said, in order; the last two are for those who fly.
+/// The default columns, in order; the last two are for scenes with flying agents.
 const COLUMNS: [Column; 12] = [
     Column::Number,
     Column::Group,
@@ -22,7 +22,7 @@ const COLUMNS: [Column; 12] = [
     Column::Vz,
 ];
 
-/// Writes trajectories as they happen. See the [module](super) for the columns.
+/// Writes trajectories during a run. The [module](super) describes the columns.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -40,23 +40,23 @@ pub struct CsvWriter {
     columns: Vec<Column>,
     /// The names of the groups as fields.
     groups: Vec<String>,
-    /// The line being made.
+    /// The line under construction.
     line: String,
 }
 
 impl CsvWriter {
-    /// Begins the file `path` with the line of names.
+    /// Starts the file `path` with the line of names.
     ///
     /// # Errors
-    /// Those of [`Output::create`].
+    /// The errors of [`Output::create`].
     pub fn create(path: impl AsRef<Path>, setting: &Setting) -> Result<Self, OutputError> {
         Self::new(Output::create(path)?, setting, &[])
     }
 
-    /// Begins with the line of names of these columns; none: those of the [module](super).
+    /// Starts a table with the line of names of these columns; without columns, those of the [module](super).
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn new(mut output: Output, setting: &Setting, columns: &[Column]) -> Result<Self, OutputError> {
         let own = if setting.in_space { &COLUMNS[..] } else { &COLUMNS[..10] };
         let columns = if columns.is_empty() { own } else { columns }.to_vec();
@@ -91,7 +91,7 @@ impl CsvWriter {
     /// Gives the complete file its name.
     ///
     /// # Errors
-    /// Those of [`Output::finish`].
+    /// The errors of [`Output::finish`].
     pub fn finish(self) -> Result<(), OutputError> {
         self.output.finish()
     }
@@ -113,19 +113,19 @@ impl Writer for CsvWriter {
     }
 }
 
-/// A text as a field.
+/// Returns a text as a field.
 fn field(text: &str) -> String {
     let text = if is_formula(text) { format!("'{text}") } else { text.into() };
     let plain = !text.contains([',', '"', '\n', '\r']);
     if plain { text } else { format!("\"{}\"", text.replace('"', "\"\"")) }
 }
 
-/// Whether a spreadsheet takes a text, without the apostrophes in front of it, for a formula.
+/// Whether a spreadsheet takes a text, without leading apostrophes, for a formula.
 pub(super) fn is_formula(text: &str) -> bool {
     text.trim_start_matches('\'').starts_with(['=', '+', '-', '@', '\t', '\r'])
 }
 
-/// Appends a number as `Display` shows it, several times as fast.
+/// Appends a number as `Display` writes it, several times as fast.
 fn number(line: &mut String, value: impl ryu::Float + Display + Into<f64>) {
     let mut memory = ryu::Buffer::new();
     let text = memory.format(value);
@@ -137,16 +137,16 @@ fn number(line: &mut String, value: impl ryu::Float + Display + Into<f64>) {
     }
 }
 
-/// Whether a number lies halfway between two of so many decimals: there `Display` takes the one further from zero, the
-/// fast way the even one.
+/// Whether a number lies halfway between two numbers with `decimals` decimals. There `Display` rounds away from zero,
+/// `ryu` to even.
 fn is_halfway(value: f64, decimals: usize) -> bool {
     let scaled = value * f64::from(2u32 << decimals.min(30));
-    // that is an odd number of halves
+    // a multiple of one half, but not a whole number
     let halves = scaled as i64;
     halves as f64 == scaled && halves % 2 != 0
 }
 
-/// How a status is called in files.
+/// Returns the name of a status in files.
 pub fn status_name(status: Status) -> &'static str {
     match status {
         Status::Walking => "walking",
@@ -156,7 +156,7 @@ pub fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// The status that is called so in files.
+/// Returns the status with a name in files.
 pub(in crate::formats) fn status_of(name: &str) -> Option<Status> {
     [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded]
         .into_iter()
@@ -177,7 +177,7 @@ mod tests {
             position: DVec2::new(-1800.123456789, 0.1 + 0.2),
             altitude: 2.7,
             velocity: Vec2::new(1.3, -0.25),
-            climb: -0.3,
+            vertical_velocity: -0.3,
             heading: 0.1,
             basis: None,
             radius: 0.2,
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_reads_back_to_the_same_bits() {
+    fn written_numbers_are_read_back_exactly() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         let setting = Setting { groups: vec!["red, \"quick\"".into()], in_space: true, ..Setting::default() };
@@ -216,7 +216,10 @@ mod tests {
             assert_eq!(row[7].parse::<f32>().unwrap(), want.heading);
             assert_eq!(row[8].parse::<f32>().unwrap(), want.radius);
             assert_eq!(&row[9], "waiting");
-            assert_eq!((row[10].parse::<f32>().unwrap(), row[11].parse::<f32>().unwrap()), (want.altitude, want.climb));
+            assert_eq!(
+                (row[10].parse::<f32>().unwrap(), row[11].parse::<f32>().unwrap()),
+                (want.altitude, want.vertical_velocity)
+            );
         }
     }
 
@@ -240,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_ground_there_is_no_third_axis() {
+    fn tables_of_the_plane_have_no_third_axis() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         let mut writer = CsvWriter::create(&path, &Setting::default()).unwrap();
@@ -252,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_those_that_are_chosen() {
+    fn columns_can_be_chosen() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         let columns = [Column::Y, Column::Number, Column::Vz];
@@ -263,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_there_before_finish() {
+    fn no_file_is_left_without_finish() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         let mut writer = CsvWriter::create(&path, &Setting::default()).unwrap();

@@ -1,34 +1,34 @@
-//! Between the scene, where z is up and x ahead, and glTF, where y is up, and in a body's own space z ahead.
+//! Converts between the axes of the scene (z up, x ahead) and those of glTF (y up, z ahead in a body's own space).
 
 use glam::{DVec3, Quat, Vec3};
 use std::f32::consts::FRAC_1_SQRT_2;
 
-/// Takes the scene's axes to those of glTF.
+/// Rotates the scene's axes to those of glTF.
 const UP: Quat = Quat::from_xyzw(-FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2);
-/// Takes a body's own axes in glTF (left, up, ahead) to those in the scene (ahead, left, up).
+/// Rotates a body's own axes in glTF (left, up, ahead) to those in the scene (ahead, left, up).
 const AHEAD: Quat = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
 
-/// A point of the scene in glTF.
+/// Converts a point of the scene to glTF.
 pub fn point(place: Vec3) -> Vec3 {
     Vec3::new(place.x, place.z, -place.y)
 }
 
-/// A point of glTF in the scene.
+/// Converts a point of glTF to the scene.
 pub fn place(point: DVec3) -> DVec3 {
     DVec3::new(point.x, -point.z, point.y)
 }
 
-/// A point, or a size, in a body's own space.
+/// Converts a point or a size in a body's own space to glTF.
 pub fn own(place: Vec3) -> Vec3 {
     Vec3::new(place.y, place.z, place.x)
 }
 
-/// A rotation of the scene, of what faces +x, in glTF, of what faces +z.
+/// Converts a rotation of the scene (a body faces +x) to glTF (a body faces +z).
 pub fn turn(rotation: Quat) -> Quat {
     UP * rotation * AHEAD
 }
 
-/// Which way of the scene somebody faces that glTF turns so.
+/// Returns the direction, in the scene, that an agent with a glTF rotation faces.
 pub fn ahead(turn: Quat) -> Vec3 {
     let ahead = turn * Vec3::Z;
     Vec3::new(ahead.x, -ahead.z, ahead.y)

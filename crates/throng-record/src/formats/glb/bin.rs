@@ -1,6 +1,6 @@
-//! The bytes of a file, which wait on the disk until what they are is written, and what is said of them.
+//! The binary chunk of a file, which waits on disk until the JSON is written, and its views and accessors.
 
-use super::json::{Accessor, FLOAT, SHORT, UNSIGNED_INT, View, Word};
+use super::json::{Accessor, BufferView, FLOAT, SHORT, UNSIGNED_INT, Word};
 use crate::Output;
 use crate::formats::spill::beside;
 use glam::{Quat, Vec3};
@@ -8,47 +8,49 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, Write};
 
-/// Why a file gets no larger.
+/// The error of a file that becomes too large.
 pub const TOO_LARGE: &str =
-    "a .glb can have 4 GiB, and this is more; write fewer moments or agents, or several files, or a .usda";
-/// So few bytes are written once where they come again.
+    "a .glb file holds at most 4 GiB; write fewer frames or agents, several files, or a .usda file";
+/// Repeated data of at most this many bytes are written once.
 const SMALL: usize = 64;
 
-/// Bytes in the making.
+/// A binary chunk under construction.
 #[derive(Debug)]
 pub struct Bin {
     file: BufWriter<File>,
     len: u64,
-    pub views: Vec<View>,
+    pub views: Vec<BufferView>,
     pub accessors: Vec<Accessor>,
-    /// Which accessors have these few bytes, by what they are of.
+    /// Accessors of small data of the current view, by type and bytes.
     small: BTreeMap<(u32, Word, Vec<u8>), usize>,
 }
 
 impl Bin {
+    /// Starts an empty chunk.
+    ///
     /// # Errors
-    /// The system's.
+    /// A system error.
     pub fn new(output: &Output) -> io::Result<Self> {
         let file = BufWriter::new(beside(output)?);
         Ok(Self { file, len: 0, views: Vec::new(), accessors: Vec::new(), small: BTreeMap::new() })
     }
 
-    /// Begins a view: what comes now is in it. Returns which it is.
+    /// Starts a view for the data that follow. Returns its index.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn view(&mut self, target: Option<u32>) -> io::Result<usize> {
-        // as the widest number needs it
+        // aligned for the widest number
         self.append(&[0; 7][..(self.len.wrapping_neg() % 8) as usize])?;
         self.small.clear();
-        self.views.push(View { byte_offset: self.len, target, ..View::default() });
+        self.views.push(BufferView { byte_offset: self.len, target, ..BufferView::default() });
         Ok(self.views.len() - 1)
     }
 
     /// Adds bytes to the view.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn put(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.append(bytes)?;
         if let Some(view) = self.views.last_mut() {
@@ -62,7 +64,7 @@ impl Bin {
         if self.len > u64::from(u32::MAX) { Err(io::Error::other(TOO_LARGE)) } else { self.file.write_all(bytes) }
     }
 
-    /// Adds what an accessor reads; returns which it is.
+    /// Adds an accessor and its bytes. Returns its index.
     fn accessor(&mut self, accessor: Accessor, bytes: &[u8]) -> io::Result<usize> {
         let key = (accessor.component_type, accessor.kind.clone(), bytes.to_vec());
         if bytes.len() <= SMALL
@@ -81,25 +83,26 @@ impl Bin {
         Ok(at)
     }
 
-    /// Seconds that grow.
+    /// Adds increasing seconds.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn times(&mut self, seconds: &[f32]) -> io::Result<usize> {
         let bytes: Vec<u8> = seconds.iter().flat_map(|value| value.to_le_bytes()).collect();
         self.accessor(times(seconds), &bytes)
     }
 
-    /// Seconds of the moments from one on, which a view has that is named later.
+    /// Adds an accessor of the seconds of consecutive frames, starting at `from`. The caller sets its view later.
     pub fn times_of(&mut self, from: usize, seconds: &[f32]) -> usize {
         self.accessors.push(Accessor { byte_offset: 4 * from as u64, ..times(seconds) });
         self.accessors.len() - 1
     }
 
-    /// Points or sizes; `bounds`: whether it is said between which they are, as of points of meshes.
+    /// Adds points or sizes. `bounds`: whether the accessor states their minimum and maximum, as points of meshes
+    /// require.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn vectors(&mut self, vectors: &[Vec3], bounds: bool) -> io::Result<usize> {
         let bytes: Vec<u8> = vectors.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes).collect();
         let mut accessor = of(FLOAT, "VEC3", vectors.len());
@@ -110,10 +113,10 @@ impl Bin {
         self.accessor(accessor, &bytes)
     }
 
-    /// Rotations, 16 bits a number.
+    /// Adds rotations, 16 bits per number.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn turns(&mut self, turns: &[Quat]) -> io::Result<usize> {
         let short = |value: f32| (value * f32::from(i16::MAX)).round() as i16;
         let bytes = turns.iter().flat_map(|turn| turn.to_array()).flat_map(|value| short(value).to_le_bytes());
@@ -121,19 +124,19 @@ impl Bin {
         self.accessor(Accessor { normalized: true, ..of(SHORT, "VEC4", turns.len()) }, &bytes)
     }
 
-    /// Which points make triangles.
+    /// Adds triangles of point indices.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn triangles(&mut self, triangles: &[[u32; 3]]) -> io::Result<usize> {
         let bytes: Vec<u8> = triangles.iter().flatten().flat_map(|at| at.to_le_bytes()).collect();
         self.accessor(of(UNSIGNED_INT, "SCALAR", 3 * triangles.len()), &bytes)
     }
 
-    /// How many there are, up to a whole word, and what reads them.
+    /// Returns the number of bytes, padded to a whole word, and a reader of them.
     ///
     /// # Errors
-    /// The system's; [`TOO_LARGE`].
+    /// A system error, or [`TOO_LARGE`].
     pub fn read(mut self) -> io::Result<(u64, impl Read)> {
         self.append(&[0; 3][..(self.len.wrapping_neg() % 4) as usize])?;
         let mut file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
@@ -167,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn few_bytes_that_come_again_are_there_once() {
+    fn repeated_small_data_are_written_once() {
         let folder = tempfile::tempdir().unwrap();
         let mut bin = Bin::new(&Output::create(folder.path().join("run.glb")).unwrap()).unwrap();
         bin.view(None).unwrap();

@@ -1,22 +1,22 @@
-//! Moments that wait, agent by agent.
+//! Regroups spilled frames by agent.
 
 use crate::Output;
-use crate::formats::spill::{Agent, ROW, Spill, State, beside};
+use crate::formats::spill::{ROW, Spill, SpilledAgent, SpilledState, beside};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 
-/// So many rows are sorted in memory at a time (12 MiB), or those of one moment.
+/// Number of rows that are sorted in memory at a time (12 MiB); a single frame may have more.
 const SORTED: usize = if cfg!(test) { 7 } else { 1 << 18 };
 
-/// Calls `each` with everybody in turn, and at which moments it was where. All rows are on the disk once more meanwhile, in memory are
-/// those of one agent.
+/// Calls `each` with every agent and its states by frame. A second copy of all rows lies on disk meanwhile; memory
+/// holds the rows of one agent.
 ///
 /// # Errors
-/// The system's, and those of `each`.
+/// A system error, or an error of `each`.
 pub fn by_agent(
     spill: &mut Spill,
     output: &Output,
-    mut each: impl FnMut(&Agent, &[(u32, State)]) -> io::Result<()>,
+    mut each: impl FnMut(&SpilledAgent, &[(u32, SpilledState)]) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut counts = vec![0u64; spill.agents.len()];
     spill.replay(|_, _, rows| {
@@ -41,14 +41,14 @@ pub fn by_agent(
         track.clear();
         for _ in 0..count {
             reader.read_exact(&mut row)?;
-            track.push(State::of_row(&row));
+            track.push(SpilledState::of_row(&row));
         }
         each(agent, &track)?;
     }
     Ok(())
 }
 
-/// Writes rows where they belong; `next` is where the next row of each agent goes.
+/// Writes rows to their places; `next` is the place of the next row of each agent.
 fn settle(file: &mut File, rows: &mut Vec<(u32, [u8; ROW])>, next: &mut [u64]) -> io::Result<()> {
     rows.sort_by_key(|&(at, _)| at);
     let mut bytes = Vec::new();

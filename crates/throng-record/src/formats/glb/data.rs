@@ -1,6 +1,6 @@
-//! The parts of a file, and the numbers in its bytes.
+//! The chunks of a file and the numbers in its binary chunk.
 
-use super::json::{Accessor, BYTE, FLOAT, Root, SHORT, UNSIGNED_BYTE, UNSIGNED_SHORT, View};
+use super::json::{Accessor, BYTE, BufferView, FLOAT, Root, SHORT, UNSIGNED_BYTE, UNSIGNED_SHORT};
 
 /// A file in memory.
 pub struct Data<'a> {
@@ -9,27 +9,29 @@ pub struct Data<'a> {
 }
 
 impl<'a> Data<'a> {
+    /// Parses the chunks of a file.
+    ///
     /// # Errors
-    /// It is no glTF, or not all of it.
+    /// The file is not binary glTF 2, or is cut off.
     pub fn open(bytes: &'a [u8]) -> Result<Self, String> {
         let word = |at: usize| bytes.get(at..at + 4).map(|word| [word[0], word[1], word[2], word[3]]);
         let number = |at: usize| word(at).map(u32::from_le_bytes);
         if word(0) != Some(*b"glTF") {
-            return Err("it does not begin as binary glTF does".to_owned());
+            return Err("the file does not begin like binary glTF".to_owned());
         }
         match number(4) {
             Some(2) => {}
-            Some(version) => return Err(format!("it is glTF {version}, not 2")),
-            None => return Err("it is cut: a part is missing".to_owned()),
+            Some(version) => return Err(format!("the file is glTF {version}, not 2")),
+            None => return Err("the file is cut off: a part is missing".to_owned()),
         }
         let length = number(8).map_or(0, |length| length as usize);
         if length < 12 || bytes.len() < length {
-            return Err("it is cut: a part is missing".to_owned());
+            return Err("the file is cut off: a part is missing".to_owned());
         }
         let (mut json, mut bin, mut at) = (None, None, 12);
         while let (Some(size), Some(kind)) = (number(at), word(at + 4)) {
             let end = (at + 8).saturating_add(size as usize);
-            let part = bytes[..length].get(at + 8..end).ok_or("a part of it goes on behind its end")?;
+            let part = bytes[..length].get(at + 8..end).ok_or("a chunk extends beyond the end of the file")?;
             match &kind {
                 b"JSON" if json.is_none() => json = Some(part),
                 b"BIN\0" if bin.is_none() => bin = Some(part),
@@ -38,37 +40,37 @@ impl<'a> Data<'a> {
             at = end;
         }
         let json = json.ok_or("it has no JSON")?;
-        let root = serde_json::from_slice(json).map_err(|error| format!("its JSON is not that of glTF: {error}"))?;
+        let root = serde_json::from_slice(json).map_err(|error| format!("its JSON is not valid glTF: {error}"))?;
         Ok(Self { root, bin: bin.unwrap_or_default() })
     }
 
-    /// The bytes of a view, and the bytes from element to element, if it says so.
+    /// Returns the bytes of a buffer view and its stride, bytes, if it has one.
     ///
     /// # Errors
     /// There is no such view, or its bytes are not in the file.
     pub fn view(&self, at: usize) -> Result<(&'a [u8], Option<u64>), String> {
         let view = self.root.buffer_views.get(at).ok_or_else(|| format!("there is no buffer view {at}"))?;
-        let &View { buffer, byte_offset, byte_length, byte_stride, .. } = view;
+        let &BufferView { buffer, byte_offset, byte_length, byte_stride, .. } = view;
         if buffer != 0 || self.root.buffers.first().is_none_or(|buffer| buffer.uri.is_some()) {
             return Err(format!("the bytes of buffer view {at} are not in the file"));
         }
         let range = usize::try_from(byte_offset).ok().zip(usize::try_from(byte_length).ok());
         let bytes = range.and_then(|(from, length)| self.bin.get(from..from.checked_add(length)?));
-        let bytes = bytes.ok_or_else(|| format!("buffer view {at} goes on behind the end of the file"))?;
+        let bytes = bytes.ok_or_else(|| format!("buffer view {at} extends beyond the end of the file"))?;
         Ok((bytes, byte_stride))
     }
 
-    /// The numbers that an accessor reads, `N` an element.
+    /// Returns the numbers of an accessor, `N` per element.
     ///
     /// # Errors
-    /// They are of another kind, or not in the file, or not finite.
+    /// The numbers have another type, are not in the file, or are not finite.
     pub fn numbers<const N: usize>(&self, at: usize) -> Result<Vec<[f32; N]>, String> {
         let accessor = self.root.accessors.get(at).ok_or_else(|| format!("there is no accessor {at}"))?;
         let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][N - 1];
         let number = number(accessor).filter(|_| accessor.kind == kind && accessor.sparse.is_null());
-        let (size, number) = number.ok_or_else(|| format!("accessor {at} is not made of plain {kind} numbers"))?;
+        let (size, number) = number.ok_or_else(|| format!("accessor {at} does not hold plain {kind} numbers"))?;
         let (bytes, stride) = self.view(accessor.buffer_view.ok_or_else(|| format!("accessor {at} reads nothing"))?)?;
-        let behind = || format!("accessor {at} reads behind the end of its buffer view");
+        let behind = || format!("accessor {at} reads beyond the end of its buffer view");
         let size_of = |value: u64| usize::try_from(value).map_err(|_| behind());
         let bytes = bytes.get(size_of(accessor.byte_offset)?..).ok_or_else(behind)?;
         let (element, count) = (N * size, size_of(accessor.count)?);
@@ -85,14 +87,15 @@ impl<'a> Data<'a> {
         });
         let elements: Vec<[f32; N]> = elements.collect();
         let finite = elements.as_flattened().iter().all(|value| value.is_finite());
-        if finite { Ok(elements) } else { Err(format!("accessor {at} reads what is no number")) }
+        if finite { Ok(elements) } else { Err(format!("accessor {at} holds a number that is not finite")) }
     }
 }
 
-/// Makes a number of its bytes.
+/// Decodes a number from its bytes.
 type Decode = fn(&[u8]) -> f32;
 
-/// How many bytes a number takes that an accessor reads, and how they make it; those that are no singles are parts of the largest.
+/// Returns the size of an accessor's numbers in bytes, and their decoder. Normalised integers become fractions of their
+/// greatest value.
 fn number(accessor: &Accessor) -> Option<(usize, Decode)> {
     Some(match (accessor.component_type, accessor.normalized) {
         (FLOAT, _) => (4, |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])),

@@ -1,10 +1,10 @@
-//! The part of a file that says what its bytes are: as much of glTF's schema as trajectories take.
+//! The JSON of a file: the part of the glTF schema that trajectories need.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 
-/// Numbers of an accessor, as OpenGL calls them.
+/// Component types of an accessor, numbered as in OpenGL.
 pub const BYTE: u32 = 5120;
 pub const UNSIGNED_BYTE: u32 = 5121;
 pub const SHORT: u32 = 5122;
@@ -12,7 +12,7 @@ pub const UNSIGNED_SHORT: u32 = 5123;
 pub const UNSIGNED_INT: u32 = 5125;
 pub const FLOAT: u32 = 5126;
 
-/// A word of the schema.
+/// A string of the schema.
 pub type Word = Cow<'static, str>;
 
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -34,7 +34,7 @@ pub struct Root {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub accessors: Vec<Accessor>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub buffer_views: Vec<View>,
+    pub buffer_views: Vec<BufferView>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub buffers: Vec<Buffer>,
 }
@@ -69,7 +69,7 @@ pub struct Node {
     pub extras: Option<Extras>,
 }
 
-/// What is said of a node beside what glTF says.
+/// Data of a node beyond the glTF schema.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Extras {
@@ -77,17 +77,17 @@ pub enum Extras {
     Other(Value),
 }
 
-/// Who a node is.
+/// The agent that a node represents.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Person {
     pub number: u32,
-    /// The name.
+    /// The group's name.
     #[serde(default)]
     pub group: String,
     /// Metres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius: Option<f32>,
-    /// When it was there first and last, seconds.
+    /// Times of the first and the last sample, seconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -117,7 +117,7 @@ pub struct Target {
 pub struct Sampler {
     pub input: usize,
     pub output: usize,
-    /// `LINEAR` where it says none.
+    /// `LINEAR` if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interpolation: Option<Word>,
 }
@@ -139,21 +139,21 @@ pub struct Accessor {
     pub min: Vec<f32>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub max: Vec<f32>,
-    /// What others say of single elements.
+    /// Sparse elements, which other programs may write.
     #[serde(skip_serializing_if = "Value::is_null")]
     pub sparse: Value,
 }
 
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-pub struct View {
+pub struct BufferView {
     pub buffer: usize,
     #[serde(skip_serializing_if = "is_default")]
     pub byte_offset: u64,
     pub byte_length: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub byte_stride: Option<u64>,
-    /// What a graphics processor is to do with it.
+    /// Intended use of the view by the graphics processor.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub target: Option<u32>,
 }
@@ -162,7 +162,7 @@ pub struct View {
 #[serde(default, rename_all = "camelCase")]
 pub struct Buffer {
     pub byte_length: u64,
-    /// Where its bytes are, if they are not in the file.
+    /// Location of the bytes, if they are not in the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uri: Option<String>,
 }

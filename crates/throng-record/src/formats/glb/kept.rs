@@ -1,12 +1,13 @@
-//! Which moments of a way are needed to give it back.
+//! Selects the samples of a trajectory from which linear interpolation restores the others.
 
 use glam::DVec3;
 
-/// The samples of which the rest follow: who goes straight from one of them to the next comes past the others within `error` along
-/// each axis. `way` goes from a sample to a later one; ways that are longer than `reach` are not gone straight past others. The first
-/// sample and the last are kept.
+/// Returns the samples to keep: linear interpolation between two kept samples restores the samples between them to
+/// within `error` along each axis. `way` returns the displacement from a sample to a later one. A displacement longer
+/// than `reach` skips no samples. The first and the last sample are kept.
 ///
-/// From every sample that is kept one goes on as long as a cone of directions is left in which nobody is missed.
+/// From each kept sample, the function extends the interval as long as a cone of directions passes all samples within
+/// `error`.
 pub fn kept(times: &[f64], error: f64, reach: f64, way: impl Fn(usize, usize) -> DVec3) -> Vec<usize> {
     const ALL: [DVec3; 2] = [DVec3::NEG_INFINITY, DVec3::INFINITY];
     let mut kept = Vec::new();
@@ -40,7 +41,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nobody_is_missed(
+        fn every_sample_is_restored(
             steps in proptest::collection::vec((0.01..0.5f64, (-1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64)), 1..80),
             error in 0.01..2.0f64,
             reach in 1.0..100.0f64,

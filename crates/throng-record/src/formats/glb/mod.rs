@@ -1,26 +1,28 @@
-//! Trajectories as binary [glTF 2.0](https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html): for engines and the web.
+//! Trajectories as binary [glTF 2.0](https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html), for engines and the
+//! web.
 //!
-//! Lengths are metres, and y is up, as glTF wants it: the point (x, y, z) of the scene is (x, z, -y) of the file. What faces ahead in
-//! a body's own space is +z, as of any model in glTF.
+//! Lengths are metres. As in all glTF, y is up: the point (x, y, z) of the scene is (x, z, -y) of the file. In a body's
+//! own space, +z points ahead, as in any glTF model.
 //!
 //! | node | what |
 //! |---|---|
 //! | `World` | stands at the origin of the scene |
-//! | `Ground`, `Obstacles` | meshes; what is solid is 1 m high |
-//! | `Agents/Agent_7` and so on | an agent by its number: the mesh of its group, scaled by its radius; `extras` are its `number`, `group` (its name), `radius` (metres), and `from` and `to` (seconds): when it was there first and last |
+//! | `Ground`, `Obstacles` | meshes; obstacles are 1 m high |
+//! | `Agents/Agent_7` and so on | an agent by its number: the mesh of its group, scaled by its radius; `extras` hold its `number`, `group` (its name), `radius` (metres), and `from` and `to` (seconds): the times of its first and last sample |
 //!
-//! The one animation moves and turns the agents. Its seconds count from the first moment. Who has not come yet, or has gone, has the scale
-//! 0: that steps at the moment in which it comes, and at the first without it. `asset.extras` has what there is to say of the scene
-//! ([`keys`](super::keys)), and `throng.times`: the buffer view with the times of the moments as doubles, seconds of the scene.
+//! The only animation moves and turns the agents. Its seconds count from the first frame. An agent has the scale 0
+//! before its first and after its last sample; the scale steps at the frame in which the agent appears and at the first
+//! frame without it. `asset.extras` holds the metadata of the scene ([`keys`](super::keys)) and `throng.times`: the
+//! buffer view with the times of the frames as `f64`, seconds of the scene.
 //!
-//! What going straight gives back is left out: a place is within 1 mm of what it was along each axis, and a rotation within 0.4°, at
-//! every moment, where one goes straight (and turns evenly) from what is there to what is there. Where that saves nothing, all are there,
-//! and share their times. Rotations are 16 bits a number.
-//! Times within an animation are singles: after three hours they are good to 1 ms, which is 1.5 mm of somebody who walks.
-//! While a file is made, up to 110 bytes an agent and moment wait beside it on the disk. A file can have 4 GiB.
+//! Samples that linear interpolation restores are left out: at every frame, the interpolated position is within 1 mm of
+//! the original along each axis, and the rotation within 0.4°. Where that saves nothing, all samples are written and
+//! share their times. Rotations take 16 bits per number. Times within an animation are `f32`: after three hours they
+//! are accurate to 1 ms, which is 1.5 mm of a walking agent. While a file is written, up to 110 bytes per agent and
+//! frame wait beside it on disk. A file can have 4 GiB.
 //!
-//! Read is what throng wrote, to every moment of it, and of files of others whatever node an animation moves along, at the moments
-//! for which the animation says something.
+//! Of files that throng wrote, every frame is read. Of files of other programs, every node that an animation moves is
+//! read, at the times of the animation's samples.
 
 mod axes;
 mod bin;
@@ -53,7 +55,7 @@ pub(super) const FORMAT: Format = Format {
 /// The key of the buffer view with the times, in `asset.extras`.
 const TIMES: &str = "throng.times";
 
-/// Moments in seconds since the first, as the animation has them: singles that grow.
+/// Returns times as seconds since the first time, as the animation holds them: `f32` that strictly increase.
 fn seconds(times: &[f64]) -> Vec<f32> {
     let mut seconds: Vec<f32> = Vec::with_capacity(times.len());
     for time in times {

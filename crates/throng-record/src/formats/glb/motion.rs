@@ -1,41 +1,42 @@
-//! Ways as an animation.
+//! Trajectories as an animation.
 
 use super::axes;
 use super::bin::Bin;
 use super::json::{Animation, Channel, Node, Sampler, Target};
 use super::kept::kept;
-use crate::formats::spill::{Agent, State};
+use crate::formats::spill::{SpilledAgent, SpilledState};
 use glam::{Quat, Vec3};
 use std::collections::BTreeMap;
 use std::io;
 
-/// How far a place may be from what it was, along each axis, metres.
+/// Greatest error of a position along each axis, metres.
 const PLACE: f64 = 1e-3;
-/// How far a rotation may be from what it was, about each axis, radians.
+/// Greatest error of a rotation about each axis, radians.
 const TURN: f64 = 3.5e-3;
-/// Over more than this one does not turn evenly past others, radians: about half a turn it is not clear which way round.
+/// Greatest rotation between two written samples with others between them, radians. Near half a turn the direction of
+/// the interpolation is ambiguous.
 const REACH: f64 = 3.0;
 
-/// An animation in the making.
+/// An animation under construction.
 #[derive(Debug)]
-pub struct Motion<'a> {
-    /// The seconds of the moments.
+pub struct GlbMotion<'a> {
+    /// The seconds of the frames.
     seconds: &'a [f32],
-    /// Accessors of some of the moments: from which on, and how many.
+    /// Accessors of runs of consecutive frames, by the first frame and the number of frames.
     runs: BTreeMap<(usize, usize), usize>,
     animation: Animation,
 }
 
-impl<'a> Motion<'a> {
-    /// Of moments at `seconds`.
+impl<'a> GlbMotion<'a> {
+    /// Starts an animation of frames at `seconds`.
     pub fn new(seconds: &'a [f32]) -> Self {
         Self { seconds, runs: BTreeMap::new(), animation: Animation::default() }
     }
 
-    /// Writes the seconds that are shared, if any are.
+    /// Writes the shared seconds, if any.
     ///
     /// # Errors
-    /// The system's; the file gets too large.
+    /// A system error, or the file becomes too large.
     pub fn finish(self, bin: &mut Bin) -> io::Result<Animation> {
         if !self.runs.is_empty() {
             let view = bin.view(None)?;
@@ -45,16 +46,17 @@ impl<'a> Motion<'a> {
         Ok(self.animation)
     }
 
-    /// Somebody who was at some moments somewhere: puts it where it is first, and moves it. `at` is which node it is, `scale` its size.
+    /// Adds an agent: sets its node to its first position and adds the channels that move it. `at` is the index of the
+    /// node, `scale` its size.
     ///
     /// # Errors
-    /// The system's; the file gets too large.
+    /// A system error, or the file becomes too large.
     pub fn agent(
         &mut self,
         bin: &mut Bin,
         (at, node): (usize, &mut Node),
         scale: Vec3,
-        (agent, track): (&Agent, &[(u32, State)]),
+        (agent, track): (&SpilledAgent, &[(u32, SpilledState)]),
     ) -> io::Result<()> {
         let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
         let times: Vec<f64> = moments.iter().map(|&moment| f64::from(self.seconds[moment])).collect();
@@ -87,26 +89,27 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    /// Which samples are written, of a size in bytes: those that are needed, with a time each, or, where that is no less, all, whose
-    /// times are there already.
+    /// Returns the samples to write, of `size` bytes each: the needed samples with their own times, or all samples with
+    /// shared times if that is no larger.
     fn cheaper(&self, moments: &[usize], size: usize, needed: Vec<usize>) -> Vec<usize> {
         let less = needed.len() * (size + 4) < moments.len() * size;
         if less || !is_run(moments) { needed } else { (0..moments.len()).collect() }
     }
 
-    /// At which moments somebody comes or goes, from the first on, and how large it is from then on.
+    /// Returns the frames at which an agent appears or disappears, the first frame included, and its scale from each of
+    /// them on.
     fn presence(&self, moments: &[usize], scale: Vec3) -> (Vec<usize>, Vec<Vec3>) {
         let mut changes = vec![(0, Vec3::ZERO)];
         for run in moments.chunk_by(|a, b| a + 1 == *b) {
             changes.extend([(run[0], scale), (run[0] + run.len(), Vec3::ZERO)]);
         }
         changes.retain(|&(moment, _)| moment < self.seconds.len());
-        // who is there from the start does not come
+        // an agent that is present from the start does not appear
         let from = usize::from(changes.get(1).is_some_and(|&(moment, _)| moment == 0));
         changes.drain(from..).unzip()
     }
 
-    /// Changes a property of a node over moments.
+    /// Adds a channel that changes a property of a node at some frames.
     fn channel(
         &mut self,
         bin: &mut Bin,
@@ -122,7 +125,7 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    /// The accessor of the times of some moments.
+    /// Returns the accessor of the times of some frames.
     fn times(&mut self, bin: &mut Bin, moments: &[usize]) -> io::Result<usize> {
         if !is_run(moments) {
             let seconds: Vec<f32> = moments.iter().map(|&moment| self.seconds[moment]).collect();
@@ -134,13 +137,14 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Whether moments follow one another.
+/// Whether frames are consecutive.
 fn is_run(moments: &[usize]) -> bool {
     moments.windows(2).all(|two| two[0] + 1 == two[1])
 }
 
-/// How glTF turns somebody, each rotation on the same side as the one before: the short way round is the way from number to number.
-fn turns(track: &[(u32, State)]) -> Vec<Quat> {
+/// Returns the rotations of an agent in glTF, each with the sign closer to the one before, so that interpolation takes
+/// the shorter way.
+fn turns(track: &[(u32, SpilledState)]) -> Vec<Quat> {
     let mut turns: Vec<Quat> = Vec::with_capacity(track.len());
     for (_, state) in track {
         let turn = axes::turn(state.rotation);

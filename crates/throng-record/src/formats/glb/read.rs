@@ -1,41 +1,43 @@
-//! glTF read.
+//! Reads binary glTF.
 
 use super::data::Data;
 use super::json::{Extras, Node, Person};
-use super::sampler::{Channels, Sampled};
+use super::sampler::{Channels, SampledNode};
 use super::{TIMES, axes, seconds};
 use crate::formats::names::Names;
-use crate::formats::{Flaw, Reading, describe, keys};
-use crate::tracks::{RADIUS, Spot, Tracks};
+use crate::formats::{FormatFlaw, Reading, describe, keys};
+use crate::trajectories::{RADIUS, Sample, Trajectories};
 use glam::{DMat4, DVec3, Quat, Vec3};
 use throng::Status;
 
-const HINT: &str = "what is read is binary glTF 2.0 whose animation moves nodes, as `throng run -o NAME.glb` writes it";
-/// So many places a byte of the file at most: those that hardly move take little, but what takes less than this is no crowd.
+const HINT: &str =
+    "supported is binary glTF 2.0 with an animation that moves nodes, as `throng run -o NAME.glb` writes it";
+/// Greatest number of samples per byte of the file. Agents that hardly move take little space, but no recorded crowd
+/// takes less than this.
 const MOST: usize = 32;
 
-/// Reads a file, ours or others'.
-pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    parse(bytes, reading).map_err(|why| Flaw { line: None, why, hint: Some(HINT) })
+/// Reads a file that throng or another program wrote.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
+    parse(bytes, reading).map_err(|why| FormatFlaw { line: None, why, hint: Some(HINT) })
 }
 
-fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
+fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, String> {
     let data = Data::open(bytes)?;
     let extras = &data.root.asset.extras;
     let mut names = Names::default();
     let value = |key: &str| extras.get(key).and_then(|value| value.as_str()).map(str::to_owned);
-    let mut tracks = Tracks { setting: describe::setting(value, &mut names)?, ..Tracks::default() };
+    let mut tracks = Trajectories { setting: describe::setting(value, &mut names)?, ..Trajectories::default() };
     let ours = value(keys::PROGRAM).is_some();
     let times = moments(&data)?;
     let seconds = seconds(&times);
     let most = bytes.len().saturating_mul(MOST);
     let channels = Channels::new(&data, most)?;
-    let people = people(&data, &channels)?;
-    if people.is_empty() && !ours {
-        return Err("no animation moves anybody in it".to_owned());
+    let agents = agents(&data, &channels)?;
+    if agents.is_empty() && !ours {
+        return Err("no animation moves a node".to_owned());
     }
-    let keys = if times.is_empty() { channels.seconds(&data, people.iter().map(|&(at, _)| at))? } else { Vec::new() };
-    for &(at, parent) in &people {
+    let keys = if times.is_empty() { channels.seconds(&data, agents.iter().map(|&(at, _)| at))? } else { Vec::new() };
+    for &(at, parent) in &agents {
         let node = &data.root.nodes[at];
         let sampled = channels.of(&data, at, node)?;
         let (person, group) = match &node.extras {
@@ -43,19 +45,19 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
             _ => (None, names.index("")),
         };
         let moments: Vec<(f64, f32)> = if times.is_empty() {
-            let said = keys.iter().filter(|&&second| sampled.covers(second));
-            said.map(|&second| (f64::from(second), second)).collect()
+            let covered = keys.iter().filter(|&&second| sampled.covers(second));
+            covered.map(|&second| (f64::from(second), second)).collect()
         } else {
             times.iter().copied().zip(seconds.iter().copied()).collect()
         };
         if tracks.spots.len() + moments.len() > most {
-            return Err("it says of more moments where everybody is than a file of this size can".to_owned());
+            return Err("the file lists more samples than its size allows".to_owned());
         }
-        let who = Who { number: person.map_or(at as u32, |person| person.number), group, person, parent };
-        tracks.spots.extend(who.spots(&sampled, &moments, reading.unit.unwrap_or(1.0)));
+        let agent = FileAgent { number: person.map_or(at as u32, |person| person.number), group, person, parent };
+        tracks.spots.extend(agent.spots(&sampled, &moments, reading.unit.unwrap_or(1.0)));
     }
     if tracks.spots.iter().any(|spot| !(spot.place.is_finite() && spot.heading.is_finite())) {
-        return Err("somebody in it is nowhere".to_owned());
+        return Err("the position or the heading of an agent is not finite".to_owned());
     }
     tracks.setting.groups = names.into_names();
     tracks.sort();
@@ -63,7 +65,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
     Ok(tracks)
 }
 
-/// The times of the moments of a file of ours.
+/// Returns the times of the frames of a file that throng wrote; empty for files of other programs.
 fn moments(data: &Data) -> Result<Vec<f64>, String> {
     let Some(view) = data.root.asset.extras.get(TIMES) else { return Ok(Vec::new()) };
     let view = view.as_u64().and_then(|view| usize::try_from(view).ok());
@@ -71,12 +73,12 @@ fn moments(data: &Data) -> Result<Vec<f64>, String> {
     let times = bytes.chunks_exact(8).map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]));
     let times: Vec<f64> = times.collect();
     let grow = times.iter().all(|time| time.is_finite()) && times.windows(2).all(|two| two[0] < two[1]);
-    if grow { Ok(times) } else { Err(format!("{TIMES} are no times that grow")) }
+    if grow { Ok(times) } else { Err(format!("{TIMES} are not increasing times")) }
 }
 
-/// The nodes that are somebody, with what stands between them and the scene: those that say so, and those that are moved, if nothing
-/// above them is.
-fn people(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, String> {
+/// Returns the nodes that are agents, with the transform from the parent node to the scene. A node is an agent if its
+/// extras say so or the animation moves it, unless the animation changes a node above it.
+fn agents(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, String> {
     let nodes = &data.root.nodes;
     let mut parents = vec![None; nodes.len()];
     for (at, node) in nodes.iter().enumerate() {
@@ -84,7 +86,7 @@ fn people(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, Strin
             *parents.get_mut(child).ok_or_else(|| format!("there is no node {child}"))? = Some(at);
         }
     }
-    let mut people = Vec::new();
+    let mut agents = Vec::new();
     for (at, node) in nodes.iter().enumerate() {
         if !(matches!(node.extras, Some(Extras::Person(_))) || channels.moves(at)) {
             continue;
@@ -95,17 +97,17 @@ fn people(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, Strin
             moved |= channels.changes(parent);
             (above, steps) = (parents[parent], steps + 1);
             if steps > nodes.len() {
-                return Err(format!("node {at} is below itself"));
+                return Err(format!("node {at} is its own ancestor"));
             }
         }
         if !moved {
-            people.push((at, matrix));
+            agents.push((at, matrix));
         }
     }
-    Ok(people)
+    Ok(agents)
 }
 
-/// Where a node stands in the one above.
+/// Returns the transform of a node within its parent.
 fn local(node: &Node) -> DMat4 {
     if let Some(matrix) = &node.matrix {
         return DMat4::from_cols_array(matrix);
@@ -115,22 +117,22 @@ fn local(node: &Node) -> DMat4 {
     DMat4::from_scale_rotation_translation(scale, rotation, node.translation.map_or(DVec3::ZERO, DVec3::from))
 }
 
-/// Somebody.
-struct Who<'a> {
+/// An agent of the file.
+struct FileAgent<'a> {
     number: u32,
     group: u32,
     person: Option<&'a Person>,
     parent: DMat4,
 }
 
-impl Who<'_> {
-    /// Where it is at moments, of which the seconds of the animation are said too; in metres of a unit.
-    fn spots(&self, sampled: &Sampled, moments: &[(f64, f32)], unit: f64) -> Vec<Spot> {
+impl FileAgent<'_> {
+    /// Returns the samples at `moments` (time and second of the animation each). `unit` is the file's unit in metres.
+    fn spots(&self, sampled: &SampledNode, moments: &[(f64, f32)], unit: f64) -> Vec<Sample> {
         let turned = self.parent.to_scale_rotation_translation().1.as_quat();
         let there = moments.iter().filter(|&&(_, second)| sampled.is_there(second));
         let spot = |&(time, second): &(f64, f32)| {
             let ahead = axes::ahead(turned * sampled.rotation(second));
-            Spot {
+            Sample {
                 number: self.number,
                 group: self.group,
                 time,

@@ -1,21 +1,21 @@
-//! What an animation says of nodes at a second.
+//! The values of an animation at a second.
 
 use super::data::Data;
 use super::json::{Node, Sampler};
 use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeSet;
 
-/// Which sampler changes what of which node.
+/// The samplers of each node's properties.
 pub struct Channels {
-    /// By node: of its translation, its rotation and its scale.
+    /// By node: the samplers of its translation, its rotation and its scale.
     samplers: Vec<[Option<usize>; 3]>,
 }
 
 impl Channels {
-    /// Of the first animation. All channels together read at most `most` numbers.
+    /// Reads the first animation. All its channels together read at most `most` numbers.
     ///
     /// # Errors
-    /// It speaks of what is not there, or of too much.
+    /// The animation refers to a missing sampler or node, or reads more than `most` numbers.
     pub fn new(data: &Data, most: usize) -> Result<Self, String> {
         let mut samplers = vec![[None; 3]; data.root.nodes.len()];
         let Some(animation) = data.root.animations.first() else { return Ok(Self { samplers }) };
@@ -33,29 +33,29 @@ impl Channels {
             }
         }
         if read > most as u64 {
-            return Err("its animation reads the same numbers over and over".to_owned());
+            return Err("its animation reads the same numbers too often".to_owned());
         }
         Ok(Self { samplers })
     }
 
-    /// Whether it goes from place to place.
+    /// Whether the animation changes the translation of a node.
     pub fn moves(&self, node: usize) -> bool {
         self.samplers[node][0].is_some()
     }
 
-    /// Whether something of it changes.
+    /// Whether the animation changes any property of a node.
     pub fn changes(&self, node: usize) -> bool {
         self.samplers[node].iter().any(Option::is_some)
     }
 
-    /// All seconds for which something is said of nodes, in order.
+    /// Returns all seconds of the samplers of some nodes, in order.
     ///
     /// # Errors
-    /// The numbers are not there.
+    /// The numbers are missing.
     pub fn seconds(&self, data: &Data, nodes: impl Iterator<Item = usize>) -> Result<Vec<f32>, String> {
         let samplers = nodes.flat_map(|node| self.samplers[node]).flatten();
         let inputs: BTreeSet<usize> = samplers.map(|sampler| data.root.animations[0].samplers[sampler].input).collect();
-        // of numbers that are not negative the bits are ordered as they are
+        // the bits of non-negative floats are ordered as the floats are
         let mut seconds = BTreeSet::new();
         for input in inputs {
             seconds.extend(times(data, input)?.into_iter().map(|time| (time + 0.0).to_bits()));
@@ -63,14 +63,14 @@ impl Channels {
         Ok(seconds.into_iter().map(f32::from_bits).collect())
     }
 
-    /// What is said of a node.
+    /// Reads the values of a node.
     ///
     /// # Errors
-    /// The numbers are not there, or it is said in ways that are not read.
-    pub fn of(&self, data: &Data, at: usize, node: &Node) -> Result<Sampled, String> {
+    /// The numbers are missing, or their interpolation is not supported.
+    pub fn of(&self, data: &Data, at: usize, node: &Node) -> Result<SampledNode, String> {
         let [translation, rotation, scale] = self.samplers[at];
         let sampler = |at: usize| &data.root.animations[0].samplers[at];
-        Ok(Sampled {
+        Ok(SampledNode {
             rest: node.translation.map_or(DVec3::ZERO, DVec3::from),
             translation: translation.map(|at| Curve::of(data, sampler(at))).transpose()?,
             turn: node.rotation.map_or(Quat::IDENTITY, turn),
@@ -80,8 +80,8 @@ impl Channels {
     }
 }
 
-/// What is said of a node.
-pub struct Sampled {
+/// The values of a node over time.
+pub struct SampledNode {
     rest: DVec3,
     translation: Option<Curve<3>>,
     turn: Quat,
@@ -89,22 +89,22 @@ pub struct Sampled {
     scale: Option<Curve<3>>,
 }
 
-impl Sampled {
-    /// Where it is, in the node above.
+impl SampledNode {
+    /// Returns the position within the parent node.
     pub fn translation(&self, second: f32) -> DVec3 {
         let Some(curve) = &self.translation else { return self.rest };
         let (from, to, part) = curve.at(second);
         DVec3::from(from.map(f64::from)).lerp(DVec3::from(to.map(f64::from)), part)
     }
 
-    /// How it is turned, in the node above.
+    /// Returns the rotation within the parent node.
     pub fn rotation(&self, second: f32) -> Quat {
         let Some(curve) = &self.rotation else { return self.turn };
         let (from, to, part) = curve.at(second);
         turn(from).slerp(turn(to), part as f32)
     }
 
-    /// Whether it has a size.
+    /// Whether the node is visible: its scale is not 0.
     pub fn is_there(&self, second: f32) -> bool {
         self.scale.as_ref().is_none_or(|curve| {
             let (from, to, part) = curve.at(second);
@@ -112,7 +112,7 @@ impl Sampled {
         })
     }
 
-    /// Whether a second is between the first and the last for which something is said.
+    /// Whether a second lies between the first and the last second of the node's samplers.
     pub fn covers(&self, second: f32) -> bool {
         let of = |curve: &Option<Curve<3>>| curve.as_ref().map(Curve::ends);
         let turns = self.rotation.as_ref().map(Curve::ends);
@@ -134,12 +134,14 @@ impl<const N: usize> Curve<N> {
             None | Some("LINEAR") => false,
             Some("STEP") => true,
             Some(other) => {
-                return Err(format!("its animation goes on by {other}, which is not read; bake it to LINEAR"));
+                return Err(format!(
+                    "its animation interpolates by {other}, which is not supported; bake it to LINEAR"
+                ));
             }
         };
         let (times, values) = (times(data, sampler.input)?, data.numbers(sampler.output)?);
         if times.is_empty() || times.len() != values.len() {
-            return Err(format!("accessor {} has {} times of {} values", sampler.input, times.len(), values.len()));
+            return Err(format!("accessor {} has {} times for {} values", sampler.input, times.len(), values.len()));
         }
         Ok(Self { times, values, steps })
     }
@@ -148,7 +150,7 @@ impl<const N: usize> Curve<N> {
         [self.times[0], self.times[self.times.len() - 1]]
     }
 
-    /// The values before and behind a second, and which part of the way it is between them.
+    /// Returns the values before and after a second, and the fraction of the interval between them.
     fn at(&self, second: f32) -> ([f32; N], [f32; N], f64) {
         let behind = self.times.partition_point(|&time| time <= second);
         let before = behind.saturating_sub(1);
@@ -159,14 +161,14 @@ impl<const N: usize> Curve<N> {
     }
 }
 
-/// Seconds of an animation.
+/// Reads the seconds of a sampler.
 fn times(data: &Data, at: usize) -> Result<Vec<f32>, String> {
     let times = data.numbers::<1>(at)?.into_flattened();
     let grow = times.first().is_none_or(|time| *time >= 0.0) && times.windows(2).all(|two| two[0] < two[1]);
-    if grow { Ok(times) } else { Err(format!("the times of accessor {at} do not grow from 0")) }
+    if grow { Ok(times) } else { Err(format!("the times of accessor {at} do not increase from 0")) }
 }
 
-/// A rotation of any length.
+/// Returns a unit rotation of a quaternion of any length.
 fn turn(numbers: [f32; 4]) -> Quat {
     let turn = Quat::from_array(numbers);
     if turn.length_squared() > 1e-6 { turn.normalize() } else { Quat::IDENTITY }

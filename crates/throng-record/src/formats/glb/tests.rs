@@ -1,10 +1,10 @@
-//! What is special of glTF; what holds for every kind of file is tested with the others.
+//! Tests of what is particular to glTF; the tests of all formats are in `formats/tests`.
 
 use super::data::Data;
 use super::sampler::Channels;
 use super::{FORMAT, axes, seconds};
 use crate::formats::Reading;
-use crate::tracks::Tracks;
+use crate::trajectories::Trajectories;
 use crate::{Body, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
@@ -20,7 +20,7 @@ fn written(setting: &Setting, frames: &[Frame]) -> Vec<u8> {
     std::fs::read(path).unwrap()
 }
 
-/// A file of a JSON and bytes.
+/// A file of a JSON and a binary chunk.
 fn file(json: &Value, bin: &[u8]) -> Vec<u8> {
     let mut json = json.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
@@ -29,7 +29,7 @@ fn file(json: &Value, bin: &[u8]) -> Vec<u8> {
     [head, json, size(bin.len()).to_vec(), b"BIN\0".to_vec(), bin.to_vec()].concat()
 }
 
-fn read(json: &Value, bin: &[u8]) -> Result<Tracks, String> {
+fn read(json: &Value, bin: &[u8]) -> Result<Trajectories, String> {
     FORMAT.reader().unwrap()(&file(json, bin), &Reading::default()).map_err(|flaw| flaw.why)
 }
 
@@ -37,7 +37,7 @@ fn bytes(values: &[f32]) -> Vec<u8> {
     values.iter().flat_map(|value| value.to_le_bytes()).collect()
 }
 
-/// A file of somebody else: a node that goes from place to place below one that is turned, with another below it.
+/// A file of another program: an animated node below a rotated and scaled node, with another animated node below it.
 fn theirs() -> (Value, Vec<u8>) {
     let json = json!({
         "asset": { "version": "2.0" },
@@ -69,11 +69,11 @@ fn theirs() -> (Value, Vec<u8>) {
 }
 
 #[test]
-fn what_others_move_is_a_way() {
+fn a_node_that_another_program_moves_is_a_trajectory() {
     let (json, bin) = theirs();
     let tracks = read(&json, &bin).unwrap();
     let found: Vec<_> = tracks.spots.iter().map(|spot| (spot.number, spot.time, spot.place)).collect();
-    // turned to the left about y: what went along +z goes along +x, and is twice as long
+    // the parent turns +z to +x and doubles lengths
     let want = [(0.5, (10.0, 0.0, 0.0)), (1.0, (12.0, 0.0, 0.0)), (2.0, (12.0, 0.0, 6.0))];
     assert_eq!(found.len(), want.len());
     for ((number, time, place), (then, at)) in found.into_iter().zip(want) {
@@ -83,23 +83,23 @@ fn what_others_move_is_a_way() {
 }
 
 #[test]
-fn what_is_no_trajectory_is_told() {
+fn files_without_trajectories_are_errors() {
     let why = |change: &dyn Fn(&mut Value)| {
         let (mut json, bin) = theirs();
         change(&mut json);
         read(&json, &bin).map(|tracks| tracks.spots.len()).unwrap_err()
     };
-    assert_eq!(why(&|json| json["animations"] = json!([])), "no animation moves anybody in it");
-    assert_eq!(why(&|json| json["nodes"][2]["children"] = json!([0])), "node 1 is below itself");
+    assert_eq!(why(&|json| json["animations"] = json!([])), "no animation moves a node");
+    assert_eq!(why(&|json| json["nodes"][2]["children"] = json!([0])), "node 1 is its own ancestor");
     assert_eq!(
         why(&|json| json["accessors"][1]["count"] = json!(4)),
-        "accessor 1 reads behind the end of its buffer view"
+        "accessor 1 reads beyond the end of its buffer view"
     );
-    assert_eq!(why(&|json| json["accessors"][1]["count"] = json!(2)), "accessor 0 has 3 times of 2 values");
-    assert_eq!(why(&|json| json["accessors"][1]["sparse"] = json!({})), "accessor 1 is not made of plain VEC3 numbers");
+    assert_eq!(why(&|json| json["accessors"][1]["count"] = json!(2)), "accessor 0 has 3 times for 2 values");
+    assert_eq!(why(&|json| json["accessors"][1]["sparse"] = json!({})), "accessor 1 does not hold plain VEC3 numbers");
     assert_eq!(
         why(&|json| json["bufferViews"][1]["byteOffset"] = json!(u64::MAX)),
-        "buffer view 1 goes on behind the end of the file"
+        "buffer view 1 extends beyond the end of the file"
     );
     assert_eq!(
         why(&|json| json["buffers"][0]["uri"] = json!("x.bin")),
@@ -109,17 +109,17 @@ fn what_is_no_trajectory_is_told() {
         why(&|json| json["animations"][0]["samplers"][0]["interpolation"] = json!("CUBICSPLINE"))
             .contains("CUBICSPLINE")
     );
-    assert!(why(&|json| json["nodes"] = json!(3)).starts_with("its JSON is not that of glTF"));
-    assert!(why(&|json| json["nodes"][0]["matrix"] = json!(vec![1e308; 16])).contains("nowhere"));
+    assert!(why(&|json| json["nodes"] = json!(3)).starts_with("its JSON is not valid glTF"));
+    assert!(why(&|json| json["nodes"][0]["matrix"] = json!(vec![1e308; 16])).contains("not finite"));
     let (json, bin) = theirs();
     let mut old = file(&json, &bin);
     old[4] = 1;
-    assert_eq!(FORMAT.reader().unwrap()(&old, &Reading::default()).unwrap_err().why, "it is glTF 1, not 2");
+    assert_eq!(FORMAT.reader().unwrap()(&old, &Reading::default()).unwrap_err().why, "the file is glTF 1, not 2");
 }
 
-/// A second of an animation that comes again and again is no reason to read it as often.
+/// An animation that reads the same second many times must not make the reader allocate as many samples.
 #[test]
-fn few_bytes_do_not_make_many_places() {
+fn few_bytes_do_not_make_many_samples() {
     let (mut json, mut bin) = theirs();
     bin.extend(bytes(&vec![0.0; 9000]));
     json["buffers"][0]["byteLength"] = json!(bin.len());
@@ -127,11 +127,11 @@ fn few_bytes_do_not_make_many_places() {
     json["accessors"][1] = json!({ "bufferView": 1, "componentType": 5126, "count": 3000, "type": "VEC3" });
     let channel = json!({ "sampler": 0, "target": { "node": 1, "path": "translation" } });
     json["animations"][0]["channels"] = vec![channel; 5000].into();
-    assert!(read(&json, &bin).unwrap_err().contains("over and over"));
+    assert!(read(&json, &bin).unwrap_err().contains("too often"));
 }
 
 #[test]
-fn who_flies_is_turned_wholly() {
+fn flying_agents_keep_their_whole_rotation() {
     let bases: Vec<Basis> = (0..200)
         .map(|k| {
             let angle = 0.05 * k as f32;
@@ -201,7 +201,7 @@ fn every_accessor_and_buffer_view_is_used() {
 }
 
 #[test]
-fn what_stands_still_takes_next_to_nothing() {
+fn standing_agents_take_almost_no_space() {
     let frames = |count: u32| -> Vec<Frame> {
         let frame = |k: u32| {
             let bodies = (0..50).map(|n| Body::walking(n, DVec2::new(f64::from(n), 0.0))).collect();
@@ -210,12 +210,12 @@ fn what_stands_still_takes_next_to_nothing() {
         (0..count).map(frame).collect()
     };
     let [few, many] = [10, 1010].map(|count| written(&Setting::default(), &frames(count)).len());
-    // the times, as singles and as doubles
+    // the times, as `f32` and as `f64`
     assert!(many - few < 1000 * 12 + 100, "{few} to {many} bytes");
 }
 
 #[test]
-fn nobody_and_no_moment_are_a_file_too() {
+fn a_file_without_agents_or_frames_is_valid() {
     for frames in [vec![], vec![Frame::default()]] {
         let tracks = FORMAT.reader().unwrap()(&written(&Setting::default(), &frames), &Reading::default()).unwrap();
         assert!(tracks.spots.is_empty());

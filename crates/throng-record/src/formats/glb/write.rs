@@ -1,25 +1,25 @@
-//! glTF written.
+//! Writes binary glTF.
 
 use super::bin::{Bin, TOO_LARGE};
 use super::by_agent::by_agent;
 use super::json::{Asset, Buffer, Extras, Node, Person, Root};
-use super::motion::Motion;
+use super::motion::GlbMotion;
 use super::{TIMES, axes, seconds};
 use crate::formats::mesh::{self, Mesh};
-use crate::formats::spill::{Agent, Spill, State};
+use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
 use crate::formats::{PROGRAM, Writer, body, describe, keys};
 use crate::{Frame, Output, OutputError, Setting, color};
 use glam::Vec3;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// For what a graphics processor takes points and triangles.
+/// The targets of buffer views: vertex data and indices.
 const POINTS: u32 = 34962;
 const TRIANGLES: u32 = 34963;
-/// Bytes of a point.
+/// Size of a vertex, bytes.
 const POINT: u64 = 12;
 
-/// Collects trajectories as they happen, and writes them at the end. See the [module](super) for the nodes.
+/// Collects trajectories during a run and writes them at the end. The [module](super) describes the nodes.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -40,16 +40,16 @@ pub struct GlbWriter {
 }
 
 impl GlbWriter {
-    /// Begins to collect.
+    /// Starts to collect.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let spill = Spill::new(&output, setting)?;
         Ok(Self { output, setting: setting.clone(), spill })
     }
 
-    /// Everything, to be written.
+    /// Returns the JSON and the binary chunk of the whole file.
     fn scene(&mut self) -> io::Result<(Root, Bin)> {
         let mut scene = Scene { root: Root::default(), bin: Bin::new(&self.output)? };
         let times: Vec<f64> = self.spill.moments.iter().map(|&(time, _)| time).collect();
@@ -58,7 +58,7 @@ impl GlbWriter {
         scene.times(&times)?;
         let agents = scene.place(&self.setting, &self.spill)?;
         let meshes = scene.bodies(&self.setting, &self.spill.agents)?;
-        let (mut motion, flies) = (Motion::new(&seconds), self.setting.in_space);
+        let (mut motion, flies) = (GlbMotion::new(&seconds), self.setting.in_space);
         scene.bin.view(None)?;
         by_agent(&mut self.spill, &self.output, |agent, track| {
             let mut node = named(agent, track, &self.setting, &times);
@@ -79,7 +79,7 @@ impl GlbWriter {
         let (mut root, mut bin) = self.scene()?;
         root.accessors = std::mem::take(&mut bin.accessors);
         root.buffer_views = std::mem::take(&mut bin.views);
-        // there may be nobody to move
+        // without agents that move, the last view is empty
         while root.buffer_views.last().is_some_and(|view| view.byte_length == 0) {
             root.buffer_views.pop();
         }
@@ -113,14 +113,14 @@ impl Writer for GlbWriter {
     }
 }
 
-/// A file in the making.
+/// A file under construction.
 struct Scene {
     root: Root,
     bin: Bin,
 }
 
 impl Scene {
-    /// What there is to say of the scene.
+    /// Adds the metadata of the scene.
     fn asset(&mut self, setting: &Setting, spill: &Spill) {
         let extras = describe::pairs(setting).map(|(key, value)| (key.to_owned(), value.into()));
         let mut asset =
@@ -132,7 +132,7 @@ impl Scene {
         (self.root.scene, self.root.scenes) = (Some(0), vec![json!({ "nodes": [0] })]);
     }
 
-    /// When the moments are.
+    /// Adds the times of the frames.
     fn times(&mut self, times: &[f64]) -> io::Result<()> {
         if !times.is_empty() {
             let view = self.bin.view(None)?;
@@ -143,7 +143,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The place; returns the node to which everybody belongs.
+    /// Adds the place. Returns the parent node of all agents.
     fn place(&mut self, setting: &Setting, spill: &Spill) -> io::Result<usize> {
         let origin = setting.origin;
         let node = |name: &str| Node { name: name.to_owned(), ..Node::default() };
@@ -162,8 +162,8 @@ impl Scene {
         Ok(self.root.nodes.len() - 1)
     }
 
-    /// A mesh a group: one body in many colours; returns the first.
-    fn bodies(&mut self, setting: &Setting, agents: &[Agent]) -> io::Result<usize> {
+    /// Adds one mesh per group: the same body in the colour of the group. Returns the first mesh.
+    fn bodies(&mut self, setting: &Setting, agents: &[SpilledAgent]) -> io::Result<usize> {
         let first = self.root.meshes.len();
         let groups = agents.iter().map(|agent| agent.group as usize + 1).max().unwrap_or(0);
         if groups > 0 {
@@ -177,7 +177,7 @@ impl Scene {
         Ok(first)
     }
 
-    /// The bytes of a mesh; returns what reads its points and its triangles.
+    /// Adds the bytes of a mesh. Returns the accessors of its points and its triangles.
     fn shape(&mut self, mesh: &Mesh, turned: fn(Vec3) -> Vec3) -> io::Result<[usize; 2]> {
         let points: Vec<_> = mesh.points.iter().map(|&point| turned(point)).collect();
         let view = self.bin.view(Some(POINTS))?;
@@ -207,9 +207,9 @@ impl Scene {
     }
 }
 
-/// Somebody, to be put somewhere.
-fn named(agent: &Agent, track: &[(u32, State)], setting: &Setting, times: &[f64]) -> Node {
-    let time = |row: Option<&(u32, State)>| row.map(|&(moment, _)| times[moment as usize]);
+/// Returns the node of an agent, without mesh and motion.
+fn named(agent: &SpilledAgent, track: &[(u32, SpilledState)], setting: &Setting, times: &[f64]) -> Node {
+    let time = |row: Option<&(u32, SpilledState)>| row.map(|&(moment, _)| times[moment as usize]);
     let person = Person {
         number: agent.number,
         group: setting.group_name(agent.group).into_owned(),

@@ -1,9 +1,9 @@
-//! Parquet read.
+//! Reads Parquet.
 
 use crate::csv::status_of;
 use crate::formats::names::Names;
-use crate::formats::{Flaw, Reading, describe, keys};
-use crate::tracks::{RADIUS, Spot, Tracks};
+use crate::formats::{FormatFlaw, Reading, describe, keys};
+use crate::trajectories::{RADIUS, Sample, Trajectories};
 use bytes::Bytes;
 use glam::{DVec3, Vec3};
 use parquet::basic::LogicalType;
@@ -18,32 +18,33 @@ use throng::Status;
 const HINT: &str = "a table of trajectories has the columns number (or id), time (or frame), x and y, and may have group, z, vx, vy, \
                     vz, heading, radius and status, as `throng run -o NAME.parquet` writes them";
 
-const TOO_MANY: &str = "it has more rows than fit into a file of this size";
+const TOO_MANY: &str = "the file has more rows than fit into a file of its size";
 
-/// Rows that are read at once.
+/// Rows read per batch.
 const BATCH: usize = 1 << 14;
 
-/// Reads a table, ours or another's: the columns `number` (or `id`), `time` (or `frame`, with a frame rate), `x` and `y` must be
-/// there, of whatever kind of number; the others are filled in as for CSV.
-pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    // what reads Parquet has panicked on broken files before
+/// Reads a table that throng or another program wrote. The columns `number` (or `id`), `time` (or `frame`, with a frame
+/// rate), `x` and `y` are required, of any numeric type. Other missing columns get the defaults of CSV.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
+    // the Parquet reader may panic on damaged files
     let read = throng_scene::caught(|| parse(bytes, reading));
-    let read = read.unwrap_or_else(|_| Err("it is broken: what it says of itself does not fit together".to_owned()));
-    read.map_err(|why| Flaw { line: None, why, hint: Some(HINT) })
+    let read = read.unwrap_or_else(|_| Err("the file is damaged: its metadata is inconsistent".to_owned()));
+    read.map_err(|why| FormatFlaw { line: None, why, hint: Some(HINT) })
 }
 
-fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
+fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, String> {
     let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(broken)?;
     let metadata = file.metadata();
     let chunks = metadata.row_groups().iter().flat_map(|group| group.columns());
     if chunks.into_iter().any(|chunk| chunk.data_page_offset() < 0 || chunk.compressed_size() < 0) {
-        return Err("it is broken: a column lies nowhere".to_owned());
+        return Err("the file is damaged: a column has no position".to_owned());
     }
-    let mut tracks = Tracks::default();
+    let mut tracks = Trajectories::default();
     let mut names = Names::default();
     let rate = describe(metadata, &mut tracks, &mut names)?;
-    let columns = Columns::find(metadata, reading.rate.or(rate))?;
-    // A row of ours takes a byte at least, but for a crowd that stands still: that is little in a file of any size.
+    let columns = ParquetColumns::find(metadata, reading.rate.or(rate))?;
+    // A row takes at least an eighth of a byte, except for a crowd that stands still; such a crowd of 2^20 rows is
+    // accepted in a file of any size.
     let most = (1usize << 20).saturating_add(bytes.len().saturating_mul(8));
     let rows: i64 = metadata.row_groups().iter().map(|group| group.num_rows()).fold(0, i64::saturating_add);
     let rows = usize::try_from(rows).ok().filter(|&rows| rows <= most).ok_or(TOO_MANY)?;
@@ -59,11 +60,11 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, String> {
 }
 
 fn broken(error: ParquetError) -> String {
-    format!("it is no Parquet, or a broken one: {error}")
+    format!("the file is not Parquet, or is damaged: {error}")
 }
 
-/// What the metadata says, and the frame rate.
-fn describe(metadata: &ParquetMetaData, tracks: &mut Tracks, names: &mut Names) -> Result<Option<f64>, String> {
+/// Reads the metadata; returns the frame rate.
+fn describe(metadata: &ParquetMetaData, tracks: &mut Trajectories, names: &mut Names) -> Result<Option<f64>, String> {
     let pairs = metadata.file_metadata().key_value_metadata();
     let value = |key: &str| pairs?.iter().find(|pair| pair.key == key)?.value.clone();
     tracks.setting = describe::setting(value, names)?;
@@ -71,11 +72,11 @@ fn describe(metadata: &ParquetMetaData, tracks: &mut Tracks, names: &mut Names) 
     value(keys::RATE).map(rate).transpose()
 }
 
-/// Where the columns are.
-struct Columns {
+/// The indices of the columns.
+struct ParquetColumns {
     number: usize,
     time: usize,
-    /// Seconds in the unit of the column `time`.
+    /// Length of a unit of the column `time`, seconds.
     second: f64,
     x: usize,
     y: usize,
@@ -85,12 +86,12 @@ struct Columns {
     radius: Option<usize>,
     group: Option<usize>,
     status: Option<usize>,
-    /// Whether whole numbers of 32 bits are without sign.
+    /// Whether whole numbers of 32 bits are unsigned.
     unsigned: bool,
     names: Vec<String>,
 }
 
-impl Columns {
+impl ParquetColumns {
     fn find(metadata: &ParquetMetaData, rate: Option<f64>) -> Result<Self, String> {
         let schema = metadata.file_metadata().schema_descr();
         let names: Vec<String> = schema.columns().iter().map(|column| column.name().to_lowercase()).collect();
@@ -100,7 +101,7 @@ impl Columns {
         let (time, second) = match (column("time"), column("frame"), rate) {
             (Some(time), ..) => (time, 1.0),
             (None, Some(frame), Some(rate)) if rate > 0.0 => (frame, 1.0 / rate),
-            (None, Some(_), _) => return Err("it counts frames, and does not say how many are a second".to_owned()),
+            (None, Some(_), _) => return Err("the file counts frames, but does not state the frame rate".to_owned()),
             (None, None, _) => (needed("time")?, 1.0),
         };
         let unsigned =
@@ -122,20 +123,20 @@ impl Columns {
         })
     }
 
-    /// Reads a group of rows; at most `most` are kept in all.
+    /// Reads a row group; `spots` may have at most `most` samples in all.
     fn rows(
         &self,
         group: &dyn RowGroupReader,
         most: usize,
         unit: f64,
         names: &mut Names,
-        spots: &mut Vec<Spot>,
+        spots: &mut Vec<Sample>,
     ) -> Result<(), String> {
         let left = most.saturating_sub(spots.len());
         let cells = |column: usize| cells(group, column, left).map_err(|why| self.about(column, &why));
         let numbers = |column: usize| match cells(column)? {
             Cells::Numbers(numbers) => Ok(numbers),
-            Cells::Words(_) => Err(self.about(column, "these are words, no numbers")),
+            Cells::Words(_) => Err(self.about(column, "the values are texts, not numbers")),
         };
         let or = |column: Option<usize>| column.map(numbers).transpose();
         let (number, time, x, y) = (numbers(self.number)?, numbers(self.time)?, numbers(self.x)?, numbers(self.y)?);
@@ -147,17 +148,17 @@ impl Columns {
         let counts = [Some(&time), Some(&x), Some(&y), z.as_ref(), vx.as_ref(), vy.as_ref(), vz.as_ref()];
         let counts = counts.into_iter().chain([heading.as_ref(), radius.as_ref()]).flatten().map(Vec::len);
         if counts.chain([&groups, &states].into_iter().flatten().map(Cells::len)).any(|count| count != rows) {
-            return Err("it is broken: its columns differ in length".to_owned());
+            return Err("the file is damaged: its columns differ in length".to_owned());
         }
         let single = |column: &Option<Vec<f64>>, row: usize, or: f32| column.as_ref().map_or(or, |c| c[row] as f32);
         for row in 0..rows {
             let place = DVec3::new(x[row], y[row], z.as_ref().map_or(0.0, |z| z[row])) * unit;
             let time = time[row] * self.second;
             if !place.is_finite() || !time.is_finite() {
-                return Err(format!("row {} of a group has a place or a time that is no number", row + 1));
+                return Err(format!("row {} of a group has a position or a time that is not finite", row + 1));
             }
             let velocity = Vec3::new(single(&vx, row, 0.0), single(&vy, row, 0.0), single(&vz, row, 0.0));
-            spots.push(Spot {
+            spots.push(Sample {
                 number: self.agent(number[row])?,
                 group: names.index(&groups.as_ref().map_or(Ok("".into()), |groups| groups.word(row))?),
                 time,
@@ -174,11 +175,11 @@ impl Columns {
         Ok(())
     }
 
-    /// The number of an agent; what has no sign is stored with one.
+    /// Returns an agent number; an unsigned number is stored as a signed one.
     fn agent(&self, number: f64) -> Result<u32, String> {
         let number = if self.unsigned && number < 0.0 { number + 4_294_967_296.0 } else { number };
         let fits = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
-        if fits { Ok(number as u32) } else { Err(format!("`{number}` is no number of an agent")) }
+        if fits { Ok(number as u32) } else { Err(format!("`{number}` is not an agent number")) }
     }
 
     fn about(&self, column: usize, why: &str) -> String {
@@ -203,7 +204,7 @@ impl Cells {
     fn word(&self, row: usize) -> Result<Cow<'_, str>, String> {
         match self {
             Self::Numbers(numbers) => Ok(numbers[row].to_string().into()),
-            Self::Words(words) => words[row].as_utf8().map(Cow::from).map_err(|_| "a name is no text".to_owned()),
+            Self::Words(words) => words[row].as_utf8().map(Cow::from).map_err(|_| "a name is not text".to_owned()),
         }
     }
 }
@@ -215,7 +216,7 @@ fn cells(group: &dyn RowGroupReader, column: usize, most: usize) -> Result<Cells
         ColumnReader::FloatColumnReader(from) => numbers(from, most, f64::from)?,
         ColumnReader::DoubleColumnReader(from) => numbers(from, most, |value| value)?,
         ColumnReader::ByteArrayColumnReader(from) => Cells::Words(values(from, most)?),
-        _ => return Err("its values are neither numbers nor words".to_owned()),
+        _ => return Err("the values are neither numbers nor texts".to_owned()),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Tables of figures as Parquet.
+//! Writes tables of figures as Parquet.
 
 use super::write::system;
 use crate::formats::PROGRAM;
@@ -12,10 +12,10 @@ use parquet::schema::types::Type;
 use std::sync::Arc;
 
 impl Table {
-    /// Writes it as Apache Parquet: columns of doubles, which may be null.
+    /// Writes the table as Apache Parquet: columns of doubles, which may be null.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn write_parquet(&self, output: Output) -> Result<(), OutputError> {
         let path = output.path().to_path_buf();
         let written = self.parquet(output).map_err(|error| OutputError::new(&path, system(error)))?;

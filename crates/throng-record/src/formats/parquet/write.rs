@@ -1,4 +1,4 @@
-//! Parquet written.
+//! Writes Parquet.
 
 use crate::csv::status_name;
 use crate::formats::{Column, PROGRAM, Writer, describe, keys, rate::Rate};
@@ -15,13 +15,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use throng::Status;
 
-/// Rows that are held in memory, and written together.
+/// Rows of a row group; they are held in memory and written together.
 const ROWS: usize = 1 << 17;
 
-/// Columns whose values hardly repeat: their bytes are laid side by side, which is what compresses best.
+/// Columns with values that rarely repeat. They are encoded by byte-stream split, which compresses best.
 const SPLIT: [&str; 6] = ["x", "y", "z", "vx", "vy", "heading"];
 
-/// Writes trajectories as they happen, a group of rows at a time. See the [module](super) for the columns.
+/// Writes trajectories during a run, a row group at a time. The [module](super) describes the columns.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -42,14 +42,14 @@ pub struct ParquetWriter {
     /// The names of [`STATES`].
     states: [ByteArray; 4],
     rows: Vec<Rows>,
-    /// How many rows wait.
+    /// Number of rows that wait.
     waiting: usize,
     rate: Rate,
 }
 
 const STATES: [Status; 4] = [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded];
 
-/// Rows of a column that are not yet written.
+/// Rows of a column that are not written yet.
 enum Rows {
     Number(Vec<i32>),
     Group(Vec<ByteArray>),
@@ -61,10 +61,10 @@ enum Rows {
 }
 
 impl ParquetWriter {
-    /// Begins a file with these columns; none: those of the [module](super).
+    /// Starts a file with these columns; without columns, those of the [module](super).
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting, columns: &[Column]) -> Result<Self, OutputError> {
         let path = output.path().to_path_buf();
         let columns = if columns.is_empty() { &Column::ALL } else { columns };
@@ -89,7 +89,7 @@ impl ParquetWriter {
         Ok(Self { file, path, setting: setting.clone(), groups, states, rows, waiting: 0, rate: Rate::default() })
     }
 
-    /// Lets bodies of a moment wait, as many as belong to one group of rows.
+    /// Adds bodies of a frame to the waiting rows. They must fit into the row group.
     fn add(&mut self, bodies: &[Body], time: f64) {
         let Self { groups, states, setting, .. } = self;
         let group = |body: &Body| {
@@ -99,7 +99,7 @@ impl ParquetWriter {
         let status = |body: &Body| states[STATES.iter().position(|&status| status == body.status).unwrap_or(0)].clone();
         for rows in &mut self.rows {
             match rows {
-                // the bits of a number without sign
+                // Parquet stores unsigned numbers as signed ones
                 Rows::Number(rows) => rows.extend(bodies.iter().map(|body| body.number.cast_signed())),
                 Rows::Group(rows) => rows.extend(bodies.iter().map(group)),
                 Rows::Time(rows) => rows.resize(rows.len() + bodies.len(), time),
@@ -112,13 +112,13 @@ impl ParquetWriter {
         self.waiting += bodies.len();
     }
 
-    /// Writes the rows that wait.
+    /// Writes the waiting rows.
     fn flush(&mut self) -> Result<(), OutputError> {
         self.waiting = 0;
         write(&mut self.file, &mut self.rows).map_err(|error| OutputError::new(&self.path, system(error)))
     }
 
-    /// What is known of the file when everybody is in it.
+    /// Adds the metadata, which depend on all frames.
     fn describe(&mut self) {
         let rate = self.rate.even().map(|rate| (keys::RATE, rate.to_string()));
         let pairs = describe::pairs(&self.setting).into_iter().chain(rate);
@@ -153,7 +153,7 @@ impl Writer for ParquetWriter {
     }
 }
 
-/// A column and its type, as the field of a schema.
+/// Returns a column and its type as a field of the schema.
 fn typed(column: Column) -> String {
     match column {
         Column::Number => format!("int32 {column} (integer(32, false))"),
@@ -164,7 +164,7 @@ fn typed(column: Column) -> String {
 }
 
 impl Rows {
-    /// None of a column.
+    /// Returns no rows of a column.
     fn of(column: Column) -> Self {
         match column {
             Column::Number => Self::Number(Vec::new()),
@@ -178,7 +178,7 @@ impl Rows {
     }
 }
 
-/// Writes a group of rows, and forgets them; the memory stays.
+/// Writes a row group and clears the rows; their memory is kept.
 fn write(file: &mut SerializedFileWriter<Output>, rows: &mut [Rows]) -> Result<(), ParquetError> {
     let mut group = file.next_row_group()?;
     let to = &mut group;
@@ -205,7 +205,7 @@ fn column<T: DataType>(
     column.close()
 }
 
-/// What the system said.
+/// Returns the system error within an error of Parquet.
 pub(super) fn system(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {

@@ -1,4 +1,4 @@
-//! Records, and those of them that are no moments.
+//! Records, and those other than frames.
 
 use super::pack::Rest;
 use crate::Setting;
@@ -7,17 +7,17 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use throng::{Obstacle, Walkable};
 
-/// How every file begins; the last byte is the version.
+/// The first bytes of every file; the last of them is the version.
 pub(super) const MAGIC: [u8; 8] = *b"\x89throng\x01";
-/// How a complete file ends, after the place of its index.
+/// The last bytes of a complete file, after the position of its index.
 pub(super) const END: [u8; 8] = *b"gnorht\x89\n";
 
-/// The record of what stays the same.
+/// The kind of the record of constant data.
 pub(super) const HEAD: u8 = b'H';
-/// The record of where which moment is.
+/// The kind of the index record.
 pub(super) const INDEX: u8 = b'I';
 
-/// What stays the same.
+/// Constant data of the file.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Head {
     /// The program and its version.
@@ -42,23 +42,23 @@ impl Head {
     }
 }
 
-/// Where which moment is.
+/// The positions of key frames.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Index {
-    /// Moments in all.
+    /// Number of frames.
     pub(super) moments: u64,
-    /// Time of the last, seconds.
+    /// Time of the last frame, seconds.
     pub(super) last: f64,
-    /// Those that stand by themselves: byte of the file, number of the moment, time.
+    /// Key frames: offset in the file, index of the frame, time.
     pub(super) keys: Vec<(u64, u64, f64)>,
 }
 
-/// Appends the kind of a record and what it says.
+/// Returns a record of a kind and a value.
 pub(super) fn encode(kind: u8, what: &impl Serialize) -> Vec<u8> {
     postcard::to_extend(what, vec![kind]).expect("memory takes everything")
 }
 
-/// What a record of a kind says; `None` if it is none.
+/// Returns the value of a record of a kind; `None` if the record does not hold it.
 pub(super) fn decode<'a, T: Deserialize<'a>>(kind: u8, record: &'a [u8]) -> Option<T> {
     let (first, what) = record.split_first()?;
     if *first != kind {
@@ -67,7 +67,7 @@ pub(super) fn decode<'a, T: Deserialize<'a>>(kind: u8, record: &'a [u8]) -> Opti
     postcard::from_bytes(what).ok()
 }
 
-/// What stands in front of a record: its length and its checksum.
+/// Returns the prefix of a record: its length and its checksum.
 pub(super) fn prefix(record: &[u8]) -> [u8; 8] {
     let mut prefix = [0; 8];
     prefix[..4].copy_from_slice(&(record.len() as u32).to_le_bytes());
@@ -75,16 +75,16 @@ pub(super) fn prefix(record: &[u8]) -> [u8; 8] {
     prefix
 }
 
-/// What comes next.
+/// The next record of a file.
 pub(super) enum Next<'a> {
     Record(&'a [u8]),
-    /// The file ends here, or in a record that is not whole.
+    /// The file ends here, or within a record.
     End,
-    /// A record is whole, and is not what was written.
+    /// A record is complete, but its bytes have changed.
     Changed,
 }
 
-/// The next record.
+/// Reads the next record.
 pub(super) fn next<'a>(rest: &mut Rest<'a>) -> Next<'a> {
     let mut after = *rest;
     let (Some(length), Some(sum)) = (after.array(), after.array()) else { return Next::End };

@@ -1,39 +1,40 @@
-//! A moment as bytes, and back.
+//! Encodes and decodes frames.
 
 use super::pack::{Rest, pack};
-use super::state::{COLUMNS, State};
+use super::state::{COLUMNS, RecState};
 
-/// A moment that stands by itself.
+/// The kind of a key frame, which does not depend on other frames.
 pub(super) const KEY: u8 = b'K';
-/// A moment that says what has changed since the one before.
+/// The kind of a frame that stores changes since the frame before.
 pub(super) const NEXT: u8 = b'N';
 
-/// Everybody at one moment, by number.
+/// All agents at a time, by number.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Moment {
+pub(super) struct RecMoment {
     pub(super) time: f64,
-    pub(super) states: Vec<State>,
+    pub(super) states: Vec<RecState>,
 }
 
-/// Memory that is used again.
+/// Memory that is reused.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     values: Vec<i64>,
-    /// Of each agent its state at the moment before, or, of one who was not there, that of the agent in front of it.
+    /// For each agent, the state from which its state is predicted: its own in the frame before, or, for an agent that
+    /// was absent, that of the preceding agent.
     before: Vec<Before>,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Before {
-    /// Which of the moment before.
+    /// The index in the frame before.
     Itself(usize),
     Neighbour,
 }
 
 impl Memory {
-    /// Finds who was there at the moment before.
-    fn match_up(&mut self, states: &[State], last: Option<&Moment>) {
-        let last: &[State] = last.map_or(&[], |last| &last.states);
+    /// Finds the agents in the frame before.
+    fn match_up(&mut self, states: &[RecState], last: Option<&RecMoment>) {
+        let last: &[RecState] = last.map_or(&[], |last| &last.states);
         let mut at = 0;
         self.before.clear();
         self.before.extend(states.iter().map(|state| {
@@ -45,20 +46,20 @@ impl Memory {
         }));
     }
 
-    /// The state that is expected of one, and how long ago that was, seconds.
-    fn before(&self, row: usize, states: &[State], last: Option<&Moment>, seconds: f64) -> (State, f64) {
+    /// Returns the state that predicts an agent's state, and its age in seconds.
+    fn before(&self, row: usize, states: &[RecState], last: Option<&RecMoment>, seconds: f64) -> (RecState, f64) {
         match (self.before[row], last) {
             (Before::Itself(at), Some(last)) => (last.states[at], seconds),
-            _ => (row.checked_sub(1).map_or_else(State::default, |front| states[front]), 0.0),
+            _ => (row.checked_sub(1).map_or_else(RecState::default, |front| states[front]), 0.0),
         }
     }
 
-    /// Appends a moment; without one before it stands by itself.
-    pub(super) fn write(&mut self, moment: &Moment, last: Option<&Moment>, out: &mut Vec<u8>) {
+    /// Appends a frame; without a frame before it, a key frame.
+    pub(super) fn write(&mut self, moment: &RecMoment, last: Option<&RecMoment>, out: &mut Vec<u8>) {
         let states = &moment.states;
         out.push(if last.is_some() { NEXT } else { KEY });
         out.extend(moment.time.to_le_bytes());
-        let numbers = |states: &[State]| states.iter().map(|state| state.number).collect::<Vec<_>>();
+        let numbers = |states: &[RecState]| states.iter().map(|state| state.number).collect::<Vec<_>>();
         let same = last.is_some_and(|last| numbers(&last.states) == numbers(states));
         out.push(u8::from(same));
         if !same {
@@ -83,8 +84,8 @@ impl Memory {
         }
     }
 
-    /// Reads a moment; `None` if the bytes are none, or it does not stand by itself and there is none before.
-    pub(super) fn read(&mut self, bytes: &[u8], last: Option<&Moment>) -> Option<Moment> {
+    /// Reads a frame. Returns `None` if the bytes are invalid, or the frame before is missing.
+    pub(super) fn read(&mut self, bytes: &[u8], last: Option<&RecMoment>) -> Option<RecMoment> {
         let mut rest = Rest(bytes);
         let last = match rest.array()? {
             [KEY] => None,
@@ -95,14 +96,14 @@ impl Memory {
         let same = rest.array()? != [0];
         let mut states = Vec::new();
         if same {
-            states.extend(last?.states.iter().map(|state| State { number: state.number, ..State::default() }));
+            states.extend(last?.states.iter().map(|state| RecState { number: state.number, ..RecState::default() }));
         } else {
             let count = u32::from_le_bytes(rest.array()?) as usize;
             rest.unpack(count, &mut self.values)?;
             let mut next = 0i64;
             for skipped in &self.values {
                 let number = u32::try_from(next.checked_add(*skipped).filter(|&number| number >= next)?).ok()?;
-                states.push(State { number, ..State::default() });
+                states.push(RecState { number, ..RecState::default() });
                 next = i64::from(number) + 1;
             }
         }
@@ -115,7 +116,7 @@ impl Memory {
                 states[row].learn(column, self.values[row], &before, ago);
             }
         }
-        (rest.0.is_empty() && time.is_finite()).then_some(Moment { time, states })
+        (rest.0.is_empty() && time.is_finite()).then_some(RecMoment { time, states })
     }
 }
 
@@ -124,13 +125,13 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn moment() -> impl Strategy<Value = Moment> {
+    fn moment() -> impl Strategy<Value = RecMoment> {
         let states = proptest::collection::btree_map(any::<u32>(), any::<[i16; COLUMNS]>(), 0..80);
-        (0.0..100.0, states).prop_map(|(time, states)| Moment {
+        (0.0..100.0, states).prop_map(|(time, states)| RecMoment {
             time,
             states: states
                 .into_iter()
-                .map(|(number, values)| State { number, values: values.map(i64::from) })
+                .map(|(number, values)| RecState { number, values: values.map(i64::from) })
                 .collect(),
         })
     }
@@ -138,8 +139,8 @@ mod tests {
     proptest! {
         #[test]
         fn moments_come_back(mut first in moment(), second in moment(), stay: bool, wrong: (u16, u8)) {
-            // headings are kept within half a turn
-            let mut second = if stay { Moment { time: second.time, ..first.clone() } } else { second };
+            // headings are within half a turn
+            let mut second = if stay { RecMoment { time: second.time, ..first.clone() } } else { second };
             for state in first.states.iter_mut().chain(&mut second.states) {
                 state.values[3] = i64::from(state.values[3] as i8);
             }
@@ -152,7 +153,7 @@ mod tests {
             for end in 0..next.len() {
                 prop_assert_eq!(memory.read(&next[..end], Some(&first)), None);
             }
-            // whatever a moment says, it is read or it is not
+            // decoding changed bytes does not panic
             let at = usize::from(wrong.0) % next.len();
             next[at] ^= wrong.1;
             let _ = memory.read(&next, Some(&first)).map(|m| m.states.iter().filter_map(|s| s.spot(0.0)).count());

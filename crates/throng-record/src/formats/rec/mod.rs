@@ -1,19 +1,19 @@
-//! `.rec`: what happened in few bytes, to be gone on with, and readable as far as it got.
+//! `.rec`: compact recordings that can be appended to and read up to where they end.
 //!
-//! A file is a sequence of records, each with its length and its checksum: what stays the same, then the moments, and at the end
-//! where which moment is. Every 64th moment stands by itself, those between say what has changed. All numbers are whole, in
-//! steps small enough for every use:
+//! A file is a sequence of records, each with its length and its checksum: first the constant data, then the frames,
+//! and at the end the positions of key frames. Every 64th frame is a key frame; the frames between store changes. All
+//! numbers are whole multiples of a step:
 //!
-//! | what | step | error at most |
+//! | what | step | greatest error |
 //! |---|---|---|
-//! | places, radii | 0.1 mm | 0.05 mm |
+//! | positions, radii | 0.1 mm | 0.05 mm |
 //! | velocities | 1 mm/s | 0.5 mm/s |
 //! | headings | 1/8192 of a turn | 0.39 mrad (0.022°) |
 //! | times, numbers, groups, status | | none |
 //!
-//! Until it is complete it is called `NAME.rec.part`. What was written more than a second ago is there whatever happens to the program:
-//! [`Tracks::read`](crate::Tracks::read) reads such a file up to its last whole record. A changed byte is found. The layout is in
-//! `docs/rec.md`.
+//! Until it is complete, a file is called `NAME.rec.part`. Frames written more than a second ago survive a crash of the
+//! program: [`Trajectories::read`](crate::Trajectories::read) reads such a file up to its last complete record. Changed bytes are
+//! detected. `docs/rec.md` describes the layout.
 
 mod file;
 mod frame;
@@ -27,7 +27,7 @@ pub use write::{AppendError, RecWriter};
 
 use super::Format;
 
-/// Our own: written and read.
+/// The format of throng: written and read.
 pub(super) const FORMAT: Format = Format {
     ending: "rec",
     title: "throng's own: few bytes, readable as far as it got",

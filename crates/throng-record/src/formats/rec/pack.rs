@@ -1,10 +1,10 @@
-//! Whole numbers in as few bits as they need: runs of 64, each with the width of its largest.
+//! Packs whole numbers into as few bits as they need: runs of 64 numbers, each with the width of its largest.
 
-/// Numbers of a run.
+/// Numbers per run.
 const RUN: usize = 64;
 
-/// Appends numbers: of each run a byte that says how many bits each has, then these, the lowest first, up to a whole byte. Negative
-/// numbers take turns with the others: 0, -1, 1, -2, 2.
+/// Appends numbers. For each run: a byte with the bits per number, then the numbers, lowest bits first, padded to a
+/// whole byte. Signs are folded (zigzag): 0, -1, 1, -2, 2.
 pub(super) fn pack(values: &[i64], out: &mut Vec<u8>) {
     for run in values.chunks(RUN) {
         let width = 64 - run.iter().fold(0, |bits, &value| bits | turns(value)).leading_zeros();
@@ -29,7 +29,7 @@ fn turns(value: i64) -> u64 {
     ((value << 1) ^ (value >> 63)).cast_unsigned()
 }
 
-/// Bytes that are taken from the front; `None` where there are too few.
+/// Bytes that are taken from the front; the methods return `None` if there are too few.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest<'a>(pub(super) &'a [u8]);
 
@@ -44,10 +44,10 @@ impl<'a> Rest<'a> {
         self.take(N)?.try_into().ok()
     }
 
-    /// So many numbers as [`pack`] wrote them.
+    /// Unpacks `count` numbers that [`pack`] wrote.
     pub(super) fn unpack(&mut self, count: usize, out: &mut Vec<i64>) -> Option<()> {
         out.clear();
-        // a run takes a byte at least
+        // a run takes at least a byte
         if count.div_ceil(RUN) > self.0.len() {
             return None;
         }

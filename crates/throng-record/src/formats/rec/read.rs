@@ -1,22 +1,21 @@
-//! `.rec` read: all of it, or what lies between two times.
+//! Reads `.rec`: the whole file, or the frames between two times.
 
 use super::file::{END, HEAD, Head, INDEX, Index, MAGIC, Next, decode, next};
-use super::frame::{KEY, Memory, Moment, NEXT};
+use super::frame::{KEY, Memory, NEXT, RecMoment};
 use super::pack::Rest;
 use crate::Setting;
-use crate::formats::{Flaw, Reading};
-use crate::tracks::{Spot, Tracks};
+use crate::formats::{FormatFlaw, Reading};
+use crate::trajectories::{Sample, Trajectories};
 
-const HINT: &str =
-    "`throng run -o NAME.rec` writes such files; what stands before the place that is broken is lost with it";
+const HINT: &str = "`throng run -o NAME.rec` writes such files; the frames before the damaged record are lost too";
 
-/// Reads a file up to its end, or to its last whole record if it was not completed.
-pub(super) fn read(bytes: &[u8], _: &Reading) -> Result<Tracks, Flaw> {
+/// Reads a file up to its end, or to its last complete record if it is incomplete.
+pub(super) fn read(bytes: &[u8], _: &Reading) -> Result<Trajectories, FormatFlaw> {
     let contents = Contents::of(bytes)?;
     contents.between(f64::NEG_INFINITY, f64::INFINITY)
 }
 
-/// A file of which the beginning and the index were read, to look at any part of it.
+/// The head and the index of a file, for access to any part of it.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -37,47 +36,47 @@ pub(super) fn read(bytes: &[u8], _: &Reading) -> Result<Tracks, Flaw> {
 pub struct Contents<'a> {
     /// The place and the names.
     pub setting: Setting,
-    /// The program that wrote it, and its version.
+    /// The program that wrote the file, and its version.
     pub program: String,
-    /// How many moments there are; `None` of a file that was not completed.
+    /// Number of frames; `None` for an incomplete file.
     pub moments: Option<u64>,
-    /// The moments from which one can begin to read; of a file that was not completed none are known.
+    /// The frames at which reading can start; empty for an incomplete file.
     pub keys: Vec<Key>,
     bytes: &'a [u8],
-    /// Where the moments begin.
+    /// Offset of the first frame.
     start: usize,
 }
 
-/// A moment that stands by itself.
+/// A key frame, which does not depend on other frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Key {
-    /// Its number, from 0.
+    /// The index of the frame, from 0.
     pub moment: u64,
-    /// Its time, seconds.
+    /// The time of the frame, seconds.
     pub time: f64,
-    /// The byte at which its record begins.
+    /// The offset of its record.
     at: usize,
 }
 
 impl<'a> Contents<'a> {
-    /// What is in a file.
+    /// Reads the head and the index of a file.
     ///
     /// # Errors
-    /// It is no such file, or what it begins with is not whole.
-    pub fn of(bytes: &'a [u8]) -> Result<Self, Flaw> {
+    /// The file has another format, or its head is incomplete or damaged.
+    pub fn of(bytes: &'a [u8]) -> Result<Self, FormatFlaw> {
         let mut rest = Rest(bytes);
         match rest.array::<8>() {
             Some(MAGIC) => {}
             Some([b'\x89', b't', b'h', b'r', b'o', b'n', b'g', version]) => {
-                return Err(flaw(format!("it is of version {version}, which this program does not read")));
+                return Err(flaw(format!("the file has version {version}, which this program does not read")));
             }
-            _ => return Err(flaw("it does not begin as such files do")),
+            _ => return Err(flaw("the file does not begin like a .rec file")),
         }
         let head = match next(&mut rest) {
             Next::Record(record) => decode::<Head>(HEAD, record),
             Next::End | Next::Changed => None,
         };
-        let head = head.ok_or_else(|| flaw("its beginning is broken"))?;
+        let head = head.ok_or_else(|| flaw("the beginning of the file is damaged"))?;
         let program = head.program.clone();
         let setting = head.into_setting();
         let start = bytes.len() - rest.0.len();
@@ -87,35 +86,37 @@ impl<'a> Contents<'a> {
         Ok(Self { setting, program, moments: index.map(|index| index.moments), keys, bytes, start })
     }
 
-    /// Who was where from one time to another, seconds, both included.
+    /// Reads the frames between two times, seconds, both included.
     ///
     /// # Errors
-    /// A record is not what was written. One that the file ends in is left out.
-    pub fn between(&self, from: f64, to: f64) -> Result<Tracks, Flaw> {
+    /// A record is damaged. An incomplete record at the end of the file is ignored.
+    pub fn between(&self, from: f64, to: f64) -> Result<Trajectories, FormatFlaw> {
         let first = self.keys.iter().rfind(|key| key.time <= from).map_or(self.start, |key| key.at);
-        let mut records = Records::from(self, first);
-        let mut tracks = Tracks { setting: self.setting.clone(), ..Tracks::default() };
+        let mut records = RecRecords::from(self, first);
+        let mut tracks = Trajectories { setting: self.setting.clone(), ..Trajectories::default() };
         while let Some((record, moment)) = records.next()? {
             if moment.time > to {
                 break;
             }
             if moment.time >= from {
-                let spots: Option<Vec<Spot>> = moment.states.iter().map(|state| state.spot(moment.time)).collect();
+                let spots: Option<Vec<Sample>> = moment.states.iter().map(|state| state.spot(moment.time)).collect();
                 tracks.spots.extend(spots.ok_or_else(|| broken(record.at))?);
             }
         }
+        // times in a file of another program may decrease
+        tracks.sort();
         if let Some(most) = tracks.spots.iter().map(|spot| spot.group).max() {
             self.name(most, &mut tracks.setting.groups)?;
         }
         Ok(tracks)
     }
 
-    /// How many bytes there are up to the end of the last whole moment, and where which moment is.
+    /// Returns the offset of the end of the last complete frame, and an index of all frames.
     ///
     /// # Errors
-    /// A record is not what was written.
-    pub(super) fn whole(&self) -> Result<(u64, Index), Flaw> {
-        let mut records = Records::from(self, self.start);
+    /// A record is damaged.
+    pub(super) fn whole(&self) -> Result<(u64, Index), FormatFlaw> {
+        let mut records = RecRecords::from(self, self.start);
         let mut index = Index::default();
         while let Some((record, moment)) = records.next()? {
             if record.key {
@@ -127,51 +128,51 @@ impl<'a> Contents<'a> {
         Ok((records.at() as u64, index))
     }
 
-    /// Groups without a name are called by their index.
-    fn name(&self, most: u32, groups: &mut Vec<String>) -> Result<(), Flaw> {
+    /// Names groups without a name by their index.
+    fn name(&self, most: u32, groups: &mut Vec<String>) -> Result<(), FormatFlaw> {
         if most as usize > groups.len() + self.bytes.len() {
-            return Err(flaw(format!("somebody is in group {most}, and there are {}", groups.len())));
+            return Err(flaw(format!("an agent is in group {most}, but there are {} groups", groups.len())));
         }
         groups.extend((groups.len() as u32..=most).map(|group| group.to_string()));
         Ok(())
     }
 }
 
-/// The moments of a file, one after the other.
-struct Records<'a> {
+/// The frames of a file, in order.
+struct RecRecords<'a> {
     contents: &'a Contents<'a>,
-    /// What comes after the last moment.
+    /// The bytes after the last frame.
     rest: Rest<'a>,
-    last: Option<Moment>,
+    last: Option<RecMoment>,
     memory: Memory,
 }
 
-/// Where a moment is.
+/// The position of a frame.
 struct Record {
-    /// The byte at which it begins.
+    /// The offset of its first byte.
     at: usize,
-    /// Whether it stands by itself.
+    /// Whether it is a key frame.
     key: bool,
 }
 
-impl<'a> Records<'a> {
-    /// Those from a byte on.
+impl<'a> RecRecords<'a> {
+    /// Returns the frames from an offset on.
     fn from(contents: &'a Contents<'a>, at: usize) -> Self {
         let rest = Rest(contents.bytes.get(at..).unwrap_or_default());
         Self { contents, rest, last: None, memory: Memory::default() }
     }
 
-    /// The byte behind the last moment.
+    /// Returns the offset of the end of the last frame.
     fn at(&self) -> usize {
         self.contents.bytes.len() - self.rest.0.len()
     }
 
-    /// The next moment; none at the end of them.
-    fn next(&mut self) -> Result<Option<(Record, &Moment)>, Flaw> {
+    /// Reads the next frame; `None` after the last one.
+    fn next(&mut self) -> Result<Option<(Record, &RecMoment)>, FormatFlaw> {
         let (at, mut rest) = (self.at(), self.rest);
         let record = match next(&mut rest) {
             Next::Record(record) => record,
-            // what was cut ends like this, what is complete does not
+            // only an incomplete file may end within a record
             Next::End if self.contents.moments.is_none() => return Ok(None),
             Next::End | Next::Changed => return Err(broken(at)),
         };
@@ -185,7 +186,7 @@ impl<'a> Records<'a> {
     }
 }
 
-/// The index at the end of a complete file.
+/// Reads the index at the end of a complete file.
 fn index(bytes: &[u8]) -> Option<Index> {
     let (before, end) = bytes.split_at_checked(bytes.len().checked_sub(16)?)?;
     let at = u64::from_le_bytes(end[..8].try_into().ok()?);
@@ -199,10 +200,10 @@ fn index(bytes: &[u8]) -> Option<Index> {
     }
 }
 
-fn broken(at: usize) -> Flaw {
-    flaw(format!("its record at byte {at} is broken"))
+fn broken(at: usize) -> FormatFlaw {
+    flaw(format!("the record at byte {at} is damaged"))
 }
 
-fn flaw(why: impl Into<String>) -> Flaw {
-    Flaw { line: None, why: why.into(), hint: Some(HINT) }
+fn flaw(why: impl Into<String>) -> FormatFlaw {
+    FormatFlaw { line: None, why: why.into(), hint: Some(HINT) }
 }

@@ -1,28 +1,28 @@
-//! `.rec` written.
+//! Writes `.rec`.
 
 use super::Contents;
 use super::file::{END, HEAD, Head, INDEX, Index, MAGIC, encode, prefix};
-use super::frame::{Memory, Moment};
-use super::state::State;
+use super::frame::{Memory, RecMoment};
+use super::state::RecState;
 use crate::formats::Writer;
 use crate::output::part_of;
-use crate::{Frame, Output, OutputError, Setting, TracksError};
+use crate::{Frame, Output, OutputError, Setting, TrajectoriesError};
 use std::path::Path;
 
-/// So many moments apart are those that stand by themselves.
+/// Frames from one key frame to the next.
 pub(super) const APART: u64 = 64;
 
-/// Writes trajectories as they happen. See the [module](super) for what is kept.
+/// Writes trajectories during a run. The [module](super) describes the data.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("run.rec");
 /// use throng_record::formats::rec::RecWriter;
-/// use throng_record::{Frame, Output, Setting, Tracks, Writer};
+/// use throng_record::{Frame, Output, Setting, Trajectories, Writer};
 /// let mut writer = RecWriter::new(Output::create_kept(&path)?, &Setting::default())?;
 /// writer.push(&Frame::default())?;
 /// drop(writer);
-/// assert!(Tracks::read(folder.path().join("run.rec.part")).is_ok());
+/// assert!(Trajectories::read(folder.path().join("run.rec.part")).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -31,30 +31,30 @@ pub struct RecWriter {
     /// Bytes written.
     written: u64,
     index: Index,
-    /// Whether the next moment stands by itself in any case.
+    /// Whether the next frame must be a key frame.
     alone: bool,
-    /// The moment before, and the one being written.
-    moments: [Moment; 2],
+    /// The previous frame and the frame being written.
+    moments: [RecMoment; 2],
     memory: Memory,
     record: Vec<u8>,
 }
 
-/// Why a file cannot be gone on with.
+/// An error of appending to a file.
 #[derive(Debug, thiserror::Error)]
 pub enum AppendError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
-    Read(#[from] TracksError),
-    /// It cannot be written.
+    Read(#[from] TrajectoriesError),
+    /// The file cannot be written.
     #[error(transparent)]
     Write(#[from] OutputError),
 }
 
 impl RecWriter {
-    /// Begins with what stays the same.
+    /// Starts a file with the constant data.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let record = encode(HEAD, &Head::of(setting));
         let mut writer = Self {
@@ -71,14 +71,15 @@ impl RecWriter {
         Ok(writer)
     }
 
-    /// Goes on with a file, complete or not: with all whole moments that are in it. `path` is the name it has when it is complete, with or
-    /// without `.part`. Moments are to be later than those that are there, and groups counted as in its [setting](Contents::setting).
+    /// Continues a file, complete or not, after all its complete frames. `path` is the name of the complete file, with
+    /// or without `.part`. New frames must be later than those in the file, and groups are numbered as in its
+    /// [setting](Contents::setting).
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
     /// # let path = folder.path().join("run.rec");
     /// use throng_record::formats::rec::RecWriter;
-    /// use throng_record::{Body, Frame, Output, Setting, Tracks, Writer};
+    /// use throng_record::{Body, Frame, Output, Setting, Trajectories, Writer};
     /// let mut writer = RecWriter::new(Output::create_kept(&path)?, &Setting::default())?;
     /// writer.push(&Frame { time: 0.0, ..Frame::default() })?;
     /// Box::new(writer).finish()?;
@@ -91,17 +92,17 @@ impl RecWriter {
     /// ```
     ///
     /// # Errors
-    /// It cannot be read or written, is no such file, or is broken before its end.
+    /// The file cannot be read or written, has another format, or is damaged before its end.
     pub fn append(path: impl AsRef<Path>) -> Result<Self, AppendError> {
         let path = path.as_ref();
         let path =
             if path.extension().is_some_and(|end| end == "part") { path.with_extension("") } else { path.into() };
         let found = if path.exists() { path.clone() } else { part_of(&path) };
-        let bytes = std::fs::read(&found).map_err(|source| TracksError::File { path: found.clone(), source })?;
+        let bytes = std::fs::read(&found).map_err(|source| TrajectoriesError::File { path: found.clone(), source })?;
         let whole = Contents::of(&bytes).and_then(|contents| contents.whole());
-        let (written, index) = whole.map_err(|flaw| TracksError::Content { path: found, flaw })?;
+        let (written, index) = whole.map_err(|flaw| TrajectoriesError::Content { path: found, flaw })?;
         Ok(Self {
-            output: Output::append_kept(&path, written)?,
+            output: Output::append_kept(&path, bytes.len() as u64, written)?,
             written,
             index,
             alone: true,
@@ -131,7 +132,7 @@ impl Writer for RecWriter {
         let [last, now] = &mut self.moments;
         now.time = frame.time;
         now.states.clear();
-        now.states.extend(frame.bodies.iter().map(State::of));
+        now.states.extend(frame.bodies.iter().map(RecState::of));
         now.states.sort_unstable_by_key(|state| state.number);
         now.states.dedup_by_key(|state| state.number);
         let key = std::mem::take(&mut self.alone) || self.index.moments.is_multiple_of(APART);

@@ -1,4 +1,4 @@
-//! The ground as JuPedSim takes it: one thing, with holes where something is solid.
+//! The walkable area in the form that JuPedSim requires: one geometry with holes in place of the obstacles.
 
 use crate::Setting;
 use crate::formats::place;
@@ -10,12 +10,13 @@ use throng::{Obstacle, Walkable};
 
 /// Half the width of a wall, metres.
 const HALF: f64 = 0.005;
-/// How far a box goes round what was seen, metres.
+/// Margin of a bounding box, metres.
 const ROUND: f64 = 1.0;
 
 type Ring = Vec<[f64; 2]>;
 
-/// What can be walked on less what is solid, as WKT; without areas, in a box round everything between two corners.
+/// Returns the walkable areas without the obstacles, as WKT. Without walkable areas, returns a box around the obstacles
+/// and the two corners `seen`.
 pub(super) fn free(setting: &Setting, seen: [DVec2; 2]) -> String {
     let mut areas: Vec<Ring> = Vec::new();
     for area in &setting.walkable {
@@ -42,7 +43,7 @@ pub(super) fn free(setting: &Setting, seen: [DVec2; 2]) -> String {
     place::ground(&shapes.into_iter().map(area).collect::<Vec<_>>())
 }
 
-/// What is solid, counter-clockwise.
+/// Returns the outlines of an obstacle, counter-clockwise.
 fn solid(obstacle: &Obstacle) -> Vec<Ring> {
     let corners = place::corners(obstacle);
     let Obstacle::Wall { .. } = obstacle else { return vec![turned(&corners, 1.0)] };
@@ -54,7 +55,7 @@ fn solid(obstacle: &Obstacle) -> Vec<Ring> {
     corners.windows(2).map(strip).collect()
 }
 
-/// Corners counter-clockwise, or, for -1, clockwise.
+/// Returns corners counter-clockwise, or clockwise for `way` -1.
 fn turned(corners: &[DVec2], way: f64) -> Ring {
     let next = corners.iter().cycle().skip(1);
     let area: f64 = corners.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
@@ -82,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_solid_is_taken_off() {
+    fn obstacles_are_subtracted() {
         let mut setting = Setting {
             walkable: vec![Walkable { outer: square(0.0, 10.0), holes: vec![square(1.0, 2.0)] }],
             obstacles: vec![
@@ -95,7 +96,7 @@ mod tests {
         let want = 100.0 - 1.0 - 1.0 - 2.01 * 0.01;
         assert!((free_area(&setting) - want).abs() < 1e-3, "{}", free_area(&setting));
         setting.walkable.clear();
-        // 13 m wide: 0 to 11, and 1 m to each side
+        // 13 m wide: 0 to 11, and 1 m on each side
         assert!((free_area(&setting) - (169.0 - 4.0 - 2.01 * 0.01)).abs() < 1e-3, "{}", free_area(&setting));
     }
 }

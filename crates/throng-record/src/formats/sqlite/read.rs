@@ -1,57 +1,66 @@
-//! JuPedSim's database read.
+//! Reads JuPedSim's database.
 
 use crate::formats::names::Names;
-use crate::formats::{Flaw, Reading, describe, place};
-use crate::tracks::{RADIUS, Spot, Tracks};
+use crate::formats::{FormatFlaw, Reading, describe, place};
+use crate::trajectories::{RADIUS, Sample, Trajectories};
 use glam::{DVec3, Vec3};
+use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, Row};
 use std::collections::HashMap;
 use throng::Status;
 
-const HINT: &str = "what is read are JuPedSim's trajectories, versions 1 to 3, with the tables trajectory_data, metadata and geometry, as \
+const HINT: &str = "supported are JuPedSim's trajectories, versions 1 to 3, with the tables trajectory_data, metadata and geometry, as \
                     `throng run -o NAME.sqlite` writes them";
 
-/// Reads a database, ours or JuPedSim's.
-pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
-    parse(bytes, reading).map_err(|Wrong(why)| Flaw { line: None, why, hint: Some(HINT) })
+/// Reads a database that throng or JuPedSim wrote.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
+    parse(bytes, reading).map_err(|SqliteFlaw(why)| FormatFlaw { line: None, why, hint: Some(HINT) })
 }
 
-struct Wrong(String);
+struct SqliteFlaw(String);
 
-impl From<rusqlite::Error> for Wrong {
+impl From<rusqlite::Error> for SqliteFlaw {
     fn from(error: rusqlite::Error) -> Self {
-        Self(format!("it is no SQLite database, or a broken one: {error}"))
+        Self(format!("the file is not an SQLite database, or is damaged: {error}"))
     }
 }
 
-impl From<String> for Wrong {
+impl From<String> for SqliteFlaw {
     fn from(why: String) -> Self {
         Self(why)
     }
 }
 
-/// Of one agent what does not change.
+/// The group and the radius of each agent.
 type Agents = HashMap<u32, (u32, f32)>;
 
-fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
+fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, SqliteFlaw> {
     if !bytes.starts_with(b"SQLite format 3\0") {
-        return Err(Wrong("it does not begin as SQLite databases do".to_owned()));
+        return Err(SqliteFlaw("the file does not begin like an SQLite database".to_owned()));
     }
     if size(bytes).is_none_or(|size| size > bytes.len() as u64) {
-        return Err(Wrong("it is cut: a part is missing".to_owned()));
+        return Err(SqliteFlaw("the file is cut off: a part is missing".to_owned()));
     }
     let mut database = Connection::open_in_memory()?;
     database.deserialize_read_exact("main", bytes, bytes.len(), true)?;
-    // what a file says of itself is not run
+    // expressions within the file's schema are not trusted
     database.execute_batch("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON;")?;
+
+    // No value may have more bytes than the file: a column may compute a value of any size.
+    let longest = i32::try_from(bytes.len()).unwrap_or(i32::MAX);
+    database.set_limit(Limit::SQLITE_LIMIT_LENGTH, longest)?;
+    // the tables must not be views, which may never return a row
+    if let Some(table) = ["trajectory_data", "metadata"].iter().find(|table| !has(&database, table).unwrap_or(false)) {
+        return Err(SqliteFlaw(format!("the database has no table {table}")));
+    }
 
     let mut names = Names::default();
     let metadata = metadata(&database, bytes.len())?;
     let value = |key: &str| metadata.get(key).cloned();
-    let mut tracks = Tracks { setting: describe::setting(value, &mut names)?, ..Tracks::default() };
+    let mut tracks = Trajectories { setting: describe::setting(value, &mut names)?, ..Trajectories::default() };
     if let Some(version) = value("version").filter(|version| !["1", "2", "3"].contains(&version.as_str())) {
-        return Err(Wrong(format!("it is of version {version}")));
+        return Err(SqliteFlaw(format!("the database has the unsupported version {version}")));
     }
     if tracks.setting.walkable.is_empty() && !metadata.contains_key(crate::formats::keys::WALKABLE) {
         tracks.setting.walkable = ground(&database)?;
@@ -59,7 +68,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     let rate = reading.rate.or_else(|| value("fps")?.parse().ok()).filter(|rate| *rate > 0.0);
     let (times, agents) = (times(&database, bytes.len())?, agents(&database, &mut names, bytes.len())?);
     let unit = reading.unit.unwrap_or(1.0);
-    // version 3 does not say where bodies face
+    // version 3 has no orientations
     let faces = columns(&database, "trajectory_data", &["ori_x", "ori_y"])?;
     let ways = if faces { "ori_x, ori_y" } else { "1, 0" };
     let mut query = database.prepare(&format!("SELECT frame, id, pos_x, pos_y, {ways} FROM trajectory_data"))?;
@@ -68,13 +77,13 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
         few(tracks.spots.len(), bytes.len())?;
         let (frame, number): (f64, u32) = (number_of(row, 0)?, row.get(1)?);
         let time = times.get(&(frame as i64)).copied().or(rate.map(|rate| frame / rate));
-        let time = time.ok_or_else(|| "it does not say how many frames are a second".to_owned())?;
+        let time = time.ok_or_else(|| "the file does not state its frame rate".to_owned())?;
         let place = DVec3::new(number_of(row, 2)?, number_of(row, 3)?, 0.0) * unit;
         let (group, radius) = match agents.get(&number) {
             Some(&agent) => agent,
             None => (names.index(""), RADIUS),
         };
-        tracks.spots.push(Spot {
+        tracks.spots.push(Sample {
             number,
             group,
             time,
@@ -91,38 +100,42 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     Ok(tracks)
 }
 
-/// How many bytes a database says it has.
+/// Returns the size that a database states, bytes.
 fn size(bytes: &[u8]) -> Option<u64> {
     let page = u16::from_be_bytes(bytes.get(16..18)?.try_into().ok()?);
-    // what does not fit into two bytes is said so
+    // 1 stands for 65,536, which does not fit into two bytes
     let page = if page == 1 { 1 << 16 } else { u64::from(page) };
     let pages = u32::from_be_bytes(bytes.get(28..32)?.try_into().ok()?);
     Some(page * u64::from(pages))
 }
 
-/// That a file of so many bytes may have another row: a view can make any number of them.
-fn few(rows: usize, bytes: usize) -> Result<(), Wrong> {
-    if rows < bytes { Ok(()) } else { Err(Wrong("it has more rows than fit into a file of this size".to_owned())) }
+/// Checks that a file of `bytes` bytes may have another row: a view can produce any number of rows.
+fn few(rows: usize, bytes: usize) -> Result<(), SqliteFlaw> {
+    if rows < bytes {
+        Ok(())
+    } else {
+        Err(SqliteFlaw("the file has more rows than fit into a file of its size".to_owned()))
+    }
 }
 
-/// A number that is one.
-fn number_of(row: &Row<'_>, column: usize) -> Result<f64, Wrong> {
+/// Returns a finite number.
+fn number_of(row: &Row<'_>, column: usize) -> Result<f64, SqliteFlaw> {
     let value = match row.get_ref(column)? {
         ValueRef::Integer(value) => value as f64,
         ValueRef::Real(value) => value,
         _ => f64::NAN,
     };
-    if value.is_finite() { Ok(value) } else { Err(Wrong("a value of trajectory_data is no number".to_owned())) }
+    if value.is_finite() { Ok(value) } else { Err(SqliteFlaw("a value of trajectory_data is no number".to_owned())) }
 }
 
-/// Whether there is such a table.
-fn has(database: &Connection, table: &str) -> Result<bool, Wrong> {
+/// Whether a table exists.
+fn has(database: &Connection, table: &str) -> Result<bool, SqliteFlaw> {
     let query = "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ?";
     Ok(database.query_row(query, [table], |row| row.get::<_, i64>(0))? > 0)
 }
 
 /// Whether a table has all these columns.
-fn columns(database: &Connection, table: &str, names: &[&str]) -> Result<bool, Wrong> {
+fn columns(database: &Connection, table: &str, names: &[&str]) -> Result<bool, SqliteFlaw> {
     let mut query = database.prepare("SELECT count(*) FROM pragma_table_info(?) WHERE name = ?")?;
     let mut all = true;
     for name in names {
@@ -131,7 +144,7 @@ fn columns(database: &Connection, table: &str, names: &[&str]) -> Result<bool, W
     Ok(all)
 }
 
-fn metadata(database: &Connection, bytes: usize) -> Result<HashMap<String, String>, Wrong> {
+fn metadata(database: &Connection, bytes: usize) -> Result<HashMap<String, String>, SqliteFlaw> {
     let mut pairs = HashMap::new();
     let mut query = database.prepare("SELECT key, CAST(value AS TEXT) FROM metadata")?;
     let mut rows = query.query([])?;
@@ -142,8 +155,8 @@ fn metadata(database: &Connection, bytes: usize) -> Result<HashMap<String, Strin
     Ok(pairs)
 }
 
-/// The areas of all geometries.
-fn ground(database: &Connection) -> Result<Vec<throng::Walkable>, Wrong> {
+/// Returns the areas of all geometries.
+fn ground(database: &Connection) -> Result<Vec<throng::Walkable>, SqliteFlaw> {
     let mut areas = Vec::new();
     if has(database, "geometry")? {
         let mut query = database.prepare("SELECT wkt FROM geometry")?;
@@ -155,8 +168,8 @@ fn ground(database: &Connection) -> Result<Vec<throng::Walkable>, Wrong> {
     Ok(areas)
 }
 
-/// The times of frames, where the file has our table of them.
-fn times(database: &Connection, bytes: usize) -> Result<HashMap<i64, f64>, Wrong> {
+/// Returns the times of frames; empty unless throng wrote the file.
+fn times(database: &Connection, bytes: usize) -> Result<HashMap<i64, f64>, SqliteFlaw> {
     let mut times = HashMap::new();
     if has(database, "throng_moment")? {
         let mut query = database.prepare("SELECT frame, time FROM throng_moment")?;
@@ -169,8 +182,8 @@ fn times(database: &Connection, bytes: usize) -> Result<HashMap<i64, f64>, Wrong
     Ok(times)
 }
 
-/// Groups and radii, where the file has our table of them.
-fn agents(database: &Connection, names: &mut Names, bytes: usize) -> Result<Agents, Wrong> {
+/// Returns groups and radii; empty unless throng wrote the file.
+fn agents(database: &Connection, names: &mut Names, bytes: usize) -> Result<Agents, SqliteFlaw> {
     let mut agents = HashMap::new();
     if has(database, "throng_agent")? {
         let mut query = database.prepare("SELECT id, name, radius FROM throng_agent")?;
@@ -189,9 +202,9 @@ mod tests {
     use super::*;
     use std::f32::consts::FRAC_PI_2;
 
-    /// As JuPedSim's version 3 has it: without `ori_x` and `ori_y`.
+    /// Reads JuPedSim's version 3, which lacks `ori_x` and `ori_y`.
     #[test]
-    fn who_does_not_say_so_faces_where_it_goes() {
+    fn agents_without_orientations_face_along_their_velocity() {
         let mut database = Connection::open_in_memory().unwrap();
         let text = "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT NULL);
             CREATE TABLE metadata(key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);

@@ -1,4 +1,4 @@
-//! JuPedSim's database written.
+//! Writes JuPedSim's database.
 
 use super::ground;
 use crate::formats::{Writer, describe, rate::Rate};
@@ -12,10 +12,10 @@ use std::io::{self, Write};
 /// The version of the layout.
 const VERSION: u32 = 2;
 
-/// Rows of a transaction.
+/// Rows per transaction.
 const ROWS: usize = 1 << 16;
 
-/// SQLite's access to files that takes no locks: the output has locked the file.
+/// SQLite's file access without locks: the output has locked the file already.
 const WITHOUT_LOCKS: &str = if cfg!(windows) { "win32-none" } else { "unix-none" };
 
 const TABLES: &str = "
@@ -32,7 +32,7 @@ const TABLES: &str = "
     CREATE TABLE throng_moment (frame INTEGER PRIMARY KEY, time REAL NOT NULL);
     CREATE TABLE throng_agent (id INTEGER PRIMARY KEY, name TEXT NOT NULL, radius REAL NOT NULL);";
 
-/// Writes trajectories as they happen. See the [module](super) for the tables.
+/// Writes trajectories during a run. The [module](super) describes the tables.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -46,25 +46,25 @@ const TABLES: &str = "
 /// ```
 #[derive(Debug)]
 pub struct SqliteWriter {
-    /// Before the output, so that it is closed before the file goes.
+    /// Declared before the output, so that it is closed before the file is removed.
     database: Connection,
     output: Output,
     setting: Setting,
     frame: i64,
     rate: Rate,
-    /// Who has been there.
+    /// Agents that have a row in `throng_agent`.
     known: BTreeSet<u32>,
-    /// Corners of the box in which everybody was.
+    /// Corners of the bounding box of all positions.
     seen: [DVec2; 2],
-    /// Rows of this transaction.
+    /// Rows of the current transaction.
     rows: usize,
 }
 
 impl SqliteWriter {
-    /// Begins a database in the file of `output`.
+    /// Starts a database in the file of `output`.
     ///
     /// # Errors
-    /// The system's, such as a full disk; [`OutputError::Io`] if `output` is no file of a folder.
+    /// A system error, such as a full disk; [`OutputError::Io`] if `output` is not a regular file.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let no_file = || io::Error::new(io::ErrorKind::Unsupported, "a database needs a file; name one");
         let path = output.own_file().ok_or_else(|| output.error(no_file()))?;
@@ -92,7 +92,7 @@ impl SqliteWriter {
         for body in &frame.bodies {
             if self.known.insert(body.number) {
                 let name = self.setting.group_name(body.group);
-                agent.execute(params![body.number, name, body.shape().girth()])?;
+                agent.execute(params![body.number, name, body.shape().clearance_radius()])?;
             }
             let (at, facing) = (body.position, DVec2::from_angle(f64::from(body.heading)));
             row.execute(params![self.frame, body.number, at.x, at.y, facing.x, facing.y])?;
@@ -108,7 +108,7 @@ impl SqliteWriter {
         Ok(())
     }
 
-    /// Says what is known when everybody is in it.
+    /// Writes the data that depend on all frames.
     fn describe(&self) -> rusqlite::Result<()> {
         let database = &self.database;
         let wkt = ground::free(&self.setting, self.seen);
@@ -116,7 +116,7 @@ impl SqliteWriter {
         database.execute("INSERT INTO geometry VALUES (?, ?)", params![hash, wkt])?;
         database.execute("INSERT INTO frame_data SELECT frame, ? FROM throng_moment", [hash])?;
         let [low, high] = bounds(&wkt).unwrap_or(self.seen);
-        // a single moment has no rate, and readers ask for one
+        // a single frame has no rate, but readers require one
         let rate = self.rate.mean().unwrap_or(1.0);
         let theirs = [("version", f64::from(VERSION)), ("fps", rate)];
         let bounds = [("xmin", low.x), ("xmax", high.x), ("ymin", low.y), ("ymax", high.y)];
@@ -142,14 +142,14 @@ impl Writer for SqliteWriter {
     }
 }
 
-/// Corners of the box round a geometry.
+/// Returns the corners of the bounding box of a geometry.
 fn bounds(wkt: &str) -> Option<[DVec2; 2]> {
     let (areas, _) = crate::formats::place::read(wkt).ok()?;
     let corners = areas.iter().flat_map(|area| &area.outer).copied();
     corners.map(|p| [p, p]).reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
 }
 
-/// An error of SQLite as an error about the file.
+/// Converts an error of SQLite to an error of the output.
 fn failed(output: &Output, error: rusqlite::Error) -> OutputError {
     use rusqlite::ErrorCode::{DiskFull, PermissionDenied, ReadOnly, SystemIoFailure};
     output.error(match error.sqlite_error_code() {
@@ -160,7 +160,7 @@ fn failed(output: &Output, error: rusqlite::Error) -> OutputError {
     })
 }
 
-/// The system's answer to more bytes in the file: SQLite does not pass on why a file cannot grow.
+/// Returns the system's error when the file grows: SQLite does not report why a file cannot grow.
 fn refusal(output: &Output) -> Option<io::Error> {
     let mut file = File::options().append(true).open(output.own_file()?).ok()?;
     file.write_all(&[0; 1 << 16]).err()

@@ -5,14 +5,14 @@ use glam::{DVec2, Vec2};
 use proptest::prelude::*;
 use throng::{Obstacle, Status, Walkable};
 
-/// When moments come.
+/// The times of frames.
 #[derive(Clone, Copy)]
 pub(super) enum Times {
     Even,
     Uneven,
 }
 
-/// Somebody: from when to when, who, of which group, where from, how fast.
+/// An agent: the frames in which it is present, and its motion.
 #[derive(Clone, Debug)]
 struct One {
     from: usize,
@@ -23,10 +23,11 @@ struct One {
     radius: f32,
 }
 
-/// A place with names, and moments of a crowd in it: several groups, numbers in no order, some come later and some go.
+/// A setting and the frames of a crowd in it: several groups, random numbers, agents that appear and disappear.
 pub(super) fn crowd(times: Times) -> impl Strategy<Value = (Setting, Vec<Frame>)> {
-    let one = (0..30usize, 1..30usize, 0..3u32, (-500.0..500.0, -500.0..500.0), (-3.0..3f32, -3.0..3f32), 0.1..0.5f32);
-    let one = one.prop_map(|(from, stays, group, start, velocity, radius)| One {
+    let agent =
+        (0..30usize, 1..30usize, 0..3u32, (-500.0..500.0, -500.0..500.0), (-3.0..3f32, -3.0..3f32), 0.1..0.5f32);
+    let agent = agent.prop_map(|(from, stays, group, start, velocity, radius)| One {
         from,
         to: from + stays,
         group,
@@ -34,14 +35,14 @@ pub(super) fn crowd(times: Times) -> impl Strategy<Value = (Setting, Vec<Frame>)
         velocity: velocity.into(),
         radius,
     });
-    let people = proptest::collection::hash_map(any::<u32>(), one, 1..20);
+    let agents = proptest::collection::hash_map(any::<u32>(), agent, 1..20);
     let steps = proptest::collection::vec(0.01..0.5, 40);
-    (people, steps, -100.0..1e5, any::<u64>()).prop_map(move |(people, steps, start, salt)| {
-        let people: Vec<_> = people.into_iter().collect();
+    (agents, steps, -100.0..1e5, any::<u64>()).prop_map(move |(agents, steps, start, salt)| {
+        let agents: Vec<_> = agents.into_iter().collect();
         let mut time = start;
         let frames = steps.iter().enumerate().map(|(k, step)| {
-            let there = people.iter().filter(|(_, one)| (one.from..one.to).contains(&k));
-            let bodies = there.map(|(number, one)| body(*number, one, k as f32 * 0.1, salt)).collect();
+            let there = agents.iter().filter(|(_, agent)| (agent.from..agent.to).contains(&k));
+            let bodies = there.map(|(number, agent)| body(*number, agent, k as f32 * 0.1, salt)).collect();
             let frame = Frame { time, bodies, ..Frame::default() };
             match times {
                 Times::Even => time = start + (k + 1) as f64 * 0.1,
@@ -53,9 +54,10 @@ pub(super) fn crowd(times: Times) -> impl Strategy<Value = (Setting, Vec<Frame>)
     })
 }
 
-/// Many people over many moments, a tenth of a second apart: who comes and who goes does so in the first and the last hundred.
-pub(super) fn large(people: u32, moments: usize) -> (Setting, Vec<Frame>) {
-    let one = |number: u32| One {
+/// Many agents over many frames at intervals of 0.1 s. Agents appear within the first 100 frames and disappear within
+/// the last 100.
+pub(super) fn large(agents: u32, moments: usize) -> (Setting, Vec<Frame>) {
+    let agent = |number: u32| One {
         from: number as usize * 7 % 100,
         to: moments - number as usize * 13 % 100,
         group: number % 3,
@@ -63,33 +65,33 @@ pub(super) fn large(people: u32, moments: usize) -> (Setting, Vec<Frame>) {
         velocity: Vec2::from_angle(number as f32) * 2.0,
         radius: 0.2,
     };
-    let people: Vec<One> = (0..people).map(one).collect();
+    let agents: Vec<One> = (0..agents).map(agent).collect();
     let frames = (0..moments).map(|k| {
-        let there = (0..).zip(&people).filter(|(_, one)| (one.from..one.to).contains(&k));
-        let bodies = there.map(|(number, one)| body(number, one, k as f32 * 0.1, 7)).collect();
+        let there = (0..).zip(&agents).filter(|(_, agent)| (agent.from..agent.to).contains(&k));
+        let bodies = there.map(|(number, agent)| body(number, agent, k as f32 * 0.1, 7)).collect();
         Frame { time: k as f64 * 0.1, bodies, ..Frame::default() }
     });
     (setting(), frames.collect())
 }
 
-/// Who was somewhere after so many seconds: most go straight on, all tremble.
-fn body(number: u32, one: &One, time: f32, salt: u64) -> Body {
+/// Returns an agent after `time` seconds: all move along a line with random deviations.
+fn body(number: u32, agent: &One, time: f32, salt: u64) -> Body {
     let mut state = salt ^ u64::from(number) ^ u64::from(time.to_bits()) << 20;
     let mut draw = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 40) as f32 / (1u64 << 23) as f32 - 1.0
     };
-    let velocity = one.velocity + Vec2::new(draw(), draw()) * 0.1;
+    let velocity = agent.velocity + Vec2::new(draw(), draw()) * 0.1;
     Body {
-        group: one.group,
+        group: agent.group,
         velocity,
         altitude: 2.0 + draw(),
-        climb: draw(),
+        vertical_velocity: draw(),
         heading: 8.0 * draw(),
-        radius: one.radius,
+        radius: agent.radius,
         core: Vec2::new(0.2, 0.1),
         status: [Status::Walking, Status::Waiting, Status::Arrived, Status::Stranded][number as usize % 4],
-        ..Body::walking(number, one.start + (one.velocity * time).as_dvec2() + f64::from(draw()) * 1e-3)
+        ..Body::walking(number, agent.start + (agent.velocity * time).as_dvec2() + f64::from(draw()) * 1e-3)
     }
 }
 
@@ -110,7 +112,7 @@ fn setting() -> Setting {
     }
 }
 
-/// Three people over four moments.
+/// Three agents over four frames.
 pub(super) fn small() -> (Setting, Vec<Frame>) {
     let frames = (0..4u32).map(|k| {
         let there = [(7, 0..4), (3, 1..4), (900, 0..2)];

@@ -1,30 +1,30 @@
-//! What holds for every kind of file: what is written comes back, and what is broken is told.
+//! Tests of all formats: written files are read back, and damaged files are errors.
 
 mod crowd;
 
-use super::{FORMATS, Flaw, Format, Reading, Writer, rec};
-use crate::tracks::{Spot, Tracks};
+use super::{FORMATS, Format, FormatFlaw, Reading, Writer, rec};
+use crate::trajectories::{Sample, Trajectories};
 use crate::{Frame, Output, OutputError, Setting};
 use crowd::{Times, crowd};
 use glam::DVec3;
 use proptest::prelude::*;
 use std::path::Path;
 
-/// How far from what was written what is read may be.
+/// Greatest errors of data that were written and read.
 struct Errors {
     place: f64,
     velocity: f32,
     heading: f32,
     radius: f32,
-    /// Whether times come back to the bit.
+    /// Whether uneven times are kept exactly.
     uneven: bool,
-    /// Whether a file that was cut is read as far as it goes.
+    /// Whether a file that is cut off is read up to the cut.
     cut: bool,
-    /// Whether it holds places in the plane.
+    /// Whether altitudes are lost.
     flat: bool,
-    /// Whether it says how fast one is; else velocities are ways over time.
+    /// Whether velocities are stored; else they are displacements over time.
     speeds: bool,
-    /// Whether it says what one is doing.
+    /// Whether the status is stored.
     status: bool,
 }
 
@@ -39,7 +39,7 @@ const EXACT: Errors = Errors {
     speeds: true,
     status: true,
 };
-/// The error of a single up to 1024 m from the origin.
+/// The error of an `f32` up to 1024 m from the origin.
 const SINGLE: f64 = 0.031e-3;
 
 fn errors(format: &Format) -> Errors {
@@ -47,7 +47,7 @@ fn errors(format: &Format) -> Errors {
         "parquet" => EXACT,
         "rec" => Errors { place: 0.051e-3, velocity: 0.51e-3, heading: 0.39e-3, radius: 0.051e-3, cut: true, ..EXACT },
         "sqlite" => Errors { heading: 1e-5, flat: true, speeds: false, status: false, ..EXACT },
-        // within an animation times are singles too, but not when the moments are
+        // times within an animation are `f32`; the times of the frames are not
         "glb" => Errors { place: 1e-3 + SINGLE, heading: 0.4f32.to_radians(), speeds: false, status: false, ..EXACT },
         "usda" => Errors {
             place: 0.05e-3 + SINGLE,
@@ -57,13 +57,13 @@ fn errors(format: &Format) -> Errors {
             status: false,
             ..EXACT
         },
-        // heights are single: their decimals are not the double's
+        // altitudes are `f32`: their decimals differ from those of the `f64`
         "csv" => Errors { place: 1e-6, cut: true, ..EXACT },
         other => panic!("what error has .{other}?"),
     }
 }
 
-/// The bytes of a file with all these moments.
+/// Returns the bytes of a file with these frames.
 fn written(format: &Format, setting: &Setting, frames: &[Frame]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run").with_extension(format.ending);
@@ -81,30 +81,30 @@ fn try_write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) 
     writer.finish()
 }
 
-fn read(format: &Format, bytes: &[u8]) -> Result<Tracks, Flaw> {
+fn read(format: &Format, bytes: &[u8]) -> Result<Trajectories, FormatFlaw> {
     format.reader().unwrap()(bytes, &Reading::default())
 }
 
-/// What was written, as it is to come back.
-fn spots(frames: &[Frame]) -> Vec<Spot> {
+/// Returns the samples of frames, as a file should return them.
+fn spots(frames: &[Frame]) -> Vec<Sample> {
     let of = |frame: &Frame| {
         let time = frame.time;
         frame
             .bodies
             .iter()
-            .map(move |body| Spot {
+            .map(move |body| Sample {
                 number: body.number,
                 group: body.group,
                 time,
                 place: body.center(),
-                velocity: body.velocity.extend(body.climb),
+                velocity: body.velocity.extend(body.vertical_velocity),
                 heading: body.heading,
-                radius: body.shape().girth(),
+                radius: body.shape().clearance_radius(),
                 status: body.status,
             })
             .collect::<Vec<_>>()
     };
-    let mut tracks = Tracks { spots: frames.iter().flat_map(of).collect(), ..Tracks::default() };
+    let mut tracks = Trajectories { spots: frames.iter().flat_map(of).collect(), ..Trajectories::default() };
     tracks.sort();
     tracks.spots
 }
@@ -118,7 +118,7 @@ fn compare(format: &Format, setting: &Setting, frames: &[Frame]) -> Result<(), T
     let (errors, want) = (errors(format), spots(frames));
     prop_assert_eq!(tracks.spots.len(), want.len());
     for (found, want) in tracks.spots.iter().zip(&want) {
-        let want = Spot {
+        let want = Sample {
             place: if errors.flat { want.place.with_z(0.0) } else { want.place },
             velocity: if errors.speeds { want.velocity } else { found.velocity },
             status: if errors.status { want.status } else { found.status },
@@ -144,7 +144,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn what_is_written_comes_back((setting, frames) in crowd(Times::Uneven), (even_setting, even) in crowd(Times::Even)) {
+    fn written_files_are_read_back((setting, frames) in crowd(Times::Uneven), (even_setting, even) in crowd(Times::Even)) {
         for format in both() {
             if errors(format).uneven {
                 compare(format, &setting, &frames)?;
@@ -153,9 +153,10 @@ proptest! {
         }
     }
 
-    /// A `.rec` that was complete, or was cut anywhere, is gone on with: what is there then is what would be there at once.
+    /// Appending to a `.rec` file that was complete, or was cut off anywhere, gives the same as writing all frames at
+    /// once.
     #[test]
-    fn a_file_is_gone_on_with((setting, frames) in crowd(Times::Even), part in 0.0..1.0f64, cut in prop::option::of(0.0..1.0f64)) {
+    fn a_file_is_appended_to((setting, frames) in crowd(Times::Even), part in 0.0..1.0f64, cut in prop::option::of(0.0..1.0f64)) {
         let format = Format::of("run.rec").unwrap();
         let folder = tempfile::tempdir().unwrap();
         let (path, unfinished) = (folder.path().join("run.rec"), folder.path().join("run.rec.part"));
@@ -164,12 +165,12 @@ proptest! {
         let mut kept = first;
         if let Some(cut) = cut {
             let whole = std::fs::read(&path).unwrap();
-            // the beginning is there as soon as the file is: all but the index of no moments, its place, and the end
+            // The head is written first: the file less its empty index, the position of the index and the end mark.
             let head = written(format, &setting, &[]).len() - 35;
             let cut = &whole[..head.max((cut * whole.len() as f64) as usize).min(whole.len())];
             std::fs::remove_file(&path).unwrap();
             std::fs::write(&unfinished, cut).unwrap();
-            let there = Tracks::read(&unfinished).unwrap();
+            let there = Trajectories::read(&unfinished).unwrap();
             let last = there.spots.last().map(|spot| spot.time);
             kept = frames[..first].iter().take_while(|frame| last.is_some_and(|last| frame.time <= last)).count();
             prop_assume!(frames[..first].iter().all(|frame| !frame.bodies.is_empty()));
@@ -181,19 +182,19 @@ proptest! {
         prop_assert_eq!(read(format, &found).unwrap(), read(format, &want).unwrap());
         let contents = rec::Contents::of(&found).unwrap();
         prop_assert_eq!(contents.moments, Some(frames.len() as u64));
-        // every moment that stands by itself can be begun at
+        // reading can start at every key frame
         for key in &contents.keys {
             let part = contents.between(key.time, f64::INFINITY).unwrap();
             let all = contents.between(f64::NEG_INFINITY, f64::INFINITY).unwrap();
-            let later: Vec<Spot> = all.spots.into_iter().filter(|spot| spot.time >= key.time).collect();
+            let later: Vec<Sample> = all.spots.into_iter().filter(|spot| spot.time >= key.time).collect();
             prop_assert_eq!(part.spots, later);
         }
         prop_assert!(!unfinished.exists());
     }
 
-    /// Whatever happens to the bytes of a file, it is read or it is not: nothing panics.
+    /// A file with changed bytes is read or is an error, but never a panic.
     #[test]
-    fn what_is_broken_is_told(
+    fn damaged_files_are_no_panic(
         (setting, frames) in crowd(Times::Even),
         cut in 0.0..1.0f64,
         flips in proptest::collection::vec((0.0..1.0f64, 1u8..), 1..4),
@@ -225,7 +226,7 @@ fn ten_million_rows_come_back() {
     }
 }
 
-/// A small file, cut at every byte, and with every byte turned over; of one that is not so small, at a few thousand.
+/// Cuts a small file at every byte and changes every byte; a larger file, at a few thousand bytes.
 #[test]
 fn every_byte_counts() {
     let (setting, frames) = crowd::small();
@@ -246,13 +247,13 @@ fn every_byte_counts() {
     }
 }
 
-/// Numbers that no file of trajectories may have.
+/// Numbers outside all limits of trajectories.
 const ABSURD: [f64; 7] = [1e16, -1e16, 1.1e8, 1e300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// A change of one number of a frame.
+/// Changes a number of a frame.
 type Change = fn(&mut Frame, f64);
 
-/// Whatever number a file has, what is read is within the limits.
+/// Trajectories that are read are within the limits, whatever numbers the file holds.
 #[test]
 fn numbers_out_of_their_limits_are_refused() {
     let (setting, frames) = crowd::small();
@@ -274,40 +275,45 @@ fn numbers_out_of_their_limits_are_refused() {
                 let what = format!("{name} = {value} in {path}");
                 let file = folder.path().join(&path);
                 if let Err(error) = try_write(format, &file, &setting, &frames) {
-                    // a database holds no NaN
+                    // SQLite cannot store NaN
                     assert_eq!(format.ending, "sqlite", "{what}: {error}");
                     continue;
                 }
                 let bytes = std::fs::read(file).unwrap();
-                match Tracks::of_file(&path, &bytes, &Reading::default()) {
+                match Trajectories::of_file(&path, &bytes, &Reading::default()) {
                     Ok(tracks) => assert!(crate::limits::tracks(&tracks).is_ok(), "{what}"),
                     Err(error) => assert!(error.to_string().starts_with(&path), "{what}: {error}"),
                 }
-                // kinds that keep a large place keep one that is refused
+                // formats that store such coordinates must refuse them
                 if matches!(name, "x" | "y") && value.abs() == 1e16 {
-                    assert!(Tracks::of_file(&path, &bytes, &Reading::default()).is_err(), "{what}");
+                    assert!(Trajectories::of_file(&path, &bytes, &Reading::default()).is_err(), "{what}");
                 }
             }
         }
     }
 }
 
-/// Kinds that are only read, as text: the message names the file, and the row by its agent and time, or by its line.
+/// Formats that are only read, as text: the message names the file, and the row by its agent and time, or by its line.
 #[test]
 fn rows_out_of_their_limits_are_named() {
     let reading = Reading { rate: Some(10.0), unit: None };
-    let told = |name: &str, text: &str| Tracks::of_file(name, text.as_bytes(), &reading).unwrap_err().to_string();
+    let message =
+        |name: &str, text: &str| Trajectories::of_file(name, text.as_bytes(), &reading).unwrap_err().to_string();
     for (name, text) in [
         ("a.txt", "1 0 0.5 0\n1 5 1e16 0\n"),
         ("a.traj", "timeStep pedestrianId x y\n0 1 0.5 0\n5 1 1e16 0\n"),
         ("a.traj", "pedestrianId simTime endTime startX startY endX endY\n1 0.5 0.5 1e16 0 1e16 0\n"),
         ("obsmat.txt", "0 1 0.5 0 0 0 0 0\n5 1 1e16 0 0 0 0 0\n"),
     ] {
-        let told = told(name, text);
-        assert!(told.starts_with(&format!("{name}: x of agent 1 at 0.5 s is 1e16, but must be from -")), "{told}");
-        assert!(told.contains("hint: correct or remove the row"), "{told}");
+        let message = message(name, text);
+        assert!(
+            message.starts_with(&format!("{name}: x of agent 1 at 0.5 s is 1e16, but must be from -")),
+            "{message}"
+        );
+        assert!(message.contains("hint: correct or remove the row"), "{message}");
     }
-    let table = |row: &str| told("a.csv", &format!("number,time,x,y,vx,vy,heading,radius\n1,0,0,0,0,0,0,0.2\n{row}\n"));
+    let table =
+        |row: &str| message("a.csv", &format!("number,time,x,y,vx,vy,heading,radius\n1,0,0,0,0,0,0,0.2\n{row}\n"));
     for (row, what) in [
         ("1,0.5,0,-1e16,0,0,0,0.2", "y of agent 1 at 0.5 s is -1e16"),
         ("1,1e11,0,0,0,0,0,0.2", "the time of agent 1 at 100000000000 s is 1"),
@@ -315,9 +321,10 @@ fn rows_out_of_their_limits_are_named() {
         ("1,0.5,0,0,0,1e300,0,0.2", "the velocity along y of agent 1 at 0.5 s is inf"),
         ("1,0.5,0,0,0,0,1e20,0.2", "the heading of agent 1"),
         ("1,0.5,0,0,0,0,0,1e20", "the radius of agent 1"),
+        ("1,0.5,0,0,0,0,0,-0.1", "the radius of agent 1 at 0.5 s is -0.1"),
     ] {
-        let told = table(row);
-        assert!(told.starts_with(&format!("a.csv:3: {what}")), "{told}");
+        let message = table(row);
+        assert!(message.starts_with(&format!("a.csv:3: {what}")), "{message}");
     }
-    assert!(told("a.csv", "number,time,x,y\n1,0,nan,0\n").starts_with("a.csv:2: `nan` is no number for x"));
+    assert!(message("a.csv", "number,time,x,y\n1,0,nan,0\n").starts_with("a.csv:2: `nan` is no number for x"));
 }

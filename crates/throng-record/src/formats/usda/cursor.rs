@@ -1,58 +1,58 @@
-//! Goes through the text of a layer: words, brackets and what stands in quotes.
+//! Scans the text of a layer: words, brackets and quoted texts.
 
-/// What is wrong, and at which byte.
-pub type Wrong = (usize, String);
+/// The byte of an error and its message.
+pub type UsdaFlaw = (usize, String);
 
 /// A part of the text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part<'a> {
-    /// At which byte it begins.
+pub struct TextPart<'a> {
+    /// Offset of its first byte.
     pub at: usize,
     pub text: &'a str,
 }
 
-/// A place in the text.
+/// A position in the text.
 pub struct Cursor<'a> {
     pub text: &'a str,
     pub at: usize,
 }
 
 impl<'a> Cursor<'a> {
-    /// The byte that is here; `None` at the end.
+    /// Returns the byte at the cursor; `None` at the end.
     pub fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// Goes past a byte, if it is here.
+    /// Skips a byte if it is at the cursor. Returns whether it was.
     pub fn takes(&mut self, byte: u8) -> bool {
         let is = self.peek() == Some(byte);
         self.at += usize::from(is);
         is
     }
 
-    /// What is wrong here; at the end, that something is missing.
-    pub fn wrong(&self, why: &str) -> Wrong {
+    /// Returns an error at the cursor; at the end, the error is that the file is cut off.
+    pub fn wrong(&self, why: &str) -> UsdaFlaw {
         if self.at >= self.text.len() {
-            (self.at, "it is cut: a part is missing".to_owned())
+            (self.at, "the file is cut off: a part is missing".to_owned())
         } else {
             (self.at, why.to_owned())
         }
     }
 
-    /// Goes past blanks and a byte that has to be here.
-    pub fn expect(&mut self, byte: u8) -> Result<(), Wrong> {
+    /// Skips blanks and a required byte.
+    pub fn expect(&mut self, byte: u8) -> Result<(), UsdaFlaw> {
         self.blanks();
         if self.takes(byte) { Ok(()) } else { Err(self.wrong(&format!("`{}` is missing", char::from(byte)))) }
     }
 
-    /// Goes past blanks of a line.
+    /// Skips the blanks of a line.
     pub fn spaces(&mut self) {
         while matches!(self.peek(), Some(b' ' | b'\t')) {
             self.at += 1;
         }
     }
 
-    /// Goes past blanks, line ends, what stands between statements, and comments.
+    /// Skips blanks, line ends, separators of statements, and comments.
     pub fn blanks(&mut self) {
         while let Some(byte) = self.peek() {
             match byte {
@@ -63,13 +63,13 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Goes to the end of the line.
+    /// Skips to the end of the line.
     pub fn line(&mut self) {
         let rest = &self.text.as_bytes()[self.at..];
         self.at += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
     }
 
-    /// A word; empty if none is here. Words have brackets, as types of lists do.
+    /// Reads a word; empty if there is none. Words include brackets, as in the types of lists.
     pub fn word(&mut self) -> &'a str {
         let from = self.at;
         while self.peek().is_some_and(|byte| byte.is_ascii_alphanumeric() || b"_:.[]+-".contains(&byte) || byte > 127) {
@@ -78,8 +78,8 @@ impl<'a> Cursor<'a> {
         &self.text[from..self.at]
     }
 
-    /// A value, as it is written.
-    pub fn value(&mut self) -> Result<Part<'a>, Wrong> {
+    /// Returns a value as it is written.
+    pub fn value(&mut self) -> Result<TextPart<'a>, UsdaFlaw> {
         let at = self.at;
         match self.peek() {
             Some(b'[' | b'(' | b'{') => self.nested()?,
@@ -88,11 +88,11 @@ impl<'a> Cursor<'a> {
             _ if self.word().is_empty() => return Err(self.wrong("a value is missing")),
             _ => {}
         }
-        Ok(Part { at, text: &self.text[at..self.at] })
+        Ok(TextPart { at, text: &self.text[at..self.at] })
     }
 
-    /// Goes past a bracket, up to the one that closes it.
-    pub fn nested(&mut self) -> Result<(), Wrong> {
+    /// Skips a bracket up to the matching bracket.
+    pub fn nested(&mut self) -> Result<(), UsdaFlaw> {
         let mut open = Vec::new();
         while let Some(byte) = self.peek() {
             match byte {
@@ -100,7 +100,7 @@ impl<'a> Cursor<'a> {
                 b'(' => open.push(b')'),
                 b'{' => open.push(b'}'),
                 b']' | b')' | b'}' if open.pop() != Some(byte) => {
-                    return Err(self.wrong("a bracket closes what is not open"));
+                    return Err(self.wrong("a bracket closes none that is open"));
                 }
                 b'"' | b'\'' => {
                     self.string()?;
@@ -124,8 +124,8 @@ impl<'a> Cursor<'a> {
         Err(self.wrong(""))
     }
 
-    /// Goes past a path or the name of a file.
-    pub fn quoted(&mut self, open: u8) -> Result<(), Wrong> {
+    /// Skips a path or the name of a file.
+    pub fn quoted(&mut self, open: u8) -> Result<(), UsdaFlaw> {
         let close = if open == b'<' { b'>' } else { b'@' };
         let rest = &self.text.as_bytes()[self.at + 1..];
         let length = rest.iter().position(|&byte| byte == close);
@@ -133,8 +133,8 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// Goes past a text in one or three quotes.
-    pub fn string(&mut self) -> Result<(), Wrong> {
+    /// Skips a text in one or three quotes.
+    pub fn string(&mut self) -> Result<(), UsdaFlaw> {
         let bytes = self.text.as_bytes();
         let quote = bytes[self.at];
         let quotes = if bytes[self.at..].starts_with(&[quote; 3]) { 3 } else { 1 };
@@ -142,7 +142,7 @@ impl<'a> Cursor<'a> {
         while let Some(byte) = self.peek() {
             match byte {
                 b'\\' => self.at = (self.at + 2).min(bytes.len()),
-                b'\n' if quotes == 1 => return Err(self.wrong("a text ends with its line")),
+                b'\n' if quotes == 1 => return Err(self.wrong("a text is not closed on its line")),
                 _ if bytes[self.at..].starts_with(&[quote; 3][..quotes]) => {
                     self.at += quotes;
                     return Ok(());

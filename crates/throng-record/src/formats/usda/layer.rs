@@ -1,61 +1,61 @@
-//! The text of a layer: which prims there are, and what is written behind the names of their attributes.
+//! Parses the text of a layer into prims and the texts of their attributes.
 //!
-//! This is as much of the [grammar](https://openusd.org/release/spec_usda.html) as tells where everything begins and ends; values are
-//! left as they are written.
+//! The parser covers the part of the [grammar](https://openusd.org/release/spec_usda.html) that determines where
+//! elements begin and end. Values stay as they are written.
 
-use super::cursor::{Cursor, Part, Wrong};
+use super::cursor::{Cursor, TextPart, UsdaFlaw};
 
-/// Prims are not nested deeper.
+/// Greatest depth of nested prims.
 const DEEPEST: usize = 64;
 
 /// A prim.
 #[derive(Debug, Default)]
 pub struct Prim<'a> {
-    /// Its type; empty if there is none.
+    /// The type; empty if there is none.
     pub kind: &'a str,
     pub attributes: Vec<Attribute<'a>>,
     pub children: Vec<Prim<'a>>,
 }
 
-/// Something that is said of a prim, or of the whole layer.
+/// An attribute of a prim, or metadata of the layer.
 #[derive(Debug)]
 pub struct Attribute<'a> {
-    /// The name, without what it is of.
+    /// The name, without its type.
     pub name: &'a str,
-    pub value: Option<Part<'a>>,
-    /// Values at time codes, which are in order.
-    pub samples: Vec<(f64, Part<'a>)>,
+    pub value: Option<TextPart<'a>>,
+    /// Values at time codes, in order.
+    pub samples: Vec<(f64, TextPart<'a>)>,
 }
 
 impl<'a> Prim<'a> {
-    /// What is said under a name.
+    /// Returns the attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&Attribute<'a>> {
-        // what has samples may be declared before
+        // an attribute with samples may also have a declaration, which comes first
         self.attributes.iter().rfind(|attribute| attribute.name == name)
     }
 
-    /// The one value of an attribute.
-    pub fn value(&self, name: &str) -> Option<Part<'a>> {
+    /// Returns the constant value of an attribute.
+    pub fn value(&self, name: &str) -> Option<TextPart<'a>> {
         self.attribute(name)?.value
     }
 }
 
 impl<'a> Attribute<'a> {
-    /// Its value at a time code: that of the sample before.
-    pub fn at(&self, code: f64) -> Option<Part<'a>> {
+    /// Returns the value at a time code: that of the sample before it.
+    pub fn at(&self, code: f64) -> Option<TextPart<'a>> {
         let behind = self.samples.partition_point(|&(at, _)| at <= code);
         let sample = self.samples.get(behind.saturating_sub(1)).map(|&(_, part)| part);
         sample.or(self.value)
     }
 }
 
-/// What a layer says: of itself, as the attributes of a prim, whose children are the prims.
+/// Parses a layer. Returns a prim: its attributes are the metadata of the layer, its children the prims of the layer.
 ///
 /// # Errors
-/// It is no such text, or not all of it.
-pub fn parse(text: &str) -> Result<Prim<'_>, Wrong> {
+/// The text is not a layer, or is cut off.
+pub fn parse(text: &str) -> Result<Prim<'_>, UsdaFlaw> {
     if !text.starts_with("#usda 1.") {
-        return Err((0, "it does not begin with #usda 1.0".to_owned()));
+        return Err((0, "the file does not begin with #usda 1.0".to_owned()));
     }
     let mut cursor = Cursor { text, at: 0 };
     let mut layer = Prim::default();
@@ -77,8 +77,8 @@ pub fn parse(text: &str) -> Result<Prim<'_>, Wrong> {
 }
 
 impl<'a> Cursor<'a> {
-    /// What stands behind `def`.
-    fn prim(&mut self, depth: usize) -> Result<Prim<'a>, Wrong> {
+    /// Parses the text after `def`.
+    fn prim(&mut self, depth: usize) -> Result<Prim<'a>, UsdaFlaw> {
         if depth > DEEPEST {
             return Err(self.wrong("prims are nested too deeply"));
         }
@@ -113,8 +113,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Statements up to a closing bracket, with plain texts between them.
-    fn statements(&mut self, end: u8) -> Result<Vec<Attribute<'a>>, Wrong> {
+    /// Parses statements up to a closing bracket, with plain texts between them.
+    fn statements(&mut self, end: u8) -> Result<Vec<Attribute<'a>>, UsdaFlaw> {
         let mut statements = Vec::new();
         loop {
             self.blanks();
@@ -128,8 +128,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Words, of which the last is a name, perhaps a value, and perhaps what is said of it.
-    fn statement(&mut self) -> Result<Attribute<'a>, Wrong> {
+    /// Parses words, the last of which is a name, then an optional value and optional metadata.
+    fn statement(&mut self) -> Result<Attribute<'a>, UsdaFlaw> {
         let mut name = "";
         loop {
             self.spaces();
@@ -158,10 +158,10 @@ impl<'a> Cursor<'a> {
         Ok(Attribute { name: plain.unwrap_or(name), value, samples })
     }
 
-    /// Values at time codes.
-    fn samples(&mut self) -> Result<Vec<(f64, Part<'a>)>, Wrong> {
+    /// Parses values at time codes.
+    fn samples(&mut self) -> Result<Vec<(f64, TextPart<'a>)>, UsdaFlaw> {
         self.expect(b'{')?;
-        let mut samples: Vec<(f64, Part)> = Vec::new();
+        let mut samples: Vec<(f64, TextPart)> = Vec::new();
         loop {
             self.blanks();
             if self.takes(b'}') {
@@ -170,9 +170,9 @@ impl<'a> Cursor<'a> {
             let from = self.at;
             let code = self.word().trim_end_matches(':').parse().ok().filter(|code: &f64| code.is_finite());
             let grows = |code: &f64| samples.last().is_none_or(|(last, _)| last < code);
-            let code = code
-                .filter(grows)
-                .ok_or_else(|| Cursor { at: from, ..*self }.wrong("a time code is missing, or is no later"))?;
+            let code = code.filter(grows).ok_or_else(|| {
+                Cursor { at: from, ..*self }.wrong("a time code is missing, or not later than the one before")
+            })?;
             self.blanks();
             self.takes(b':');
             self.blanks();
@@ -182,8 +182,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Goes past a statement of another kind: up to its `=`, and what is behind.
-    fn skip(&mut self) -> Result<(), Wrong> {
+    /// Skips a statement of another kind: up to its `=`, and its value.
+    fn skip(&mut self) -> Result<(), UsdaFlaw> {
         loop {
             self.blanks();
             match self.peek() {

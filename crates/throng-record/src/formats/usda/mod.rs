@@ -1,22 +1,24 @@
-//! Trajectories as a stage of [Universal Scene Description](https://openusd.org), as text: for film and animation.
+//! Trajectories as a stage of [Universal Scene Description](https://openusd.org), as text, for film and animation.
 //!
-//! Z is up, a unit a metre. `/World` stands at the origin of the scene, and has
+//! Z is up, and the unit is the metre. `/World` stands at the origin of the scene. Its prims are
 //!
 //! | prim | what |
 //! |---|---|
-//! | `Ground`, `Obstacles` | meshes; what is solid is 1 m high |
-//! | `Agents` | a `PointInstancer`: `positions`, `orientations`, `velocities` (m/s) and `invisibleIds` at every moment; `ids` (the agents' numbers), `scales` (their radii) and `protoIndices` (their groups) once |
+//! | `Ground`, `Obstacles` | meshes; obstacles are 1 m high |
+//! | `Agents` | a `PointInstancer`: `positions`, `orientations`, `velocities` (m/s) and `invisibleIds` at every frame; `ids` (the agents' numbers), `scales` (their radii) and `protoIndices` (their groups) once |
 //! | `Agents.primvars:group`, `primvars:speed` | the index of the group, and the speed in m/s |
-//! | `Agents/Prototypes/Group_0` and so on | a body a group, in a colour of its own, of radius 1: who walks is 1.75 m high, with a chest that points where it faces; where somebody flies, a dart |
+//! | `Agents/Prototypes/Group_0` and so on | a body per group, in its own colour, of radius 1: a figure of 1.75 m with a chest that points ahead; a dart in scenes with flying agents |
 //!
-//! Its own attributes say what there is to say of the scene ([`keys`](super::keys), with `:` for `.`), and in `throng:times` the seconds of
-//! the moments.
+//! The attributes of `/World` hold the metadata of the scene ([`keys`](super::keys), with `:` for `.`), and
+//! `throng:times` the times of the frames in seconds.
 //!
-//! Everybody has a place in the lists from beginning to end: who has not come yet, or has gone, is among the `invisibleIds`, at the place where it came or
-//! went. Time codes are moments where these come evenly, else 24ths of a second. Places are written to 0.1 mm, velocities to 1 mm/s;
-//! orientations are halves, good to 0.06°. While a file is made, 44 bytes an agent and moment wait beside it on the disk.
+//! Every agent has an entry in the lists at every frame. Before its first and after its last sample, an agent is among
+//! the `invisibleIds`, at its first or last position. Time codes count frames if frames come at an even rate, else
+//! 24ths of a second. Positions are written to 0.1 mm, velocities to 1 mm/s; orientations are half floats, accurate to
+//! 0.06°. While a file is written, 44 bytes per agent and frame wait beside it on disk.
 //!
-//! Read are such files, also as other programs write them again, as text: the first `PointInstancer`, moved by no more than translations.
+//! Such files are read too, also when another program has rewritten them, as text: the first `PointInstancer`, if only
+//! translations move it.
 
 mod cursor;
 mod layer;
@@ -41,7 +43,7 @@ pub(super) const FORMAT: Format = Format {
     read: Some(read::read),
 };
 
-/// The attribute with the times of the moments, seconds.
+/// The attribute with the times of the frames, seconds.
 const TIMES: &str = "throng:times";
-/// Time codes a second where moments come unevenly, and where nobody says how many.
+/// Time codes per second of uneven frames, and of files that state no rate.
 const CODES: f64 = 24.0;

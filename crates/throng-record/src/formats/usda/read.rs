@@ -1,47 +1,47 @@
-//! USD read.
+//! Reads USD.
 
-use super::cursor::{Part, Wrong};
+use super::cursor::{TextPart, UsdaFlaw};
 use super::layer::{self, Prim};
 use super::{CODES, TIMES};
 use crate::formats::names::Names;
-use crate::formats::{Flaw, Reading, describe, keys};
-use crate::tracks::{RADIUS, Spot, Tracks};
+use crate::formats::{FormatFlaw, Reading, describe, keys};
+use crate::trajectories::{RADIUS, Sample, Trajectories};
 use glam::{DVec3, Quat, Vec3};
 use throng::Status;
 
-const HINT: &str = "what is read is USD as text with a PointInstancer, as `throng run -o NAME.usda` writes it";
+const HINT: &str = "supported is USD as text with a PointInstancer, as `throng run -o NAME.usda` writes it";
 
-/// Reads a stage, as we write it.
-pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Tracks, Flaw> {
+/// Reads a stage as throng writes it.
+pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
     parse(bytes, reading).map_err(|(at, why)| {
         let before = bytes.get(..at).unwrap_or(bytes);
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Flaw { line: Some(line), why, hint: Some(HINT) }
+        FormatFlaw { line: Some(line), why, hint: Some(HINT) }
     })
 }
 
-fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
-    let text = std::str::from_utf8(bytes).map_err(|error| (error.valid_up_to(), "it is no text".to_owned()))?;
+fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, UsdaFlaw> {
+    let text = std::str::from_utf8(bytes).map_err(|error| (error.valid_up_to(), "the file is not text".to_owned()))?;
     let stage = layer::parse(text)?;
     let Some((path, agents)) = stage.children.iter().find_map(|prim| instancer(prim, Vec::new())) else {
         return Err((0, "there is no PointInstancer".to_owned()));
     };
     let mut names = Names::default();
-    // what is said of the scene stands on the topmost prim
+    // the metadata of the scene are on the topmost prim
     let setting = describe::setting(|key| said(path[0], key), &mut names).map_err(|why| (0, why))?;
     let axes = Axes::of(&stage, &path, reading)?;
     let crowd = Crowd::of(agents, path[0], axes.unit, &mut names)?;
     let positions = agents.attribute("positions").filter(|positions| !positions.samples.is_empty());
-    let positions = positions.ok_or((0, "its positions have no time samples".to_owned()))?;
+    let positions = positions.ok_or((0, "the positions have no time samples".to_owned()))?;
     let times = times(path[0], &stage, positions.samples.iter().map(|&(code, _)| code).collect())?;
-    let mut tracks = Tracks { setting, ..Tracks::default() };
+    let mut tracks = Trajectories { setting, ..Trajectories::default() };
     for (&(code, places), time) in positions.samples.iter().zip(times) {
-        let moment = Moment::of(agents, code, places, crowd.numbers.len())?;
+        let moment = UsdaMoment::of(agents, code, places, crowd.numbers.len())?;
         let there = (0..crowd.numbers.len()).filter(|&k| moment.gone.binary_search(&crowd.numbers[k]).is_err());
         tracks.spots.extend(there.map(|k| {
             let (number, group, radius) = (crowd.numbers[k], crowd.groups[k], crowd.radii[k]);
             let ahead = moment.turn(k) * Vec3::X;
-            Spot {
+            Sample {
                 number,
                 group,
                 time,
@@ -59,7 +59,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Tracks, Wrong> {
     Ok(tracks)
 }
 
-/// The first instancer within a prim, and the prims above it.
+/// Finds the first instancer within a prim. Returns the prims above it, and the instancer.
 fn instancer<'p, 'a>(prim: &'p Prim<'a>, mut above: Vec<&'p Prim<'a>>) -> Option<(Vec<&'p Prim<'a>>, &'p Prim<'a>)> {
     above.push(prim);
     if prim.kind == "PointInstancer" {
@@ -68,14 +68,14 @@ fn instancer<'p, 'a>(prim: &'p Prim<'a>, mut above: Vec<&'p Prim<'a>>) -> Option
     prim.children.iter().find_map(|child| instancer(child, above.clone()))
 }
 
-/// What a prim says under one of our keys.
+/// Returns the value of a prim's metadata key.
 fn said(prim: &Prim, key: &str) -> Option<String> {
     let texts = prim.value(&key.replace('.', ":"))?.texts();
     if key == keys::GROUPS { serde_json::to_string(&texts).ok() } else { texts.into_iter().next() }
 }
 
-/// The times of the samples at time codes, seconds.
-fn times(world: &Prim, stage: &Prim, codes: Vec<f64>) -> Result<Vec<f64>, Wrong> {
+/// Returns the times of the samples at time codes, seconds.
+fn times(world: &Prim, stage: &Prim, codes: Vec<f64>) -> Result<Vec<f64>, UsdaFlaw> {
     let said = world.value(TIMES).map(|times| times.numbers(1)).transpose()?;
     if let Some(times) = said.filter(|times| times.len() == codes.len()) {
         return Ok(times);
@@ -85,24 +85,24 @@ fn times(world: &Prim, stage: &Prim, codes: Vec<f64>) -> Result<Vec<f64>, Wrong>
     Ok(codes.into_iter().map(|code| code / rate).collect())
 }
 
-fn positive(value: f64, of: Part) -> Result<f64, Wrong> {
-    if value > 0.0 { Ok(value) } else { Err((of.at, format!("it is {value}, and has to be more than 0"))) }
+fn positive(value: f64, of: TextPart) -> Result<f64, UsdaFlaw> {
+    if value > 0.0 { Ok(value) } else { Err((of.at, format!("the value is {value}, but must be more than 0"))) }
 }
 
 fn triple(numbers: &[f64], k: usize) -> DVec3 {
     DVec3::from_slice(&numbers[3 * k..])
 }
 
-/// What places are measured by.
+/// The origin and the unit of positions.
 struct Axes {
     origin: DVec3,
     unit: f64,
 }
 
 impl Axes {
-    fn of(stage: &Prim, path: &[&Prim], reading: &Reading) -> Result<Self, Wrong> {
+    fn of(stage: &Prim, path: &[&Prim], reading: &Reading) -> Result<Self, UsdaFlaw> {
         if let Some(axis) = stage.value("upAxis").filter(|axis| axis.texts() != ["Z"]) {
-            return Err((axis.at, format!("{} is up, and what is read has z up", axis.text)));
+            return Err((axis.at, format!("{} is up, but only stages with z up are supported", axis.text)));
         }
         let unit =
             stage.value("metersPerUnit").map_or(Ok(0.01), |unit| unit.number().and_then(|v| positive(v, unit)))?;
@@ -113,10 +113,10 @@ impl Axes {
             let value =
                 attribute.value.filter(|_| attribute.name == "xformOp:translate" && attribute.samples.is_empty());
             let value =
-                value.ok_or_else(|| (0, format!("{} is not read, only translations that stay", attribute.name)))?;
+                value.ok_or_else(|| (0, format!("{} is not supported, only constant translations", attribute.name)))?;
             match value.numbers(3)?[..] {
                 [x, y, z] => origin += DVec3::new(x, y, z),
-                _ => return Err((value.at, "it is not three numbers".to_owned())),
+                _ => return Err((value.at, "the value is not three numbers".to_owned())),
             }
         }
         Ok(Self { origin, unit: reading.unit.unwrap_or(unit) })
@@ -127,7 +127,7 @@ impl Axes {
     }
 }
 
-/// Of everybody what does not change.
+/// The constant properties of all agents.
 struct Crowd {
     numbers: Vec<u32>,
     groups: Vec<u32>,
@@ -136,7 +136,7 @@ struct Crowd {
 }
 
 impl Crowd {
-    fn of(agents: &Prim, world: &Prim, unit: f64, names: &mut Names) -> Result<Self, Wrong> {
+    fn of(agents: &Prim, world: &Prim, unit: f64, names: &mut Names) -> Result<Self, UsdaFlaw> {
         let list = |name: &str| agents.value(name).map(|part| part.whole().map(|list| (part.at, list))).transpose();
         let (at, kinds) = list("protoIndices")?.ok_or((0, "there are no protoIndices".to_owned()))?;
         let (_, numbers) = list("ids")?.unwrap_or_else(|| (at, (0..kinds.len() as u32).collect()));
@@ -154,21 +154,23 @@ impl Crowd {
     }
 }
 
-/// Everybody at a moment.
-struct Moment {
+/// All agents at a frame.
+struct UsdaMoment {
     places: Vec<f64>,
     velocities: Option<Vec<f64>>,
     turns: Option<Vec<f64>>,
-    /// The numbers of who is not there, in order.
+    /// The numbers of invisible agents, in order.
     gone: Vec<u32>,
 }
 
-impl Moment {
-    fn of(agents: &Prim, code: f64, places: Part, count: usize) -> Result<Self, Wrong> {
+impl UsdaMoment {
+    fn of(agents: &Prim, code: f64, places: TextPart, count: usize) -> Result<Self, UsdaFlaw> {
         let part = |name: &str| agents.attribute(name).and_then(|attribute| attribute.at(code));
-        let lists = |part: Part, each: usize| match part.numbers(each)? {
+        let lists = |part: TextPart, each: usize| match part.numbers(each)? {
             numbers if numbers.len() == each * count => Ok(numbers),
-            numbers => Err((part.at, format!("it is a list of {}, and there are {count} ids", numbers.len() / each))),
+            numbers => {
+                Err((part.at, format!("the list has {} values, but there are {count} ids", numbers.len() / each)))
+            }
         };
         let mut gone = part("invisibleIds").map_or(Ok(Vec::new()), |gone| gone.whole())?;
         gone.sort_unstable();
@@ -180,7 +182,7 @@ impl Moment {
         })
     }
 
-    /// How one is turned: USD writes the real part first.
+    /// Returns the rotation of an agent: USD writes the real part first.
     fn turn(&self, k: usize) -> Quat {
         let Some([w, x, y, z]) = self.turns.as_ref().and_then(|turns| turns[4 * k..].first_chunk()) else {
             return Quat::IDENTITY;

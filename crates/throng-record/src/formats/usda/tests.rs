@@ -1,13 +1,13 @@
-//! What is special of USD; what holds for every kind of file is tested with the others.
+//! Tests of what is particular to USD; the tests of all formats are in `formats/tests`.
 
 use super::{FORMAT, layer};
-use crate::formats::{Flaw, Reading};
-use crate::tracks::Tracks;
+use crate::formats::{FormatFlaw, Reading};
+use crate::trajectories::Trajectories;
 use crate::{Body, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
 use throng::motion::Basis;
 
-/// As other programs write, with what we do not.
+/// A file as other programs write it, with syntax that throng does not write.
 const THEIRS: &str = r##"#usda 1.0
 (
     "a note"
@@ -57,12 +57,12 @@ def Scope "Top" {
 }
 "##;
 
-fn read(text: &str) -> Result<Tracks, Flaw> {
+fn read(text: &str) -> Result<Trajectories, FormatFlaw> {
     FORMAT.reader().unwrap()(text.as_bytes(), &Reading::default())
 }
 
 #[test]
-fn what_others_write_is_read() {
+fn files_of_other_programs_are_read() {
     let tracks = read(THEIRS).unwrap();
     let found: Vec<_> = tracks.spots.iter().map(|spot| (spot.time, spot.number, spot.place)).collect();
     let at = |x: f64, y: f64| DVec3::new(x, y, 1.5);
@@ -74,34 +74,37 @@ fn what_others_write_is_read() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_line() {
+fn errors_name_their_line() {
     let wrong = |from: &str, to: &str| {
         assert!(THEIRS.contains(from), "{from}");
         let flaw = read(&THEIRS.replacen(from, to, 1)).unwrap_err();
         (flaw.line.unwrap(), flaw.why)
     };
     assert_eq!(wrong("(10, 0, 0)]", "(ten, 0, 0)]"), (37, "`ten` is no number".to_owned()));
-    assert_eq!(wrong(", (10, 0, 0)]", "]"), (37, "it is a list of 1, and there are 2 ids".to_owned()));
+    assert_eq!(wrong(", (10, 0, 0)]", "]"), (37, "the list has 1 values, but there are 2 ids".to_owned()));
     assert_eq!(wrong("[(0, 0, 0), (10, 0, 0)]", "None"), (37, "`None` is no number".to_owned()));
-    assert_eq!(wrong("= \"Z\"", "= \"Y\""), (11, "\"Y\" is up, and what is read has z up".to_owned()));
-    assert_eq!(wrong("2.5: [\n", "-1: [\n"), (38, "a time code is missing, or is no later".to_owned()));
-    assert_eq!(wrong("[1, 0]", "[1, 0, 2]").1, "it is a list of 2, and there are 3 ids");
-    assert_eq!(wrong("[1, 0]", "[1, 0.5]").1, "0.5 is no whole number from 0");
+    assert_eq!(wrong("= \"Z\"", "= \"Y\""), (11, "\"Y\" is up, but only stages with z up are supported".to_owned()));
+    assert_eq!(
+        wrong("2.5: [\n", "-1: [\n"),
+        (38, "a time code is missing, or not later than the one before".to_owned())
+    );
+    assert_eq!(wrong("[1, 0]", "[1, 0, 2]").1, "the list has 2 values, but there are 3 ids");
+    assert_eq!(wrong("[1, 0]", "[1, 0.5]").1, "0.5 is not a whole number from 0");
     assert_eq!(wrong("PointInstancer \"People\"", "Xform \"People\"").1, "there is no PointInstancer");
     assert_eq!(
         wrong("xformOp:translate = (1, 2, 3)", "xformOp:scale = (1, 2, 3)").1,
-        "xformOp:scale is not read, only translations that stay"
+        "xformOp:scale is not supported, only constant translations"
     );
-    assert_eq!(wrong("0: [1], 2.5: [] }", "0: [1), 2.5: [] }").1, "a bracket closes what is not open");
-    assert_eq!(wrong("= 0.5", "= 0").1, "it is 0, and has to be more than 0");
-    assert_eq!(wrong("#usda", "#sdf").1, "it does not begin with #usda 1.0");
+    assert_eq!(wrong("0: [1], 2.5: [] }", "0: [1), 2.5: [] }").1, "a bracket closes none that is open");
+    assert_eq!(wrong("= 0.5", "= 0").1, "the value is 0, but must be more than 0");
+    assert_eq!(wrong("#usda", "#sdf").1, "the file does not begin with #usda 1.0");
     let deep = format!("#usda 1.0\n{}", "def \"A\" {\n".repeat(1000));
     assert_eq!(read(&deep).unwrap_err().why, "prims are nested too deeply");
-    assert!(FORMAT.reader().unwrap()(b"#usda 1.0\n\xff", &Reading::default()).unwrap_err().why.contains("no text"));
+    assert!(FORMAT.reader().unwrap()(b"#usda 1.0\n\xff", &Reading::default()).unwrap_err().why.contains("not text"));
 }
 
 #[test]
-fn who_flies_is_turned_wholly() {
+fn flying_agents_keep_their_whole_rotation() {
     let basis = Basis::default().turned_to(Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 1.0));
     let body = Body { basis: Some(basis), heading: basis.heading(), ..Body::walking(7, DVec2::ZERO) };
     let folder = tempfile::tempdir().unwrap();

@@ -1,54 +1,54 @@
-//! What values of attributes say.
+//! Parses the values of attributes.
 
-use super::cursor::{Part, Wrong};
+use super::cursor::{TextPart, UsdaFlaw};
 use crate::formats::text;
 
-impl Part<'_> {
-    fn wrong(&self, why: String) -> Wrong {
+impl TextPart<'_> {
+    fn wrong(&self, why: String) -> UsdaFlaw {
         (self.at, why)
     }
 
-    /// The numbers in it, in order, whatever tuples they are in: `each` of them belong together.
+    /// Returns the numbers of the value, in order, ignoring brackets: a multiple of `each` numbers.
     ///
     /// # Errors
-    /// There are others, or something that is no finite number.
-    pub fn numbers(&self, each: usize) -> Result<Vec<f64>, Wrong> {
+    /// The count is not a multiple of `each`, or a field is not a finite number.
+    pub fn numbers(&self, each: usize) -> Result<Vec<f64>, UsdaFlaw> {
         let fields = self.text.split(|c: char| "[](), \t\r\n".contains(c)).filter(|field| !field.is_empty());
-        // what is no single is no place either
+        // a number outside the range of `f32` is not a valid coordinate
         let number = |field: &str| field.parse().ok().filter(|value: &f64| (*value as f32).is_finite());
         let numbers = fields.map(|field| {
             let at = self.at + (field.as_ptr() as usize - self.text.as_ptr() as usize);
             number(field).ok_or_else(|| (at, format!("`{}` is no number", field.chars().take(40).collect::<String>())))
         });
-        let numbers = numbers.collect::<Result<Vec<f64>, Wrong>>()?;
+        let numbers = numbers.collect::<Result<Vec<f64>, UsdaFlaw>>()?;
         match numbers.len() % each {
             0 => Ok(numbers),
             _ => Err(self.wrong(format!("{} numbers do not make groups of {each}", numbers.len()))),
         }
     }
 
-    /// The one number that it is.
+    /// Returns the only number of the value.
     ///
     /// # Errors
-    /// It is none.
-    pub fn number(&self) -> Result<f64, Wrong> {
+    /// The value is not a single number.
+    pub fn number(&self) -> Result<f64, UsdaFlaw> {
         match self.numbers(1)?[..] {
             [number] => Ok(number),
-            _ => Err(self.wrong("it is not one number".to_owned())),
+            _ => Err(self.wrong("the value is not one number".to_owned())),
         }
     }
 
-    /// Whole numbers of agents and the like.
+    /// Returns whole numbers, such as agent numbers.
     ///
     /// # Errors
-    /// They are others.
-    pub fn whole(&self) -> Result<Vec<u32>, Wrong> {
+    /// A number is negative, too large or not whole.
+    pub fn whole(&self) -> Result<Vec<u32>, UsdaFlaw> {
         let whole =
-            |value: f64| text::person(value).ok_or_else(|| self.wrong(format!("{value} is no whole number from 0")));
+            |value: f64| text::person(value).ok_or_else(|| self.wrong(format!("{value} is not a whole number from 0")));
         self.numbers(1)?.into_iter().map(whole).collect()
     }
 
-    /// The texts in it, in order.
+    /// Returns the texts of the value, in order.
     pub fn texts(&self) -> Vec<String> {
         let (mut texts, mut rest) = (Vec::new(), self.text);
         while let Some(from) = rest.find(['"', '\'']) {
@@ -62,7 +62,7 @@ impl Part<'_> {
     }
 }
 
-/// What stands before a quote, and what behind it.
+/// Returns the text before a quote, unescaped, and the rest after it.
 fn unquoted<'a>(text: &'a str, quote: &str) -> (String, &'a str) {
     let (mut out, mut rest) = (String::new(), text);
     while let Some(letter) = rest.chars().next() {
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn values_are_numbers_and_texts() {
-        let part = |text| Part { at: 10, text };
+        let part = |text| TextPart { at: 10, text };
         assert_eq!(part("[(1, -2.5, 3e2), (0,0,0)]").numbers(3).unwrap(), [1.0, -2.5, 300.0, 0.0, 0.0, 0.0]);
         assert_eq!(part("[(1, x)]").numbers(2).unwrap_err(), (15, "`x` is no number".to_owned()));
         assert!(

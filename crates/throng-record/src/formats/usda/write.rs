@@ -1,15 +1,15 @@
-//! USD written.
+//! Writes USD.
 
 use super::{CODES, TIMES};
 use crate::formats::mesh::{self, Mesh};
-use crate::formats::spill::{Spill, State};
+use crate::formats::spill::{Spill, SpilledState};
 use crate::formats::{Writer, body, describe, keys};
 use crate::{Frame, Output, OutputError, Setting, color};
 use glam::{Quat, Vec3};
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 
-/// Collects trajectories as they happen, and writes them at the end. See the [module](super) for the prims.
+/// Collects trajectories during a run and writes them at the end. The [module](super) describes the prims.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -28,20 +28,20 @@ pub struct UsdaWriter {
     spill: Spill,
 }
 
-/// What is listed of everybody at a moment.
-type List = fn(&mut String, &State);
+/// Writes one agent's entry of a list.
+type List = fn(&mut String, &SpilledState);
 
 impl UsdaWriter {
-    /// Begins to collect.
+    /// Starts to collect.
     ///
     /// # Errors
-    /// The system's, such as a full disk.
+    /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let spill = Spill::new(&output, setting)?;
         Ok(Self { output, setting: setting.clone(), spill })
     }
 
-    /// What comes before the people.
+    /// Writes everything before the agents.
     fn head(&mut self) -> io::Result<()> {
         let (setting, codes) = (&self.setting, self.codes());
         let moments = &self.spill.moments;
@@ -75,8 +75,8 @@ impl UsdaWriter {
         self.spill.rate.even().unwrap_or(CODES)
     }
 
-    /// The people, and what they look like.
-    fn people(&mut self) -> io::Result<()> {
+    /// Writes the agents' constant properties and their prototypes.
+    fn agents(&mut self) -> io::Result<()> {
         let agents = &self.spill.agents;
         let groups = agents.iter().map(|agent| agent.group as usize + 1).max().unwrap_or(0);
         let groups = groups.max(self.setting.groups.len());
@@ -108,33 +108,36 @@ impl UsdaWriter {
         self.output.write_all(text.as_bytes())
     }
 
-    /// An attribute of everybody, moment by moment.
-    fn samples(&mut self, name: &str, one: List) -> io::Result<()> {
-        self.moments(name, |_, states, _| list(states.iter(), one))
+    /// Writes an attribute of all agents, frame by frame.
+    fn samples(&mut self, name: &str, entry: List) -> io::Result<()> {
+        self.moments(name, |_, states, _| list(states.iter(), entry))
     }
 
-    /// An attribute at every moment: of the numbers of everybody, their states (of who is not there the last, or the first to come),
-    /// and whether they are there.
-    fn moments(&mut self, name: &str, text: impl Fn(&[u32], &[State], &[bool]) -> String) -> io::Result<()> {
+    /// Writes an attribute at every frame. `text` receives the numbers of all agents, their states (the nearest known
+    /// state of absent agents), and whether they are present.
+    fn moments(&mut self, name: &str, text: impl Fn(&[u32], &[SpilledState], &[bool]) -> String) -> io::Result<()> {
         let codes = self.codes();
         let numbers: Vec<u32> = self.spill.agents.iter().map(|agent| agent.number).collect();
-        let mut states: Vec<State> = self.spill.agents.iter().map(|agent| agent.first).collect();
+        let mut states: Vec<SpilledState> = self.spill.agents.iter().map(|agent| agent.first).collect();
         let mut there = vec![false; states.len()];
         let Self { output, spill, .. } = self;
         writeln!(output, "        {name}.timeSamples = {{")?;
+        let mut last = f64::NEG_INFINITY;
         spill.replay(|_, time, rows| {
             there.fill(false);
             for &(at, state) in rows {
                 (states[at as usize], there[at as usize]) = (state, true);
             }
-            writeln!(output, "            {}: {},", code(time, codes), text(&numbers, &states, &there))
+            // frames that round to the same code get distinct codes
+            last = code(time, codes).max(last.next_up());
+            writeln!(output, "            {last}: {},", text(&numbers, &states, &there))
         })?;
         output.write_all(b"        }\n")
     }
 
     fn write(&mut self) -> io::Result<()> {
         self.head()?;
-        self.people()?;
+        self.agents()?;
         self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
         self.samples("vector3f[] velocities", |out, state| triple(out, state.velocity, 3))?;
         self.samples("quath[] orientations", |out, state| turn(out, state.rotation))?;
@@ -145,7 +148,7 @@ impl UsdaWriter {
             let gone = numbers.iter().zip(there).filter(|(_, there)| !**there);
             list(gone, |out, (number, _)| out.push_str(&number.to_string()))
         })?;
-        // without a last line break, a file that is cut lacks a brace
+        // without a final line break, a file that is cut off lacks a brace
         self.output.write_all(b"    }\n}")
     }
 }
@@ -161,19 +164,19 @@ impl Writer for UsdaWriter {
     }
 }
 
-/// A time as a time code, to a millionth.
+/// Returns a time as a time code, to a millionth.
 fn code(time: f64, codes: f64) -> f64 {
     (time * codes * 1e6).round() / 1e6
 }
 
-/// A list of values.
-fn list<T>(values: impl Iterator<Item = T>, mut one: impl FnMut(&mut String, T)) -> String {
+/// Returns a list of values as text.
+fn list<T>(values: impl Iterator<Item = T>, mut entry: impl FnMut(&mut String, T)) -> String {
     let mut out = String::from("[");
     for (k, value) in values.enumerate() {
         if k > 0 {
             out.push_str(", ");
         }
-        one(&mut out, value);
+        entry(&mut out, value);
     }
     out.push(']');
     out
@@ -183,7 +186,7 @@ fn triple(out: &mut String, value: Vec3, decimals: usize) {
     let _ = write!(out, "({:.decimals$}, {:.decimals$}, {:.decimals$})", value.x, value.y, value.z);
 }
 
-/// A rotation; of one about z the other axes are plain zeros.
+/// Writes a rotation; a rotation about z has plain zeros for the other axes.
 fn turn(out: &mut String, rotation: Quat) {
     let [x, y, z, w] = rotation.to_array();
     if x == 0.0 && y == 0.0 {
@@ -193,7 +196,7 @@ fn turn(out: &mut String, rotation: Quat) {
     }
 }
 
-/// A text in quotes.
+/// Returns a text in quotes.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for letter in text.chars() {
@@ -209,7 +212,8 @@ fn quoted(text: &str) -> String {
     out
 }
 
-/// A mesh by its path, behind an indent. Its colour is said twice: for what draws without materials, and for what does with them.
+/// Returns a mesh with its path, indented. Its colour is written twice: for programs that draw without materials, and
+/// for programs that use them.
 fn mesh(path: &str, mesh: &Mesh, color: [f32; 3], both_sides: bool, indent: &str) -> String {
     let name = path.rsplit('/').next().unwrap_or(path);
     let mut rgb = String::new();

@@ -1,47 +1,47 @@
-//! How recorded and replayed people are distributed.
+//! Comparison of the distributions of recorded and replayed pedestrians.
 
 use crate::pedestrian::{Line, People, Velocities, median};
 use glam::DVec2;
 
-/// The same of recorded and of replayed people.
+/// Values of recorded and of replayed pedestrians.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pair {
-    /// Of the recorded.
+    /// Values of the recording.
     pub recorded: Vec<f64>,
-    /// Of the replayed.
+    /// Values of the replay.
     pub replayed: Vec<f64>,
 }
 
-/// How both are distributed: all people at all moments count.
+/// The distributions of both: all pedestrians at all times count.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Compared {
     /// Speeds, m/s.
     pub speed: Pair,
-    /// Distances to the nearest other, metres.
+    /// Distances to the nearest other pedestrian, metres.
     pub nearest: Pair,
-    /// When a line is crossed, by everybody who crosses it for the first time, seconds.
+    /// Times of the first crossings of a line, seconds.
     pub crossings: Option<Pair>,
 }
 
 impl Pair {
-    /// Kolmogorov-Smirnov distance of the two ([`kolmogorov_smirnov`]).
+    /// Returns the Kolmogorov-Smirnov distance of the two ([`kolmogorov_smirnov`]).
     pub fn distance(&self) -> f64 {
         kolmogorov_smirnov(&self.recorded, &self.replayed)
     }
 
-    /// Their medians.
+    /// Returns the medians.
     pub fn medians(&self) -> [f64; 2] {
         [median(self.recorded.clone()), median(self.replayed.clone())]
     }
 
-    /// Their means; not a number for none.
+    /// Returns the means; NaN for no values.
     pub fn means(&self) -> [f64; 2] {
         [&self.recorded, &self.replayed].map(|all| all.iter().sum::<f64>() / all.len() as f64)
     }
 }
 
 impl Compared {
-    /// Of recorded and replayed people, with their velocities.
+    /// Compares recorded and replayed pedestrians, with their velocities.
     pub fn of(both: [(&People, &Velocities); 2], line: Option<Line>) -> Self {
         let pair = |of: &dyn Fn(&People, &Velocities) -> Vec<f64>| {
             let [recorded, replayed] = both.map(|(people, velocities)| of(people, velocities));
@@ -56,14 +56,14 @@ impl Compared {
     }
 }
 
-/// The distance of everybody to the nearest other at every moment at which there is one, metres.
+/// Returns the distance of every pedestrian to the nearest other one at every time, if there is one, metres.
 fn nearest(people: &People) -> Vec<f64> {
     let mut out = Vec::new();
     for moment in &people.moments {
         let mut places: Vec<DVec2> = moment.here.iter().map(|&here| people.place(here)).collect();
         places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         for (k, place) in places.iter().enumerate() {
-            // who is farther aside than the nearest so far is not nearer
+            // a pedestrian farther along x than the least distance so far is not nearer
             let mut least = f64::INFINITY;
             for other in &places[k + 1..] {
                 if other.x - place.x >= least {
@@ -84,9 +84,10 @@ fn nearest(people: &People) -> Vec<f64> {
     out
 }
 
-/// Two-sample Kolmogorov-Smirnov distance: the greatest difference of the shares of the two that are at most so large; 0: alike, 1: all of
-/// one are below all of the other. Not a number where one is empty. What one person does from moment to moment is not independent: it
-/// says how different two distributions are, and no significance.
+/// Returns the two-sample Kolmogorov-Smirnov distance: the greatest difference of the two empirical distribution
+/// functions. It is 0 for equal distributions, and 1 if all values of one sample are below all of the other. NaN if a
+/// sample is empty. The values of a pedestrian over time are not independent: the distance measures the difference of
+/// two distributions, not its significance.
 ///
 /// ```
 /// use throng_record::pedestrian::replay::kolmogorov_smirnov;
@@ -122,7 +123,7 @@ mod tests {
     fn the_distance_is_the_greatest_difference_of_shares() {
         let mut draw = draws(5);
         for (n, m) in [(1, 1), (1, 7), (20, 13), (200, 300)] {
-            // values that come again too
+            // includes repeated values
             let mut some =
                 |n: usize, by: f64| -> Vec<f64> { (0..n).map(|_| (draw() * 20.0).floor() * 0.1 + by).collect() };
             let (a, b) = (some(n, 0.0), some(m, 0.3));
@@ -155,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_the_same_is_no_distance_apart() {
+    fn equal_recordings_have_no_distance() {
         let places = (0..10).map(|k| DVec2::X * f64::from(k)).collect();
         let walk = Walk { number: 1, radius: 0.2, times: (0..10).map(f64::from).collect(), places };
         let people = People::new(vec![walk]);

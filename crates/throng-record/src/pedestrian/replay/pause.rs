@@ -1,23 +1,23 @@
-//! Where and how long recorded people stand of their own accord.
+//! The places and times at which recorded pedestrians stand voluntarily.
 
-use super::cast::STAYS;
+use super::recorded::STAYS;
 use crate::pedestrian::{People, Walk};
 use glam::DVec2;
 
-/// A pause takes at least this long, seconds.
+/// Least duration of a pause, seconds.
 const SHORTEST: f64 = 1.0;
-/// A pause ends where a person has drifted this far from where it began, metres; the next one begins there.
+/// Distance from its start at which a pause ends and the next one starts, metres.
 const DRIFT: f64 = 0.5;
-/// A standing person with at least so many others ([`CROWD`]) within this distance ([`CLOSE`], metres), in the mean over its pause, waits in a
-/// jam. In the recordings of docs/replay.md that holds for 97 and 91 % of the standing time before bottlenecks, for 3 % of that on the
-/// campus, and for none of that in the streets.
+/// A standing pedestrian with at least [`CROWD`] others within [`CLOSE`] metres, in the mean over its pause, waits in a
+/// jam. In the recordings of docs/replay.md this holds for 97 and 91 % of the standing time before bottlenecks, for 3 %
+/// on the campus, and for none in the streets.
 const CLOSE: f64 = 1.0;
 const CROWD: f64 = 4.0;
 
-/// A pause of a recorded person: it stands at a place until a time.
+/// A pause of a recorded pedestrian, which stands at a place until a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pause {
-    /// The mean of the places of its rows, metres.
+    /// The mean position of its rows, metres.
     pub place: DVec2,
     /// The time of its first row, seconds.
     pub from: f64,
@@ -25,8 +25,9 @@ pub struct Pause {
     pub until: f64,
 }
 
-/// The pauses of every walk, in order. A pause is a run of rows that are slower than 0.2 m/s and take at least 1 s. Standing in a jam is no
-/// pause, and standing up to the last row is none either: its place is the goal. `speeds` are those of every row of every walk, m/s.
+/// Returns the pauses of every walk, in order. A pause is a run of rows slower than 0.2 m/s over at least 1 s. Standing
+/// in a jam is not a pause. Standing up to the last row is not a pause either: that place is the goal. `speeds` are
+/// those of every row of every walk, m/s.
 pub(super) fn pauses(people: &People, speeds: &[Vec<f64>]) -> Vec<Vec<Pause>> {
     let crowd = crowding(people, speeds);
     let of_walk = |(walk, (speeds, crowd)): (&Walk, (&Vec<f64>, &Vec<u32>))| {
@@ -51,7 +52,7 @@ pub(super) fn pauses(people: &People, speeds: &[Vec<f64>]) -> Vec<Vec<Pause>> {
     people.walks.iter().zip(speeds.iter().zip(&crowd)).map(of_walk).collect()
 }
 
-/// How many others are within 1 m of every standing person, by walk and row; 0 at rows of walking.
+/// Returns the number of others within 1 m of every standing pedestrian, by walk and row; 0 at rows of walking.
 fn crowding(people: &People, speeds: &[Vec<f64>]) -> Vec<Vec<u32>> {
     let mut counts: Vec<Vec<u32>> = speeds.iter().map(|rows| vec![0; rows.len()]).collect();
     for moment in &people.moments {

@@ -1,31 +1,33 @@
-//! How far people are from where they were recorded, so many seconds later.
+//! Displacement of predicted from recorded positions after a time.
 
-use super::{Cast, Replay, Replayed, Stage};
+use super::{RecordedPeople, Replay, ReplayScene, Replayed};
 use crate::pedestrian::Walk;
 use glam::DVec2;
 use throng::{Error, World};
 
-/// What people are predicted by: the replay; going on with the velocity at the beginning; going straight to the goal at preferred speed,
-/// by way of the pauses. The last two know nothing of others, nor of walls: what a model is worth is what it adds to them.
+/// The predictors: the replay; constant velocity; straight lines to the pauses and the goal at preferred speed. The
+/// last two ignore other pedestrians and walls: they are the baseline of a model.
 pub const PREDICTORS: [&str; 3] = ["replay", "constant velocity", "straight to the goal"];
 
-/// Rounding of times, seconds.
+/// Rounding error of times, seconds.
 const ROUNDING: f64 = 1e-9;
 
-/// How far one prediction of one person is off.
+/// The error of a prediction of a pedestrian.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Whose: index into the walks of the [`Cast`].
+pub struct PredictionSample {
+    /// The pedestrian: index into the walks of the [`RecordedPeople`].
     pub walk: usize,
-    /// Average displacement, by predictor: the mean distance to where one was recorded over all rows up to the horizon, metres.
+    /// Average displacement, by predictor: the mean distance to the recorded positions over all rows up to the horizon,
+    /// metres.
     pub average: [f64; 3],
     /// Final displacement, by predictor: the distance at the horizon, metres.
     pub last: [f64; 3],
 }
 
-impl Sample {
-    /// Of somebody from a time on over `horizon` seconds; `None` where they were not recorded for so long.
-    fn of(cast: &Cast, index: usize, from: f64, horizon: f64, replayed: &Replayed) -> Option<Self> {
+impl PredictionSample {
+    /// Computes the errors for a pedestrian from a time on over `horizon` seconds; `None` if the recording of the
+    /// pedestrian ends earlier.
+    fn of(cast: &RecordedPeople, index: usize, from: f64, horizon: f64, replayed: &Replayed) -> Option<Self> {
         let (walk, walker) = (&cast.people.walks[index], &cast.walkers[index]);
         let end = from + horizon;
         let (start, there) = (walk.at(from)?, walk.at(end)?);
@@ -51,42 +53,43 @@ impl Sample {
 }
 
 impl Replayed {
-    /// Where somebody is; who has left is where they did. `None` before they came.
+    /// Returns the position of a pedestrian; after it has left, the position where it left. `None` before it enters.
     fn held(&self, index: usize, time: f64) -> Option<DVec2> {
         let walk = &self.walks[index];
         walk.at(time).or_else(|| {
             let (&last, &place) = walk.times.last().zip(walk.places.last()).filter(|(last, _)| **last <= time)?;
             let Some((left, there)) = self.left[index] else { return Some(place) };
-            // from the last row they went on to where they left
+            // between its last row and its exit, it moves along a straight line
             let share = if left > last { ((time - last) / (left - last)).min(1.0) } else { 1.0 };
             Some(place.lerp(there, share))
         })
     }
 }
 
-/// Everybody who was replayed, `horizon` seconds after they entered; `None` for the horizon: when they were recorded last.
-pub fn from_entry(cast: &Cast, replayed: &Replayed, horizon: Option<f64>) -> Vec<Sample> {
+/// Returns the errors of all replayed pedestrians `horizon` seconds after they entered; without a horizon, at their
+/// last recorded times.
+pub fn from_entry(cast: &RecordedPeople, replayed: &Replayed, horizon: Option<f64>) -> Vec<PredictionSample> {
     let sample = |(index, walk): (usize, &Walk)| {
         let from = *walk.times.first()?;
         let whole = cast.people.walks[index].times.last()? - from;
-        Sample::of(cast, index, from, horizon.unwrap_or(whole), replayed)
+        PredictionSample::of(cast, index, from, horizon.unwrap_or(whole), replayed)
     };
     replayed.walks.iter().enumerate().filter_map(sample).collect()
 }
 
-/// Predicts those who are there at a time, a row of the recording, for each of these horizons (seconds): everybody begins where they
-/// were recorded then, with their velocity so far, and nobody else comes. Who has been there for too short a time to have a velocity is
-/// there too, but not predicted. `world` is [`Stage::world`]'s.
+/// Predicts the pedestrians that are present at a time, a row of the recording, for each of these horizons (seconds).
+/// All of them start at their recorded positions with their velocities so far, and no others enter. Pedestrians without
+/// a velocity so far are present, but are not predicted. `world` comes from [`ReplayScene::world`].
 ///
 /// # Errors
-/// What the world refuses.
+/// The world rejects an agent.
 pub fn predict(
-    stage: &Stage,
-    cast: &Cast,
+    stage: &ReplayScene,
+    cast: &RecordedPeople,
     world: World,
     start: f64,
     horizons: &[f64],
-) -> Result<Vec<Vec<Sample>>, Error> {
+) -> Result<Vec<Vec<PredictionSample>>, Error> {
     let end = start + horizons.iter().copied().fold(0.0, f64::max);
     let moments = cast.people.moments.iter().map(|moment| moment.time);
     let mut times: Vec<f64> = moments.filter(|time| (start - ROUNDING..end).contains(time)).collect();
@@ -104,7 +107,8 @@ pub fn predict(
     };
     let there = replayed.walks.iter().enumerate().filter(|(_, walk)| !walk.times.is_empty()).filter(known);
     let there: Vec<usize> = there.map(|(index, _)| index).collect();
-    let of =
-        |&horizon: &f64| there.iter().filter_map(|&index| Sample::of(cast, index, start, horizon, &replayed)).collect();
+    let of = |&horizon: &f64| {
+        there.iter().filter_map(|&index| PredictionSample::of(cast, index, start, horizon, &replayed)).collect()
+    };
     Ok(horizons.iter().map(of).collect())
 }

@@ -1,25 +1,25 @@
-//! Recorded people as moments to draw: between their rows too.
+//! Recorded pedestrians as frames, also between rows.
 
-use super::Cast;
+use super::RecordedPeople;
 use crate::pedestrian::{Border, Walk, velocities};
 use crate::{Body, Frame};
 use glam::{DVec2, Vec2};
 use throng::Status;
 
-/// Directions of motion that are slower say nothing, m/s.
+/// Speed below which a direction of motion is unknown, m/s.
 const STANDS: f64 = 0.1;
 
-/// How recorded people are seen.
+/// The states of recorded pedestrians.
 #[derive(Debug)]
 pub struct Seen<'a> {
-    cast: &'a Cast,
-    /// Velocities at every row of every walk, and which way each faces there.
+    cast: &'a RecordedPeople,
+    /// Velocity and facing direction at every row of every walk.
     motion: Vec<Vec<[DVec2; 2]>>,
 }
 
 impl<'a> Seen<'a> {
-    /// Of everybody. Who stands faces where they last went.
-    pub fn new(cast: &'a Cast) -> Self {
+    /// Computes the states. A standing pedestrian faces its last direction of motion.
+    pub fn new(cast: &'a RecordedPeople) -> Self {
         let motion = |walk: &Walk| {
             let velocities: Vec<DVec2> =
                 velocities(walk, cast.rows, Border::OneSided).into_iter().map(Option::unwrap_or_default).collect();
@@ -36,7 +36,7 @@ impl<'a> Seen<'a> {
         Self { cast, motion: cast.people.walks.iter().map(motion).collect() }
     }
 
-    /// Makes `frame` show who was there at a time; between two rows, on the straight way from one to the other.
+    /// Sets `frame` to the pedestrians at a time, interpolated linearly between rows.
     pub fn capture(&self, time: f64, frame: &mut Frame) {
         frame.bodies.clear();
         let walks = &self.cast.people.walks;
@@ -51,7 +51,7 @@ impl<'a> Seen<'a> {
         frame.bodies.extend(there);
     }
 
-    /// Somebody at one of their rows.
+    /// Returns a pedestrian at a row.
     fn body(&self, index: usize, row: usize) -> Body {
         let (walk, [velocity, facing]) = (&self.cast.people.walks[index], self.motion[index][row].map(|v| v.as_vec2()));
         Body {
@@ -61,7 +61,7 @@ impl<'a> Seen<'a> {
             position: walk.places[row],
             altitude: 0.0,
             velocity,
-            climb: 0.0,
+            vertical_velocity: 0.0,
             heading: facing.y.atan2(facing.x),
             basis: None,
             radius: walk.radius as f32,

@@ -1,101 +1,109 @@
-//! The world that recorded people enter.
+//! The world of a replay.
 
-use super::stage::room;
-use super::{Cast, Stage};
+use super::scene::room;
+use super::{RecordedPeople, ReplayScene};
 use crate::Frame;
 use crate::pedestrian::{People, Walk};
 use glam::{DVec2, Vec2};
-use throng::{Agent, AgentId, Error, Goal, GroupId, Journey, JourneyId, Status, Stop, Summary, World};
+use throng::{Agent, AgentId, AgentRef, Error, Goal, GroupId, Journey, JourneyId, Status, Stop, Summary, World};
 
-/// Rounding of times, seconds.
+/// Rounding error of times, seconds.
 const ROUNDING: f64 = 1e-9;
 
-/// Recorded people walk once more.
+/// A replay of recorded pedestrians.
 ///
-/// Everybody enters with the first step that ends when they had come, where they were then; who overlaps somebody there is parted from
-/// them by the [guard](throng::guard), who would stand in something solid enters beside it. On its way an agent stands at every
-/// [pause](super::Pause) until that is over; an agent that has not come there by then goes on. Who has arrived leaves, at once or with the
-/// recorded one ([`Stage::stay`], [`Walker::stays`](super::Walker::stays)).
+/// Every pedestrian enters in the first step that ends at or after its first recorded time, at its recorded position.
+/// If it overlaps another agent, the [guard](throng::guard) separates them. If it would stand in an obstacle, it enters
+/// beside the obstacle. On its way an agent stands at every [pause](super::Pause) until the pause is over; an agent
+/// that has not reached the pause by then continues. An agent that has arrived leaves, at once or with its recording
+/// ([`ReplayScene::stay`], [`Walker::stays`](super::Walker::stays)).
 #[derive(Debug)]
 pub struct Replay<'a> {
-    stage: &'a Stage,
-    cast: &'a Cast,
+    stage: &'a ReplayScene,
+    cast: &'a RecordedPeople,
     world: World,
     group: GroupId,
     start: f64,
-    /// Walks of those who are to enter, in order; how many of them have.
+    /// Walks of all pedestrians that enter, in order; `entered` counts those that have entered.
     queue: Vec<usize>,
     entered: usize,
-    /// Who is there, by walk, and where they were at the end of the last step.
-    here: Vec<Here>,
-    /// When everybody's place is taken down, ascending; how often it was.
+    /// The agents that are present, and their positions at the end of the last step.
+    here: Vec<ReplayedPerson>,
+    /// Times at which positions are recorded, ascending; `taken` counts those that have passed.
     times: Vec<f64>,
     taken: usize,
     out: Replayed,
 }
 
 #[derive(Debug)]
-struct Here {
+struct ReplayedPerson {
     walk: usize,
     id: AgentId,
     place: DVec2,
-    /// When the pause is over that the agent goes to or stands at; `None`: it goes to its goal.
+    /// End of the pause to which the agent walks or at which it stands; `None`: it walks to its goal.
     pauses_until: Option<f64>,
 }
 
-/// What came of a replay.
+/// The result of a replay.
 #[derive(Clone, Debug, Default)]
 pub struct Replayed {
-    /// Where everybody was at the times that were asked for, by walk of the [`Cast`]; empty for who was not there.
+    /// Positions at the requested times, by walk of the [`RecordedPeople`]; empty for an agent that was absent at all of them.
     pub walks: Vec<Walk>,
-    /// When everybody arrived, by walk.
+    /// Times of arrival, by walk.
     pub arrived: Vec<Option<f64>>,
-    /// When and where everybody left, by walk: mostly between two of the times that were asked for.
+    /// Times and positions of leaving, by walk; usually between two of the requested times.
     pub left: Vec<Option<(f64, DVec2)>>,
-    /// How many entered.
+    /// Number of agents that entered.
     pub entered: usize,
-    /// How many of them overlapped somebody there.
+    /// Number of agents that overlapped another agent when they entered.
     pub overlapping: usize,
-    /// How many would have stood in something solid, and entered beside it.
+    /// Number of agents that entered beside an obstacle in which they would have stood.
     pub moved: usize,
-    /// How many could not enter: all places within 2 m are solid.
+    /// Number of agents that could not enter: no free position within 2 m.
     pub refused: usize,
-    /// How many have goals in something solid, and go to the place nearest to it.
+    /// Number of agents with a goal in an obstacle, which walk to the nearest free position.
     pub goals_moved: usize,
-    /// How many cannot reach their goals.
+    /// Number of agents that could not reach their goals.
     pub stranded: usize,
-    /// The world's own figures.
+    /// The summary of the world.
     pub summary: Summary,
 }
 
 impl Replayed {
-    /// Those who were there, as people.
+    /// Returns the agents that were present, as pedestrians.
     pub fn people(&self) -> People {
         People::new(self.walks.iter().filter(|walk| !walk.times.is_empty()).cloned().collect())
     }
 }
 
 impl<'a> Replay<'a> {
-    /// Begins at a time of the recording; everybody enters in their turn. Places are taken down at these `times`, ascending.
+    /// Starts at a time of the recording; pedestrians enter at their recorded times. Positions are recorded at these
+    /// `times`, ascending.
     ///
     /// # Errors
-    /// What the world refuses.
-    pub fn new(stage: &'a Stage, cast: &'a Cast, start: f64, times: Vec<f64>) -> Result<Self, Error> {
+    /// The world rejects the place or an agent.
+    pub fn new(stage: &'a ReplayScene, cast: &'a RecordedPeople, start: f64, times: Vec<f64>) -> Result<Self, Error> {
         Self::begin(stage, cast, stage.world()?, start, times, |_| true)
     }
 
-    /// Begins at a time of the recording, in `world`, which [`Stage::world`] has made, with those who are there then, and nobody else
-    /// comes.
+    /// Starts at a time of the recording, in a `world` that [`ReplayScene::world`] made, with the pedestrians that are
+    /// present then; no others enter.
     ///
     /// # Errors
-    /// What the world refuses.
-    pub fn restart(stage: &'a Stage, cast: &'a Cast, world: World, start: f64, times: Vec<f64>) -> Result<Self, Error> {
+    /// The world rejects an agent.
+    pub fn restart(
+        stage: &'a ReplayScene,
+        cast: &'a RecordedPeople,
+        world: World,
+        start: f64,
+        times: Vec<f64>,
+    ) -> Result<Self, Error> {
         Self::begin(stage, cast, world, start, times, |walk| walk.at(start).is_some())
     }
 
     fn begin(
-        stage: &'a Stage,
-        cast: &'a Cast,
+        stage: &'a ReplayScene,
+        cast: &'a RecordedPeople,
         mut world: World,
         start: f64,
         times: Vec<f64>,
@@ -104,7 +112,7 @@ impl<'a> Replay<'a> {
         let walks = &cast.people.walks;
         let group = world.add_group(stage.group.clone())?;
         let mut queue: Vec<usize> = (0..walks.len()).filter(|&walk| comes(&walks[walk])).collect();
-        // stable: those who come at once stay by number
+        // a stable sort keeps the order by number at equal times
         queue.sort_by(|&a, &b| walks[a].times[0].total_cmp(&walks[b].times[0]));
         let nowhere = |walk: &Walk| Walk { times: Vec::new(), places: Vec::new(), ..*walk };
         let out = Replayed {
@@ -121,30 +129,30 @@ impl<'a> Replay<'a> {
         Ok(replay)
     }
 
-    /// The time of the recording that it has come to, seconds.
+    /// Returns the current time of the recording, seconds.
     pub fn time(&self) -> f64 {
         self.start + self.world.time()
     }
 
-    /// The world as it is.
+    /// Returns the world.
     pub fn world(&self) -> &World {
         &self.world
     }
 
-    /// Whether everybody has come and gone.
+    /// Whether all agents have entered and left.
     pub fn is_over(&self) -> bool {
         self.entered == self.queue.len() && self.here.is_empty()
     }
 
-    /// How many have gone, those included who could not come.
+    /// Returns the number of agents that have left, including those that could not enter.
     pub fn gone(&self) -> usize {
         self.entered - self.here.len()
     }
 
-    /// Moves everybody on by a step of the world; then those leave and enter whose turn it is.
+    /// Advances the world by a step. Then agents that are due leave and enter.
     ///
     /// # Errors
-    /// What the world refuses of who enters.
+    /// The world rejects an agent.
     pub fn step(&mut self) -> Result<(), Error> {
         let before = self.time();
         self.world.step();
@@ -153,7 +161,8 @@ impl<'a> Replay<'a> {
         let mut here = std::mem::take(&mut self.here);
         here.retain_mut(|one| {
             let Some(row) = self.world.row(one.id) else { return false };
-            let (status, place) = (self.world.agents().status[row], self.world.position(one.id).unwrap_or(one.place));
+            let (status, place) =
+                (self.world.relative_columns().status[row], self.world.position(one.id).unwrap_or(one.place));
             let walk = &mut self.out.walks[one.walk];
             for &time in &self.times[first..self.taken] {
                 let share = ((time - before) / (now - before)).clamp(0.0, 1.0);
@@ -182,7 +191,8 @@ impl<'a> Replay<'a> {
         });
         for one in &mut here {
             if one.pauses_until.is_some_and(|until| until <= now + ROUNDING) {
-                let (agent, pauses_until) = (self.world.agent(one.id).ok_or(Error::Gone)?, self.pauses_until(one.walk));
+                let (agent, pauses_until) =
+                    (self.world.agent(one.id).map(AgentRef::to_agent).ok_or(Error::Gone)?, self.pauses_until(one.walk));
                 let journey = self.journey(one.walk)?;
                 self.world.replace(one.id, Agent { journey, ..agent })?;
                 one.pauses_until = pauses_until;
@@ -192,13 +202,13 @@ impl<'a> Replay<'a> {
         self.enter(first)
     }
 
-    /// When the pause is over that is next for a walk.
+    /// Returns the end of the next pause of a walk.
     fn pauses_until(&self, walk: usize) -> Option<f64> {
         self.cast.walkers[walk].pauses_after(self.time() + ROUNDING).first().map(|pause| pause.until)
     }
 
-    /// The journey of a walk from now on: to the next pause, where the agent waits at least until that is over, or to the goal. A place in
-    /// something solid is moved to the nearest free one.
+    /// Returns the journey of a walk from now on: to the next pause, where the agent waits at least until its end, or
+    /// to the goal. A position in an obstacle is moved to the nearest free one.
     fn journey(&mut self, walk: usize) -> Result<JourneyId, Error> {
         let now = self.time();
         let walker = &self.cast.walkers[walk];
@@ -209,18 +219,18 @@ impl<'a> Replay<'a> {
         self.world.add_journey(Journey { stops: vec![Stop { goal, wait }], repeat: false })
     }
 
-    /// The place nearest to another at which the body of a walk has room; that itself where there is none.
+    /// Returns the nearest position at which the body of a walk has room; the position itself if there is none.
     fn free(&self, walk: usize, at: DVec2) -> DVec2 {
         room(&self.world, at, self.cast.people.walks[walk].radius).unwrap_or(at)
     }
 
-    /// How many of the times have come.
+    /// Returns the number of times that have passed.
     fn reached(&self) -> usize {
         let now = self.time();
         self.times.partition_point(|&time| time <= now + ROUNDING)
     }
 
-    /// Lets in those whose time has come; of the times since the last step the first is `first`.
+    /// Adds the pedestrians that are due; `first` is the index of the first time since the last step.
     fn enter(&mut self, first: usize) -> Result<(), Error> {
         let (now, cast) = (self.time(), self.cast);
         while let Some(&index) = self.queue.get(self.entered) {
@@ -230,7 +240,7 @@ impl<'a> Replay<'a> {
             }
             self.entered += 1;
             let row = walk.times.partition_point(|&time| time <= now + ROUNDING) - 1;
-            // of who is gone by the end of the step nothing is to be seen
+            // a pedestrian that has left by the end of the step is skipped
             let Some(place) = walk.at(now) else { continue };
             let Some(id) = self.admit(index, place, cast.velocity(index, row))? else { continue };
             let reached = self.reached();
@@ -241,12 +251,12 @@ impl<'a> Replay<'a> {
                     out.places.push(place);
                 }
             }
-            self.here.push(Here { walk: index, id, place, pauses_until: self.pauses_until(index) });
+            self.here.push(ReplayedPerson { walk: index, id, place, pauses_until: self.pauses_until(index) });
         }
         Ok(())
     }
 
-    /// Adds somebody, if there is room on the ground.
+    /// Adds a pedestrian if there is room on the ground.
     fn admit(&mut self, index: usize, at: DVec2, velocity: DVec2) -> Result<Option<AgentId>, Error> {
         let (walk, walker) = (&self.cast.people.walks[index], &self.cast.walkers[index]);
         let Some(position) = room(&self.world, at, walk.radius) else {
@@ -279,7 +289,7 @@ impl<'a> Replay<'a> {
         Ok(Some(id))
     }
 
-    /// Makes `frame` show who is there now, at the time of the recording.
+    /// Sets `frame` to the agents now, at the time of the recording.
     pub fn capture(&self, frame: &mut Frame) {
         frame.capture(&self.world);
         (frame.time, frame.arrived, frame.total) = (self.time(), self.gone(), self.cast.people.walks.len());
@@ -288,7 +298,7 @@ impl<'a> Replay<'a> {
         }
     }
 
-    /// What came of it.
+    /// Returns the result.
     pub fn finish(self) -> Replayed {
         Replayed { summary: self.world.summary(), ..self.out }
     }

@@ -1,4 +1,4 @@
-//! What has to hold in every scene of a family.
+//! Requirements on every scene of a family.
 
 use super::Trial;
 use crate::pedestrian::Area;
@@ -8,26 +8,27 @@ use std::fmt;
 use throng::{Goal, Status, World};
 use throng_scene::{Error, Scene};
 
-/// What does not hold in a trial.
+/// A violated requirement of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flaw {
-    /// So many agents had not arrived when the scene ended.
+pub enum TrialFlaw {
+    /// Number of agents that had not arrived when the scene ended.
     NotArrived(usize),
-    /// So many agents stood, though no crowd before them has a reason to: on a ring, where all walk the same way.
+    /// Number of agents that stood although nothing before them had a reason to stop: on a ring where all walk in the
+    /// same direction.
     Stands(usize),
-    /// So many agents walked for 30 s without getting anywhere.
+    /// Number of agents that walked for 30 s without progress.
     Oscillates(usize),
-    /// So many agents that had arrived in an area were outside of it at the end.
+    /// Number of agents that had arrived in an area and were outside it at the end.
     OutsideGoal(usize),
-    /// So often bodies overlapped.
+    /// Number of overlaps of bodies.
     Overlaps(u64),
 }
 
-impl Flaw {
+impl TrialFlaw {
     /// The kinds, in the order of the columns of a table.
     pub const KINDS: [&str; 5] = ["not arrived", "stands", "oscillates", "outside goal", "overlaps"];
 
-    /// Its kind: an index into [`KINDS`](Self::KINDS).
+    /// Returns the kind: an index into [`KINDS`](Self::KINDS).
     pub fn kind(&self) -> usize {
         match self {
             Self::NotArrived(_) => 0,
@@ -39,7 +40,7 @@ impl Flaw {
     }
 }
 
-impl fmt::Display for Flaw {
+impl fmt::Display for TrialFlaw {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NotArrived(count) | Self::Stands(count) | Self::Oscillates(count) | Self::OutsideGoal(count) => {
@@ -51,19 +52,20 @@ impl fmt::Display for Flaw {
 }
 
 impl Trial {
-    /// Its scene.
+    /// Returns the scene.
     ///
     /// # Errors
-    /// The text is no scene: a mistake in the family.
+    /// The text is not a scene: an error in the family.
     pub fn scene(&self) -> Result<Scene, Error> {
         self.text.parse()
     }
 
-    /// Runs a scene, of this trial or with changes to it, and names what does not hold. `None` where `goes_on`, which is called after every step, said `false`.
+    /// Runs a scene of this trial, possibly changed, and returns the violated requirements. Returns `None` if
+    /// `goes_on`, which is called after every step, returns `false`.
     ///
     /// # Errors
     /// The scene cannot be built.
-    pub fn check(scene: &Scene, mut goes_on: impl FnMut(&World) -> bool) -> Result<Option<Vec<Flaw>>, Error> {
+    pub fn check(scene: &Scene, mut goes_on: impl FnMut(&World) -> bool) -> Result<Option<Vec<TrialFlaw>>, Error> {
         let (mut world, _) = scene.build()?;
         let endless = scene.time.until == throng_scene::Until::Limit;
         let mut watched = Watched::default();
@@ -78,30 +80,30 @@ impl Trial {
     }
 }
 
-/// A window of this many seconds is looked at.
+/// Length of the observed window, seconds.
 const WINDOW: usize = 30;
-/// Walked in a window: so much is walking and not queueing, m.
+/// Path length in a window beyond which an agent walks instead of queueing, m.
 const WALKED: f64 = 4.0;
-/// So near to where a window began is nowhere, m.
+/// Distance from the start of a window below which an agent has made no progress, m.
 const NOWHERE: f64 = 0.8;
-/// An agent on a ring that gets less far than this in a window stands, m.
+/// Distance on a ring in a window below which an agent stands, m.
 const STANDS: f64 = 1.0;
-/// Rounding of places at the edge of an area, m.
+/// Rounding error of positions at the edge of an area, m.
 const ROUNDING: f64 = 1e-3;
 
-/// What every agent did, by number.
+/// The motion of every agent, by number.
 #[derive(Debug, Default)]
 struct Watched {
-    agents: Vec<Agent>,
+    agents: Vec<CheckedAgent>,
     seconds: u64,
 }
 
-/// One agent.
+/// The motion of an agent.
 #[derive(Clone, Debug, Default)]
-struct Agent {
+struct CheckedAgent {
     last: Option<DVec2>,
     walked: f64,
-    /// Where it was, and how far it had walked, at the last seconds.
+    /// Position and path length at each of the last seconds.
     window: VecDeque<(DVec2, f64)>,
     oscillates: bool,
     stands: bool,
@@ -112,34 +114,34 @@ impl Watched {
         let second = (world.time() + 1e-9) as u64;
         let full = second > self.seconds;
         self.seconds = second;
-        let columns = world.agents();
+        let columns = world.relative_columns();
         for row in 0..columns.len() {
             let number = columns.number[row] as usize;
             if self.agents.len() <= number {
-                self.agents.resize(number + 1, Agent::default());
+                self.agents.resize(number + 1, CheckedAgent::default());
             }
             let Some(place) = world.position(world.id(row)) else { continue };
             self.agents[number].step(place, full, columns.status[row]);
         }
     }
 
-    fn flaws(&self, world: &World, endless: bool) -> Vec<Flaw> {
+    fn flaws(&self, world: &World, endless: bool) -> Vec<TrialFlaw> {
         let summary = world.summary();
-        let count = |is: fn(&Agent) -> bool| self.agents.iter().filter(|agent| is(agent)).count();
+        let count = |is: fn(&CheckedAgent) -> bool| self.agents.iter().filter(|agent| is(agent)).count();
         let stands = if endless { count(|agent| agent.stands) } else { 0 };
         let left = if endless { 0 } else { summary.agents.saturating_sub(summary.arrived) };
         let all = [
-            (left > 0, Flaw::NotArrived(left)),
-            (stands > 0, Flaw::Stands(stands)),
-            (count(|agent| agent.oscillates) > 0, Flaw::Oscillates(count(|agent| agent.oscillates))),
-            (outside_goal(world) > 0, Flaw::OutsideGoal(outside_goal(world))),
-            (summary.overlaps > 0, Flaw::Overlaps(summary.overlaps)),
+            (left > 0, TrialFlaw::NotArrived(left)),
+            (stands > 0, TrialFlaw::Stands(stands)),
+            (count(|agent| agent.oscillates) > 0, TrialFlaw::Oscillates(count(|agent| agent.oscillates))),
+            (outside_goal(world) > 0, TrialFlaw::OutsideGoal(outside_goal(world))),
+            (summary.overlaps > 0, TrialFlaw::Overlaps(summary.overlaps)),
         ];
         all.into_iter().filter_map(|(found, flaw)| found.then_some(flaw)).collect()
     }
 }
 
-impl Agent {
+impl CheckedAgent {
     fn step(&mut self, place: DVec2, full_second: bool, status: Status) {
         self.walked += self.last.map_or(0.0, |last| last.distance(place));
         self.last = Some(place);
@@ -159,20 +161,20 @@ impl Agent {
     }
 }
 
-/// Agents that have arrived in an area and are not in it.
+/// Returns the number of agents that have arrived in an area and are not in it.
 fn outside_goal(world: &World) -> usize {
     let goals = world.goals();
     let outside = |row: &usize| {
-        let (status, id) = (world.agents().status[*row], world.id(*row));
-        let last = world.journey(world.agents().journey[*row]).stops.last();
+        let (status, id) = (world.relative_columns().status[*row], world.id(*row));
+        let last = world.journey(world.relative_columns().journey[*row]).stops.last();
         let Some(Goal::Area { corners }) = last.map(|stop| &goals[stop.goal.index()]) else { return false };
         let (Some(area), Some(place)) = (Area::new(corners.clone()), world.position(id)) else { return false };
         status == Status::Arrived && !area.contains(place) && distance(&area, place) > ROUNDING
     };
-    (0..world.agents().len()).filter(outside).count()
+    (0..world.relative_columns().len()).filter(outside).count()
 }
 
-/// From a place outside of an area to its edge.
+/// Returns the distance of a point outside an area to its edge.
 fn distance(area: &Area, place: DVec2) -> f64 {
     let corners = area.corners();
     let to_side = |(a, b): (&DVec2, &DVec2)| {
@@ -186,9 +188,9 @@ fn distance(area: &Area, place: DVec2) -> f64 {
 mod tests {
     use super::*;
 
-    /// Whether an agent that is at these places, four a second, oscillates, and whether it stands.
+    /// Whether an agent at these positions, four per second, oscillates, and whether it stands.
     fn watched(at: impl Fn(f64) -> DVec2) -> (bool, bool) {
-        let mut agent = Agent::default();
+        let mut agent = CheckedAgent::default();
         for k in 0..200u32 {
             agent.step(at(0.25 * f64::from(k)), k % 4 == 0, Status::Walking);
         }
@@ -200,18 +202,18 @@ mod tests {
         assert_eq!(watched(|time| DVec2::X * 0.3 * (4.0 * time).sin()), (true, true));
         assert_eq!(watched(|time| DVec2::X * 0.02 * time), (false, true));
         assert_eq!(watched(|time| DVec2::X * 0.2 * time), (false, false));
-        // round a pillar of 3 m: it comes back to where it was, but gets somewhere
+        // around a pillar of 3 m: the agent returns to its start, but makes progress
         assert_eq!(watched(|time| 3.0 * DVec2::from_angle(time / 3.0)), (false, false));
     }
 
     #[test]
     fn flaws_of_a_bad_scene_are_found() {
-        // an agent cannot walk through the wall; the other arrives
+        // an agent cannot walk through the wall; the other agent arrives
         let scene: Scene = "time = { step = 0.1, limit = 20 }\nwalkable.rectangles = [{ center = [0, 0], size = [4, 4] }, { center = [10, 0], size = [4, 4] }]\n\
                             [[group]]\nplace.points = [[0, 0], [8.5, 0]]\ngoal.area.rectangle = { center = [11, 0], size = [2, 2] }"
             .parse()
             .unwrap();
-        assert_eq!(Trial::check(&scene, |_| true).unwrap(), Some(vec![Flaw::NotArrived(1)]));
+        assert_eq!(Trial::check(&scene, |_| true).unwrap(), Some(vec![TrialFlaw::NotArrived(1)]));
         assert_eq!(Trial::check(&scene, |world| world.steps() < 3).unwrap(), None);
     }
 }

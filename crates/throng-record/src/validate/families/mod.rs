@@ -1,12 +1,15 @@
-//! Random families of scenes: variants of scenes in which promises broke, and what has to hold in every one of them.
+//! Random families of scenes: variants of scenes in which requirements were once violated, and the requirements on all
+//! of them.
 //!
-//! A [`Trial`] is one variant. It follows from a seed and its index, so that a failure can be reproduced: width, number, density, rotation, shift and the
-//! seed of the scene are drawn at random. [`Trial::check`] runs it and names what does not hold ([`Flaw`]):
+//! A [`Trial`] is a variant. It is determined by a seed and its index, so that a failure can be reproduced. Width,
+//! number, density, rotation, shift and the seed of the scene are random. [`Trial::check`] runs it and returns the
+//! violated requirements ([`TrialFlaw`]):
 //!
-//! - every agent arrives before the scene ends, which leaves several times what people need; goals have room for all of their agents;
-//! - no agent walks for 30 s without getting anywhere;
+//! - every agent arrives before the scene ends, at several times the time that pedestrians need; goals have room for
+//!   all of their agents;
+//! - no agent walks for 30 s without progress;
 //! - agents that have arrived in an area are inside it;
-//! - no two bodies overlap, and none overlaps a wall.
+//! - no two bodies overlap, and no body overlaps a wall.
 //!
 //! ```
 //! use throng_record::validate::families::{FAMILIES, Trial};
@@ -21,22 +24,22 @@ mod check;
 mod pose;
 mod scenes;
 
-pub use check::Flaw;
+pub use check::TrialFlaw;
 
 use pose::Pose;
 use throng_scene::{Purpose, Random};
 
-/// Variants of a scene.
+/// A family of variants of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// What its scenes are, in a sentence.
+    /// Description of its scenes, in a sentence.
     pub about: &'static str,
     draw: fn(&mut Random, &Pose) -> String,
 }
 
-/// All families; trials take them in turn.
+/// All families; consecutive trials cycle through them.
 pub const FAMILIES: &[Family] = &[
     Family { name: "loop", about: "a ring, all agents the same way round", draw: scenes::circulation },
     Family { name: "compact-loop", about: "agents that walk round a pillar", draw: scenes::compact_loop },
@@ -55,16 +58,16 @@ pub const FAMILIES: &[Family] = &[
 /// A variant of a family.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
-    /// Which of [`FAMILIES`].
+    /// Index into [`FAMILIES`].
     pub family: usize,
-    /// Its index; with the seed it says all of it.
+    /// Index; with the seed, it determines the trial.
     pub index: u64,
     /// The scene file.
     pub text: String,
 }
 
 impl Trial {
-    /// The trial with an index.
+    /// Returns the trial with an index.
     pub fn new(seed: u64, index: u64) -> Self {
         let family = (index % FAMILIES.len() as u64) as usize;
         let mut random = Random::new(seed, family as u64, index, Purpose::Choice);
@@ -75,7 +78,7 @@ impl Trial {
         Self { family, index, text }
     }
 
-    /// Its name: the family and the index.
+    /// Returns its name: the family and the index.
     pub fn name(&self) -> String {
         format!("{}-{}", FAMILIES[self.family].name, self.index)
     }

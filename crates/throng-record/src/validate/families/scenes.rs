@@ -1,4 +1,4 @@
-//! The scenes of the families. Densities are such that people would walk, and that goals have room.
+//! The scenes of the families. Densities permit pedestrians to walk, and goals have room for their agents.
 
 use super::pose::Pose;
 use std::fmt::Write;
@@ -7,9 +7,9 @@ use throng_scene::Random;
 /// Free speeds.
 const SPEED: &str = "speed.preferred = { normal = { mean = 1.34, deviation = 0.2 } }";
 
-/// The end of a scene, seconds: several times what people need for the way and, one after the other, for a door.
+/// Returns the time limit of a scene, seconds: several times what pedestrians need for the way and for a door.
 fn limit(way: f64, agents: f64, width: f64) -> f64 {
-    // the slowest walks 0.74 m/s; people come through a door at 1.6 per m and s
+    // the slowest pedestrian walks 0.74 m/s; the flow through a door is 1.6 per m and s
     60.0 + 3.0 * (way / 0.74 + agents / (1.6 * (width - 0.2)))
 }
 
@@ -37,7 +37,7 @@ pub fn circulation(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Four crowds in the corners of a square that walk round a pillar, all the same way.
+/// Four crowds in the corners of a square that walk around a pillar, all in the same direction.
 pub fn compact_loop(random: &mut Random, pose: &Pose) -> String {
     let (radius, each) = (random.between(1.5, 4.0), whole(random, 5.0, 30.0));
     let corner = radius + 1.0;
@@ -66,7 +66,7 @@ pub fn compact_loop(random: &mut Random, pose: &Pose) -> String {
     out
 }
 
-/// A corridor with a bend: the approach and the way on are of the same width.
+/// A corridor with a bend, of the same width before and after it.
 pub fn bend(random: &mut Random, pose: &Pose) -> String {
     let width = random.between(1.4, 5.0);
     let (before, behind) = (random.between(12.0, 26.0), random.between(8.0, 26.0));
@@ -90,7 +90,7 @@ pub fn bend(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// A corridor whose agents all go to an area at its end, which has room for them: at most 2.2 per m².
+/// A corridor; all agents walk to an area at its end that has room for them: at most 2.2 per m².
 pub fn plug(random: &mut Random, pose: &Pose) -> String {
     let (width, length) = (random.between(1.6, 4.0), random.between(4.0, 10.0));
     let density = random.between(0.5, 2.2);
@@ -107,7 +107,7 @@ pub fn plug(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// A bus of 10 m at a stop: some get off, some get on, through one door of 0.9 to 1.6 m.
+/// A bus of 10 m at a stop: some agents get off, some get on, through a door of 0.9 to 1.6 m.
 pub fn bus(random: &mut Random, pose: &Pose) -> String {
     let (off, on) = (whole(random, 3.0, 18.0), whole(random, 3.0, 18.0));
     let half = 0.5 * random.between(0.9, 1.6);
@@ -138,7 +138,8 @@ pub fn bus(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Two crowds of 0.4 to 1.9 per m² each, of bodies of 0.13 to 0.2 m, that walk through each other in a corridor of 1.5 to 6 m.
+/// Two crowds of 0.4 to 1.9 per m² each, with bodies of 0.13 to 0.2 m, that walk through each other in a corridor of
+/// 1.5 to 6 m.
 pub fn counterflow(random: &mut Random, pose: &Pose) -> String {
     let (width, density) = (random.between(1.5, 6.0), random.between(0.4, 1.9));
     let radius = random.between(0.13, 0.2);
@@ -178,8 +179,8 @@ pub fn gate(random: &mut Random, pose: &Pose) -> String {
     )
 }
 
-/// Long bodies on up to a sixth of the ground that each go to the place opposite. The bodies of every second crowd have a turn
-/// rate, so they go only where they face.
+/// Long bodies on up to a sixth of the ground that walk to the opposite place. The bodies of every second crowd have a
+/// turn rate, so they move only in the direction they face.
 pub fn planks(random: &mut Random, pose: &Pose) -> String {
     let (side, length, width) = (random.between(12.0, 20.0), random.between(0.8, 1.6), random.between(0.4, 0.6));
     let share = random.between(0.03, 0.17);

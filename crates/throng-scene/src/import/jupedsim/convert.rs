@@ -1,4 +1,4 @@
-//! From the editor's JSON to a scene.
+//! Converts the editor's JSON to a scene.
 
 use super::super::notes::Notes;
 use super::super::{Imported, roomy};
@@ -28,13 +28,13 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
     });
     let largest = distributions.iter().map(|(d, _)| d.radius.bounds()[1]).fold(0.1, f64::max);
     let solid = Solid::new(&walkable.collect::<Vec<_>>(), &[], largest);
-    let mut routes = Routes::read(config, &solid, largest, &mut notes)?;
+    let mut routes = JupedsimRoutes::read(config, &solid, largest, &mut notes)?;
 
     let mut groups = vec![];
     for (distribution, corners) in distributions {
         let goal = routes.goal(config, &distribution.id, &mut notes);
         if distribution.count == 0 {
-            notes.about(&distribution.id, "nobody in this distribution: left out");
+            notes.about(&distribution.id, "no agents in this distribution: left out");
             continue;
         }
         groups.push(Group {
@@ -53,7 +53,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
     let limit = parameters["max_simulation_time"].as_f64().filter(|limit| *limit > 0.0).unwrap_or(300.0);
     let seed = settings["baseSeed"].as_u64().or(config["seed"].as_u64()).unwrap_or(1);
     let expected = &config["_expectations"];
-    let everybody = expected["all_agents_evacuated"].as_bool() == Some(true);
+    let all = expected["all_agents_evacuated"].as_bool() == Some(true);
     let scene = Scene {
         description: config["_description"].as_str().unwrap_or_default().to_owned(),
         seed: seed.min(i64::MAX as u64),
@@ -61,8 +61,8 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
         walkable: Some(if areas.len() == 1 { Walkable::Polygon(areas.remove(0)) } else { Walkable::Polygons(areas) }),
         groups,
         expect: Expect {
-            arrived: everybody.then_some(Arrived::All),
-            within: expected["evacuation_time_range"][1].as_f64().filter(|_| everybody),
+            arrived: all.then_some(Arrived::All),
+            within: expected["evacuation_time_range"][1].as_f64().filter(|_| all),
             ..Expect::default()
         },
         ..Scene::default()
@@ -70,7 +70,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
     Ok(Imported { scene, notes: notes.lines() })
 }
 
-/// What a scene cannot say.
+/// Adds notes about what a scene cannot represent.
 fn left_out(config: &Value, notes: &mut Notes) {
     for (id, zone) in table(&config["zones"]) {
         let factor = zone["speed_factor"].as_f64().unwrap_or(1.0);
@@ -94,15 +94,15 @@ fn left_out(config: &Value, notes: &mut Notes) {
     }
 }
 
-/// Where people go: exits, checkpoints, and the sequences of them.
-struct Routes {
+/// The goals of agents: exits, checkpoints, and sequences of them.
+struct JupedsimRoutes {
     exits: Vec<(String, Goal)>,
     checkpoints: Vec<(String, Goal, Option<Number>)>,
-    /// Id and stages.
+    /// Ids and stages.
     journeys: Vec<(String, Vec<String>)>,
 }
 
-impl Routes {
+impl JupedsimRoutes {
     fn read(config: &Value, solid: &Solid, radius: f64, notes: &mut Notes) -> Result<Self, Error> {
         let mut region = |id: &str, value: &Value| -> Result<Region, Error> {
             Ok(roomy(solid, &points(&corners_of(id, value)?), radius, id, notes))
@@ -137,7 +137,7 @@ impl Routes {
         Ok(Self { exits, checkpoints, journeys })
     }
 
-    /// Where the people of a distribution go.
+    /// Returns the goal of the agents of a distribution.
     fn goal(&mut self, config: &Value, distribution: &str, notes: &mut Notes) -> Option<Goal> {
         let weights = config["distributions"][distribution]["journey_weights"].as_array();
         let weighted = weights.into_iter().flatten().filter_map(|entry| {
@@ -150,7 +150,7 @@ impl Routes {
         });
         let mut sequences: Vec<(Vec<String>, f64)> = weighted.filter(|(_, weight)| *weight > 0.0).collect();
         if sequences.is_empty() {
-            // Older scenarios: a journey begins with its distribution.
+            // older scenarios: a journey starts with its distribution
             let mine = self.journeys.iter().filter(|(_, stages)| stages.first().is_some_and(|id| id == distribution));
             sequences = mine.map(|(_, stages)| (stages[1..].to_vec(), 1.0)).collect();
         }
@@ -164,7 +164,7 @@ impl Routes {
         goals.pop().map(|only| only.goal).or_else(|| self.nearest(distribution, notes))
     }
 
-    /// Without a journey people leave by the nearest exit.
+    /// Returns the goal of agents without a journey: the nearest exit.
     fn nearest(&self, distribution: &str, notes: &mut Notes) -> Option<Goal> {
         match self.exits.len() {
             0 => {
@@ -173,7 +173,7 @@ impl Routes {
             }
             1 => Some(self.exits[0].1.clone()),
             _ => {
-                notes.about(distribution, "no journey: everybody leaves by the nearest exit");
+                notes.about(distribution, "no journey: all agents leave by the nearest exit");
                 Some(Goal::Nearest(self.exits.iter().map(|(_, goal)| goal.clone()).collect()))
             }
         }
@@ -198,12 +198,12 @@ impl Routes {
     }
 }
 
-/// The entries of a JSON object; of anything else none.
+/// Returns the entries of a JSON object; none for other values.
 fn table(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
     value.as_object().into_iter().flat_map(Map::iter)
 }
 
-/// The corners of an editor's polygon.
+/// Returns the corners of an editor's polygon.
 fn corners_of(id: &str, value: &Value) -> Result<Vec<Point>, Error> {
     let wrong = || {
         Error::new(Kind::Geometry, format!("{id} has no polygon in `coordinates`"))

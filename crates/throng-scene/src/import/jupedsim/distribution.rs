@@ -1,4 +1,4 @@
-//! Distributions: where how many people start, with what bodies and speeds.
+//! Distributions: the number of agents that start in an area, their bodies and speeds.
 
 use super::super::notes::Notes;
 use super::convert::corners_or_none;
@@ -6,7 +6,7 @@ use crate::geometry::{points, signed_area};
 use crate::scene::{Normal, Number, Source};
 use serde_json::Value;
 
-/// The densest that placing at random reaches: the share of the ground under bodies.
+/// The greatest share of the ground under bodies that random placement reaches.
 const RANDOM_COVER: f64 = 0.5;
 
 pub(super) struct Distribution {
@@ -43,7 +43,7 @@ impl Distribution {
     }
 }
 
-/// The time people stand before they set off.
+/// Returns the time that agents stand before they set off.
 fn premovement(id: &str, parameters: &Value, notes: &mut Notes) -> Option<Number> {
     if parameters["use_premovement"].as_bool() != Some(true) {
         return None;
@@ -68,7 +68,7 @@ fn premovement(id: &str, parameters: &Value, notes: &mut Notes) -> Option<Number
     }
 }
 
-/// A value that may be a distribution: `key`, `key_distribution` and `key_std`. Never less than `least`.
+/// Reads a value that may be a distribution: `key`, `key_distribution` and `key_std`. It is at least `least`.
 pub(super) fn number_of(value: &Value, key: &str, standard: f64, least: f64, id: &str, notes: &mut Notes) -> Number {
     let mean = value[key].as_f64().unwrap_or(standard).max(least);
     let kind = value[format!("{key}_distribution")].as_str().unwrap_or("constant");
@@ -78,7 +78,7 @@ pub(super) fn number_of(value: &Value, key: &str, standard: f64, least: f64, id:
             Some(deviation) if deviation > 0.0 => normal(mean, deviation, least),
             Some(_) => Number::Constant(mean),
             None => {
-                notes.about(id, format!("{kind} {key} without a deviation: everybody gets {mean}"));
+                notes.about(id, format!("{kind} {key} without a deviation: all agents get {mean}"));
                 Number::Constant(mean)
             }
         },
@@ -87,19 +87,19 @@ pub(super) fn number_of(value: &Value, key: &str, standard: f64, least: f64, id:
             match (bound("min"), bound("max")) {
                 (Some(low), Some(high)) if low <= high => Number::Uniform([low.max(least), high.max(least)]),
                 _ => {
-                    notes.about(id, format!("uniform {key} without bounds: everybody gets {mean}"));
+                    notes.about(id, format!("uniform {key} without bounds: all agents get {mean}"));
                     Number::Constant(mean)
                 }
             }
         }
         other => {
-            notes.about(id, format!("{key} of the kind `{other}`: everybody gets {mean}"));
+            notes.about(id, format!("{key} of the kind `{other}`: all agents get {mean}"));
             Number::Constant(mean)
         }
     }
 }
 
-/// Three deviations to each side, but not below `least`.
+/// Returns a normal distribution truncated at three deviations to each side, and at `least`.
 fn normal(mean: f64, deviation: f64, least: f64) -> Number {
     let deviation = deviation.abs();
     let cut = (mean - 3.0 * deviation < least).then_some(least);

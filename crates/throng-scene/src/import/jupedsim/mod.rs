@@ -1,9 +1,9 @@
 //! Scenarios of the JuPedSim web editor: `config.json` and `geometry.wkt`, as a folder, a zip, or one JSON file with
 //! the floor plan inside.
 //!
-//! Mapped: the floor plan, distributions (number, radius, speed, flow, premovement), exits, checkpoints with waiting
-//! times, journeys with weights, seed, time limit. The model and its parameters, zones that change the speed, and
-//! throttled exits do not map; each is said in the notes.
+//! Imported: the floor plan, distributions (number, radius, speed, flow, premovement), exits, checkpoints with waiting
+//! times, journeys with weights, seed, time limit. Not imported, with a note for each: the model and its parameters,
+//! zones that change the speed, throttled exits.
 
 mod convert;
 mod distribution;
@@ -29,10 +29,10 @@ pub fn load(path: impl AsRef<Path>) -> Result<Imported, Error> {
     Ok(imported)
 }
 
-/// Reads a scenario from the text of its `config.json` and of its floor plan (WKT), where that is not inside.
+/// Reads a scenario from the text of its `config.json` and of its floor plan (WKT), if that is not inside the JSON.
 ///
 /// # Errors
-/// It is not a JuPedSim scenario, or there is no floor plan.
+/// The text is not a JuPedSim scenario, or there is no floor plan.
 pub fn from_text(config: &str, plan: Option<&str>) -> Result<Imported, Error> {
     let config: serde_json::Value = serde_json::from_str(config).map_err(|error| {
         let mut out = Error::new(Kind::Syntax, format!("this is not JSON: {error}"));

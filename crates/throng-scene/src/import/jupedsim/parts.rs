@@ -1,19 +1,19 @@
-//! The texts a scenario consists of.
+//! The texts that make up a scenario.
 
 use crate::error::{Error, Kind};
 use crate::file::{LARGEST, read_text, too_large};
 use std::io::Read;
 use std::path::Path;
 
-pub(super) struct Parts {
+pub(super) struct JupedsimParts {
     pub config: String,
     pub plan: Option<String>,
 }
 
-pub(super) fn read(path: &Path) -> Result<Parts, Error> {
+pub(super) fn read(path: &Path) -> Result<JupedsimParts, Error> {
     if path.is_dir() {
         let plan = path.join("geometry.wkt");
-        return Ok(Parts {
+        return Ok(JupedsimParts {
             config: read_text(&path.join("config.json"))?,
             plan: if plan.is_file() { Some(read_text(&plan)?) } else { None },
         });
@@ -21,10 +21,10 @@ pub(super) fn read(path: &Path) -> Result<Parts, Error> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip")) {
         return zipped(path).map_err(|error| error.file(path.display().to_string()));
     }
-    Ok(Parts { config: read_text(path)?, plan: None })
+    Ok(JupedsimParts { config: read_text(path)?, plan: None })
 }
 
-fn zipped(path: &Path) -> Result<Parts, Error> {
+fn zipped(path: &Path) -> Result<JupedsimParts, Error> {
     let file = std::fs::File::open(path).map_err(|error| crate::file::missing(path, &error))?;
     let broken =
         |error: &dyn std::fmt::Display| Error::new(Kind::Syntax, format!("this is not a readable zip: {error}"));
@@ -49,5 +49,5 @@ fn zipped(path: &Path) -> Result<Parts, Error> {
         Error::new(Kind::NotAScene, "this zip is not a JuPedSim scenario: it has no config.json")
             .hint("a scenario is a zip of the JuPedSim web editor: config.json and geometry.wkt")
     })?;
-    Ok(Parts { config, plan })
+    Ok(JupedsimParts { config, plan })
 }

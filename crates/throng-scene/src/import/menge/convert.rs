@@ -1,11 +1,11 @@
-//! From a project to a scene.
+//! Converts a project to a scene.
 
 use super::super::Imported;
 use super::super::notes::Notes;
 use super::files::Project;
 use super::machine::Machine;
 use super::profile::Profile;
-use super::route::{Routes, follow};
+use super::route::{MengeRoutes, follow};
 use super::xml::{Xml, children};
 use super::{people, profile, solids};
 use crate::error::{Error, Kind};
@@ -36,7 +36,7 @@ pub(super) fn convert(project: &Project) -> Result<Imported, Error> {
     Ok(Imported { scene, notes: notes.lines() })
 }
 
-/// The scene, with the goals of the machine, whose files are in `folder`.
+/// Reads the scene, with the goals of the machine. The files of the machine are in `folder`.
 fn read(xml: &Xml, path: &Path, machine: &Machine, folder: &Path, notes: &mut Notes) -> Result<Scene, Error> {
     let root = xml.document.root_element();
     if root.tag_name().name() != "Experiment" {
@@ -47,21 +47,21 @@ fn read(xml: &Xml, path: &Path, machine: &Machine, folder: &Path, notes: &mut No
     let profiles = profile::all(xml)?;
     let crowds = people::all(xml, &profiles, notes)?;
     if crowds.is_empty() {
-        return Err(xml.wrong(root, Kind::Count, "nobody is in this scene: it has no <AgentGroup> with agents"));
+        return Err(xml.wrong(root, Kind::Count, "this scene has no <AgentGroup> with agents"));
     }
     if let Some(crowd) = crowds.iter().find(|crowd| !machine.states.contains_key(&crowd.state)) {
         let message = format!("agents begin in the state `{}`, which the behaviour does not have", crowd.state);
         return Err(xml.wrong(root, Kind::UnknownKey, message));
     }
     let heeded = crowds.iter().fold(0, |bits, crowd| bits | crowd.profile.obstacles);
-    let everybody: Vec<DVec2> = crowds.iter().flat_map(|crowd| crowd.at.iter().copied()).collect();
-    let ground = solids::read(xml, path.parent().unwrap_or(Path::new("")), heeded, &everybody, notes)?;
+    let all: Vec<DVec2> = crowds.iter().flat_map(|crowd| crowd.at.iter().copied()).collect();
+    let ground = solids::read(xml, path.parent().unwrap_or(Path::new("")), heeded, &all, notes)?;
     if crowds.iter().any(|crowd| crowd.profile.obstacles & heeded != heeded) {
-        notes.whole("all obstacles are there for everybody, whatever set of them a profile heeds");
+        notes.whole("all agents avoid all obstacles, whatever obstacle set their profile has");
     }
     let (mut groups, mut fields): (Vec<Group>, Vec<Field>) = (vec![], vec![]);
     for (i, crowd) in crowds.into_iter().enumerate() {
-        let Routes { goal, wait, field } = follow(machine, &crowd.state, &crowd.at, notes);
+        let MengeRoutes { goal, wait, field } = follow(machine, &crowd.state, &crowd.at, notes);
         let field = field.map(|file| {
             let file = absolute(&folder.join(file));
             let name = format!("field-{}", fields.len() + 1);
@@ -97,13 +97,13 @@ fn read(xml: &Xml, path: &Path, machine: &Machine, folder: &Path, notes: &mut No
     })
 }
 
-/// The name of the profile, with a number where a group has it already.
+/// Returns the name of the profile, with a number if a group has that name already.
 fn name(profile: &Profile, i: usize, groups: &[Group]) -> String {
     let taken = groups.iter().any(|group| group.name == profile.name);
     if taken { format!("{}-{}", profile.name, i + 1) } else { profile.name.clone() }
 }
 
-/// The whole name of a file: the scene has none that it could be beside.
+/// Returns the absolute name of a file: an imported scene has no folder for relative names.
 fn absolute(path: &Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
 }

@@ -6,12 +6,12 @@ use crate::file::read_text;
 use crate::import::short;
 use std::path::{Path, PathBuf};
 
-/// The texts of a project, and where they are from.
+/// The texts of a project, and the names of their files.
 pub(super) struct Project {
     pub name: String,
     pub scene: (PathBuf, String),
     pub behavior: (PathBuf, String),
-    /// The local model it asks for.
+    /// The local model that the project names.
     pub model: Option<String>,
 }
 
@@ -20,7 +20,7 @@ pub(in super::super) fn is_project(folder: &Path) -> bool {
     !ending(folder, "S.xml").is_empty()
 }
 
-/// The files that belong to one of them, or that are in a folder.
+/// Finds the files of a project: those that belong to a file of it, or those in a folder.
 pub(super) fn find(path: &Path) -> Result<Project, Error> {
     if path.is_dir() {
         let scenes = ending(path, "S.xml");
@@ -62,7 +62,7 @@ pub(super) fn find(path: &Path) -> Result<Project, Error> {
     }
 }
 
-/// The project of a scene with the behaviour beside it.
+/// Reads the project of a scene, with the behaviour beside it.
 fn beside_scene(scene: &Path) -> Result<Project, Error> {
     let folder = scene.parent().unwrap_or(Path::new(""));
     let mut behaviors = ending(folder, "B.xml");
@@ -85,7 +85,7 @@ fn read(scene: &Path, behavior: &Path) -> Result<Project, Error> {
     })
 }
 
-/// Files of a folder whose names end so, in order.
+/// Returns the files of a folder with names that end in `end`, sorted.
 fn ending(folder: &Path, end: &str) -> Vec<PathBuf> {
     let files = std::fs::read_dir(named(folder)).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut files: Vec<PathBuf> =
@@ -94,7 +94,7 @@ fn ending(folder: &Path, end: &str) -> Vec<PathBuf> {
     files
 }
 
-/// A folder by a name that is not empty.
+/// Returns a folder by a name that is not empty.
 fn named(folder: &Path) -> &Path {
     if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
 }

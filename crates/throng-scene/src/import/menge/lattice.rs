@@ -1,4 +1,4 @@
-//! Menge's generator `hex_lattice`: rows in which everybody has six neighbours at the same distance.
+//! Menge's generator `hex_lattice`: rows in which every agent has six neighbours at the same distance.
 
 use super::xml::Xml;
 use crate::error::{Error, Kind};
@@ -6,10 +6,10 @@ use crate::geometry::DVec2;
 use crate::import::short;
 use roxmltree::Node;
 
-/// The places of a lattice: as many whole rows as it takes for more than the population, as Menge has it.
+/// Returns the places of a lattice: as many whole rows as are needed for more than the population, as in Menge.
 ///
 /// # Errors
-/// An attribute is missing or wrong, or there would be more than `most`.
+/// An attribute is missing or wrong, or there would be more than `most` places.
 pub(super) fn places(xml: &Xml, node: Node, most: f64) -> Result<Vec<DVec2>, Error> {
     let wrong = |message: String| xml.wrong(node, Kind::OutOfRange, message);
     let number = |name: &str| xml.needed(node, name);
@@ -17,7 +17,7 @@ pub(super) fn places(xml: &Xml, node: Node, most: f64) -> Result<Vec<DVec2>, Err
     if density <= 0.0 {
         return Err(wrong(format!("a lattice of {density} people on a square metre")));
     }
-    // discs as dense as can be touch
+    // the densest packing of discs that touch
     let apart = (2.0 / (density * 3f64.sqrt())).sqrt();
     let rows_apart = apart * 0.75f64.sqrt();
     let in_rows = match xml.text(node, "row_direction")? {
@@ -32,7 +32,7 @@ pub(super) fn places(xml: &Xml, node: Node, most: f64) -> Result<Vec<DVec2>, Err
     }
     let (across, population) = (across as usize, population as usize);
     let local: Vec<DVec2> = if in_rows {
-        // rows of all and of one less by turns
+        // rows alternate between `across` and one place less
         let pair = 2 * across - 1;
         let whole = (population / pair + 1) * pair;
         let count = if whole - (across - 1) > population { whole - (across - 1) } else { whole };

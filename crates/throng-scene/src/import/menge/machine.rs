@@ -9,10 +9,10 @@ use crate::scene::{Circle, Number, Rectangle, Region};
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
-/// What a behaviour says.
+/// The contents of a behaviour.
 #[derive(Debug, Default)]
 pub(super) struct Machine {
-    /// Goals by their sets, in order.
+    /// Goals by the ids of their sets, in order.
     pub sets: BTreeMap<u64, Vec<Aim>>,
     pub states: BTreeMap<String, State>,
 }
@@ -21,17 +21,17 @@ pub(super) struct Machine {
 #[derive(Clone, Debug)]
 pub(super) struct Aim {
     pub id: u64,
-    pub shape: Form,
+    pub shape: MengeRegion,
     pub weight: f64,
-    /// How many may have it at a time.
+    /// How many agents may have the goal at a time.
     pub capacity: f64,
 }
 
-/// Where something is.
+/// The shape of a goal or a region.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Form {
+pub(super) enum MengeRegion {
     Point(DVec2),
-    /// The middle, half the sides, the angle in degrees.
+    /// The centre, half the sides, the angle in degrees.
     Box(DVec2, DVec2, f64),
     Disc(DVec2, f64),
 }
@@ -41,20 +41,20 @@ pub(super) enum Form {
 pub(super) struct State {
     pub selector: Selector,
     pub velocity: Velocity,
-    /// Out of it, in order.
+    /// The transitions out of the state, in order.
     pub ways: Vec<Way>,
 }
 
-/// Where one goes in a state.
+/// How an agent's goal is selected in a state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) enum Selector {
-    /// Where one is.
+    /// The agent's position.
     #[default]
     Stay,
     Explicit(u64, u64),
-    /// Whether x and y change their signs.
+    /// The agent's position, mirrored: whether x and y change their signs.
     Mirror(bool, bool),
-    /// By so much.
+    /// The agent's position plus an offset.
     Offset(DVec2),
     Nearest(u64),
     Farthest(u64),
@@ -62,40 +62,40 @@ pub(super) enum Selector {
     Weighted(u64),
 }
 
-/// How one gets there, as far as it matters.
+/// How an agent moves to its goal, as far as a scene can represent it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) enum Velocity {
-    /// The shortest way.
+    /// By the shortest path.
     #[default]
     Way,
-    /// One does not.
+    /// Not at all.
     Stand,
-    /// As the field in this file says.
+    /// By the vector field in this file.
     Field(String),
 }
 
-/// A way out of a state.
+/// A transition out of a state.
 #[derive(Clone, Debug)]
 pub(super) struct Way {
-    pub when: When,
-    /// The states it leads to, with weights; none for one that is not followed.
+    pub when: TransitionWhen,
+    /// The target states, with weights; empty if the transition is not followed.
     pub to: Vec<(String, f64)>,
-    /// What it is in the file, for notes.
+    /// Its description, for notes.
     pub name: String,
 }
 
-/// When one goes it. What is easiest to say as a journey comes first.
+/// The condition of a transition. The conditions that a journey represents best come first.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum When {
-    /// As near as this to the goal, metres.
+pub(super) enum TransitionWhen {
+    /// The agent is this near to its goal, metres.
     There(f64),
-    /// After so long, seconds.
+    /// A time has passed, seconds.
     Later(Number),
-    /// At once.
+    /// Always.
     Now,
-    /// In a region.
-    In(Form),
-    /// When something else is so.
+    /// The agent is in a region.
+    In(MengeRegion),
+    /// Any other condition.
     Other(String),
 }
 
@@ -149,8 +149,10 @@ impl Machine {
 fn aim(xml: &Xml, node: Node, notes: &mut Notes) -> Result<Option<Aim>, Error> {
     let kind = xml.text(node, "type")?;
     let shape = match kind {
-        "point" => Form::Point(DVec2::new(xml.needed(node, "x")?, xml.needed(node, "y")?)),
-        "circle" => Form::Disc(DVec2::new(xml.needed(node, "x")?, xml.needed(node, "y")?), xml.needed(node, "radius")?),
+        "point" => MengeRegion::Point(DVec2::new(xml.needed(node, "x")?, xml.needed(node, "y")?)),
+        "circle" => {
+            MengeRegion::Disc(DVec2::new(xml.needed(node, "x")?, xml.needed(node, "y")?), xml.needed(node, "radius")?)
+        }
         "AABB" => boxed(xml, node)?,
         "OBB" => {
             let (width, height) = (xml.needed(node, "width")?, xml.needed(node, "height")?);
@@ -170,18 +172,18 @@ fn aim(xml: &Xml, node: Node, notes: &mut Notes) -> Result<Option<Aim>, Error> {
     }))
 }
 
-fn boxed(xml: &Xml, node: Node) -> Result<Form, Error> {
+fn boxed(xml: &Xml, node: Node) -> Result<MengeRegion, Error> {
     let low = DVec2::new(xml.needed(node, "min_x")?, xml.needed(node, "min_y")?);
     let high = DVec2::new(xml.needed(node, "max_x")?, xml.needed(node, "max_y")?);
-    Ok(Form::Box(low.midpoint(high), (high - low).abs() * 0.5, 0.0))
+    Ok(MengeRegion::Box(low.midpoint(high), (high - low).abs() * 0.5, 0.0))
 }
 
-/// A box that is turned about its lower left corner.
-fn turned(xml: &Xml, node: Node, corner: [&str; 2], size: DVec2) -> Result<Form, Error> {
+/// Reads a box that is rotated about its lower left corner.
+fn turned(xml: &Xml, node: Node, corner: [&str; 2], size: DVec2) -> Result<MengeRegion, Error> {
     let pivot = DVec2::new(xml.needed(node, corner[0])?, xml.needed(node, corner[1])?);
     let angle = xml.needed(node, "angle")?;
     let (sin, cos) = libm::sincos(angle.to_radians());
-    Ok(Form::Box(pivot + DVec2::new(cos, sin).rotate(size * 0.5), size.abs() * 0.5, angle))
+    Ok(MengeRegion::Box(pivot + DVec2::new(cos, sin).rotate(size * 0.5), size.abs() * 0.5, angle))
 }
 
 fn state(xml: &Xml, node: Node, notes: &mut Notes) -> Result<State, Error> {
@@ -240,7 +242,7 @@ fn state(xml: &Xml, node: Node, notes: &mut Notes) -> Result<State, Error> {
 fn way(xml: &Xml, node: Node) -> Result<Way, Error> {
     let condition = children(node, "Condition").next();
     let when = match condition {
-        None => When::Other("none".into()),
+        None => TransitionWhen::Other("none".into()),
         Some(node) => when(xml, node)?,
     };
     let target = children(node, "Target").next();
@@ -259,34 +261,35 @@ fn way(xml: &Xml, node: Node) -> Result<Way, Error> {
     Ok(Way { when, to, name: format!("to {leads}") })
 }
 
-fn when(xml: &Xml, node: Node) -> Result<When, Error> {
+fn when(xml: &Xml, node: Node) -> Result<TransitionWhen, Error> {
     let inside = node.attribute("inside").is_none_or(|said| said != "0" && said != "false");
     Ok(match xml.text(node, "type")? {
-        "goal_reached" => When::There(xml.number(node, "distance")?.unwrap_or(0.0).max(0.0)),
-        "timer" => When::Later(xml.distribution(node)?),
-        "auto" => When::Now,
-        "AABB" if inside => When::In(boxed(xml, node)?),
-        "circle" if inside => When::In(Form::Disc(
+        "goal_reached" => TransitionWhen::There(xml.number(node, "distance")?.unwrap_or(0.0).max(0.0)),
+        "timer" => TransitionWhen::Later(xml.distribution(node)?),
+        "auto" => TransitionWhen::Now,
+        "AABB" if inside => TransitionWhen::In(boxed(xml, node)?),
+        "circle" if inside => TransitionWhen::In(MengeRegion::Disc(
             DVec2::new(xml.needed(node, "center_x")?, xml.needed(node, "center_y")?),
             xml.needed(node, "radius")?,
         )),
         "OBB" if inside => {
             let size = DVec2::new(xml.needed(node, "width")?, xml.needed(node, "height")?);
-            When::In(turned(xml, node, ["pivot_x", "pivot_y"], size)?)
+            TransitionWhen::In(turned(xml, node, ["pivot_x", "pivot_y"], size)?)
         }
-        other => When::Other(short(other)),
+        other => TransitionWhen::Other(short(other)),
     })
 }
 
-impl Form {
-    /// Its middle.
+impl MengeRegion {
+    /// Returns the centre.
     pub fn middle(&self) -> DVec2 {
         match self {
             Self::Point(at) | Self::Box(at, ..) | Self::Disc(at, _) => *at,
         }
     }
 
-    /// All that is as near as `by` to it; of a point none is smaller than a centimetre, of a box the corners are left as they are.
+    /// Returns the region within `by` of the shape. A point becomes a disc of at least a centimetre; the corners of a
+    /// box stay sharp.
     pub fn grown(&self, by: f64) -> Region {
         match self {
             Self::Point(at) => Region::Disc(Circle { center: at.to_array(), radius: by.max(0.01) }),

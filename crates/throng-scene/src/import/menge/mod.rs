@@ -1,9 +1,9 @@
-//! Menge's projects: a scene (`*S.xml`: who is there, and what is solid), a behaviour (`*B.xml`: a state machine of where they go), and
-//! the files these name.
+//! Menge projects: a scene (`*S.xml`: agents and obstacles), a behaviour (`*B.xml`: a state machine of goals), and the
+//! files that these name.
 //!
-//! Mapped: profiles and who inherits them, generators, obstacles, navigation meshes that are the ground, goals, and the way through
-//! the states as a journey. Road maps and navigation meshes for finding ways are not needed; a vector field governs its group. What
-//! states do beyond that is said in the notes. `docs/import.md` lists it.
+//! Imported: profiles and their inheritance, generators, obstacles, navigation meshes that are the ground, goals, and
+//! the sequence of states as a journey. Road maps and navigation meshes for path planning are not needed; a vector
+//! field guides its group. Notes name everything else that states do. `docs/import.md` lists it.
 
 mod convert;
 mod files;
@@ -25,7 +25,7 @@ pub(super) use files::is_project;
 /// Reads a project: its file (`<Project>`), its scene, its behaviour, or the folder of both.
 ///
 /// # Errors
-/// With file, line and column: a part is missing or is not what Menge takes.
+/// A part is missing or is not valid in Menge. The error has file, line and column.
 pub fn load(path: impl AsRef<Path>) -> Result<Imported, Error> {
     convert::convert(&files::find(path.as_ref())?)
 }

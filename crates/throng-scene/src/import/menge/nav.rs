@@ -1,17 +1,18 @@
-//! Navigation meshes of Menge's (`.nav`): the ground, in convex polygons.
+//! Menge's navigation meshes (`.nav`): the ground, in convex polygons.
 
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use crate::import::short;
 
-/// Numbers beyond this are mistakes.
+/// Greater numbers are mistakes.
 const FARTHEST: f64 = 1e7;
 
-/// The polygons of a mesh, in metres. The format: the number of vertices and a line for each, of edges, of obstacles; then groups of
-/// nodes, each with a name, a number, and for each node five lines: its centre, its corners, its plane, its edges, its obstacles.
+/// Reads the polygons of a mesh, in metres. The format: the number of vertices and a line for each, the same for edges
+/// and obstacles; then groups of nodes, each with a name, a number, and for each node five lines: its centre, its
+/// corners, its plane, its edges, its obstacles.
 ///
 /// # Errors
-/// With the line: it is not so.
+/// The text does not have this format. The error has the line.
 pub(super) fn polygons(text: &str) -> Result<Vec<Vec<DVec2>>, Error> {
     let mut lines = Lines { text, lines: text.lines().enumerate() };
     let mut vertices = vec![];
@@ -47,7 +48,7 @@ pub(super) fn polygons(text: &str) -> Result<Vec<Vec<DVec2>>, Error> {
     Ok(polygons)
 }
 
-/// Lines that are not empty.
+/// The lines of a text that are not empty.
 struct Lines<'t> {
     text: &'t str,
     lines: std::iter::Enumerate<std::str::Lines<'t>>,
@@ -58,7 +59,7 @@ impl<'t> Lines<'t> {
         self.lines.find(|(_, line)| !line.trim().is_empty())
     }
 
-    /// The words of the next line, and which it is.
+    /// Returns the words of the next line, and its index.
     fn words(&mut self, what: &str) -> Result<(Vec<&'t str>, usize), Error> {
         match self.next() {
             Some((at, line)) => Ok((line.split_whitespace().collect(), at)),
@@ -100,12 +101,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_its_line() {
-        let says = |text: &str| polygons(text).unwrap_err();
-        assert_eq!(says("").at, Some((1, 1)));
-        assert!(says("2\n0 0\n").message.contains("ends before a vertex"));
-        assert_eq!(says(&TWO.replace("4 1 4 5 2", "4 1 4 9 2")).message, "there is no vertex 9 among 6");
-        assert_eq!(says(&TWO.replace("4 1 4 5 2", "4 1 4 9 2")).at, Some((22, 1)));
-        assert!(says(&TWO.replace("1 0\n1 1", "1 x\n1 1")).message.contains("number 2 of this line"));
+    fn errors_have_their_line() {
+        let error = |text: &str| polygons(text).unwrap_err();
+        assert_eq!(error("").at, Some((1, 1)));
+        assert!(error("2\n0 0\n").message.contains("ends before a vertex"));
+        assert_eq!(error(&TWO.replace("4 1 4 5 2", "4 1 4 9 2")).message, "there is no vertex 9 among 6");
+        assert_eq!(error(&TWO.replace("4 1 4 5 2", "4 1 4 9 2")).at, Some((22, 1)));
+        assert!(error(&TWO.replace("1 0\n1 1", "1 x\n1 1")).message.contains("number 2 of this line"));
     }
 }

@@ -1,4 +1,4 @@
-//! Who is there: groups, with profiles, states and places.
+//! The agents: groups with profiles, states and places.
 
 use super::super::notes::Notes;
 use super::lattice;
@@ -10,19 +10,19 @@ use crate::import::short;
 use crate::random::{Purpose, Random};
 use roxmltree::Node;
 
-/// The most people that the generators of a group make.
+/// The maximum number of agents of a group's generators.
 const MOST: f64 = 1e6;
 
-/// People who are alike.
+/// Agents of a group with the same profile.
 #[derive(Debug)]
 pub(super) struct Crowd {
     pub profile: Profile,
-    /// The state they begin in.
+    /// The first state.
     pub state: String,
     pub at: Vec<DVec2>,
 }
 
-/// All groups of a scene.
+/// Reads all groups of a scene.
 pub(super) fn all(xml: &Xml, profiles: &[Profile], notes: &mut Notes) -> Result<Vec<Crowd>, Error> {
     let mut crowds = vec![];
     for (i, node) in children(xml.document.root_element(), "AgentGroup").enumerate() {
@@ -58,7 +58,7 @@ pub(super) fn all(xml: &Xml, profiles: &[Profile], notes: &mut Notes) -> Result<
     Ok(crowds)
 }
 
-/// The profiles that a selector chooses from, with their weights; never none.
+/// Returns the profiles that a selector chooses from, with their weights. The list is not empty.
 fn choices<'p>(xml: &Xml, node: Node, profiles: &'p [Profile]) -> Result<Vec<(&'p Profile, f64)>, Error> {
     let find = |node: Node| -> Result<&'p Profile, Error> {
         let name = node.attribute("name").unwrap_or_default();
@@ -80,7 +80,7 @@ fn choices<'p>(xml: &Xml, node: Node, profiles: &'p [Profile]) -> Result<Vec<(&'
     Ok(out)
 }
 
-/// The places of a generator.
+/// Adds the places of a generator.
 fn generate(xml: &Xml, node: Node, out: &mut Vec<DVec2>, notes: &mut Notes) -> Result<(), Error> {
     if node.attribute("displace_dist").is_some() {
         notes.whole("displacements of generators by chance are left out: agents stand where the generator has them");

@@ -1,11 +1,11 @@
-//! Profiles: bodies, speeds, whom they see.
+//! Profiles: bodies, speeds, neighbour search.
 
 use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
 use crate::scene::{Avoid, Body, Group, Number, Orca, Speed};
 use roxmltree::Node;
 
-/// What the agents of a profile are like.
+/// The properties of a profile's agents.
 #[derive(Clone, Debug)]
 pub(super) struct Profile {
     pub name: String,
@@ -17,12 +17,12 @@ pub(super) struct Profile {
     neighbour_distance: f64,
     horizons: [f64; 2],
     priority: f64,
-    /// Which classes of obstacles there are for them, a bit each.
+    /// The classes of obstacles that the agents avoid, one bit each.
     pub obstacles: u64,
 }
 
 impl Default for Profile {
-    /// What Menge has where nothing is said.
+    /// Returns Menge's defaults.
     fn default() -> Self {
         let orca = Orca::default();
         Self {
@@ -40,7 +40,7 @@ impl Default for Profile {
     }
 }
 
-/// All profiles of a scene, in order: one may inherit from those before it.
+/// Reads all profiles of a scene, in order: a profile may inherit from earlier ones.
 pub(super) fn all(xml: &Xml) -> Result<Vec<Profile>, Error> {
     let mut profiles: Vec<Profile> = vec![];
     for node in children(xml.document.root_element(), "AgentProfile") {
@@ -95,7 +95,7 @@ impl Profile {
         Ok(())
     }
 
-    /// The numbers that may be drawn, with their names.
+    /// Returns the numbers that may be drawn, with their names.
     fn numbers(&mut self) -> [(&mut Number, &'static str); 4] {
         [
             (&mut self.radius, "r"),
@@ -105,7 +105,7 @@ impl Profile {
         ]
     }
 
-    /// A group of such agents.
+    /// Returns a group of agents with this profile.
     pub fn group(&self) -> Group {
         Group {
             body: Body::Radius(self.radius),

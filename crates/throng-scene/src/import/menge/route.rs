@@ -1,34 +1,34 @@
-//! Ways through the states, as journeys.
+//! Paths through the states, as journeys.
 
 use super::super::notes::Notes;
-use super::machine::{Aim, Form, Machine, Selector, State, Velocity, Way, When};
+use super::machine::{Aim, Machine, MengeRegion, Selector, State, TransitionWhen, Velocity, Way};
 use crate::geometry::DVec2;
 use crate::scene::{Goal, Number, PointGoal, PointsGoal, Stop, Weighted};
 
-/// The most ways that are followed from one state: others are left out.
+/// The maximum number of paths that are followed from a state. Others are left out.
 const MOST: usize = 64;
-/// The most states on a way.
+/// The maximum number of states of a path.
 const LONGEST: usize = 256;
-/// The most goals that are given out one by one on a way.
+/// The maximum number of goals that are listed for single agents along a path.
 const LISTED: usize = 200_000;
-/// The least distance that counts as there, metres: nobody stands on a point to the millimetre.
+/// The least distance that counts as arrival, metres: an agent does not reach a point to the millimetre.
 const NEAR: f64 = 0.1;
 
-/// Where people of a state go.
+/// What the agents of a state do.
 #[derive(Debug, Default)]
-pub(super) struct Routes {
+pub(super) struct MengeRoutes {
     pub goal: Option<Goal>,
-    /// How long they stand before they set off, seconds.
+    /// Seconds that they stand before they set off.
     pub wait: Option<Number>,
-    /// The file of the field that leads them.
+    /// The file of the field that guides them.
     pub field: Option<String>,
 }
 
-/// One way through the states.
+/// A path through the states.
 #[derive(Clone, Debug, Default)]
 struct Route {
     stops: Vec<Stop>,
-    /// The states it has been in.
+    /// The states of the path so far.
     states: Vec<String>,
     wait: Option<Number>,
     weight: f64,
@@ -36,8 +36,8 @@ struct Route {
     field: Option<String>,
 }
 
-/// Follows the ways from a state for people who start at places.
-pub(super) fn follow(machine: &Machine, state: &str, at: &[DVec2], notes: &mut Notes) -> Routes {
+/// Follows the paths from a state, for agents with the given start positions.
+pub(super) fn follow(machine: &Machine, state: &str, at: &[DVec2], notes: &mut Notes) -> MengeRoutes {
     let mut todo = vec![(state.to_owned(), Route { weight: 1.0, ..Route::default() })];
     let mut done: Vec<Route> = vec![];
     while let Some((name, mut route)) = todo.pop() {
@@ -83,22 +83,26 @@ pub(super) fn follow(machine: &Machine, state: &str, at: &[DVec2], notes: &mut N
     });
     let mut goals: Vec<Weighted> = goals.collect();
     let goal = if goals.len() > 1 { Some(Goal::Choice(goals)) } else { goals.pop().map(|only| only.goal) };
-    Routes { goal, wait, field }
+    MengeRoutes { goal, wait, field }
 }
 
-/// The way out of a state that a journey can say best.
+/// Returns the transition out of a state that a journey represents best.
 fn chosen<'m>(name: &str, state: &'m State, notes: &mut Notes) -> Option<&'m Way> {
     let rank = |way: &Way| match (&way.when, way.to.is_empty()) {
-        (_, true) | (When::Other(_), _) => 4,
-        (When::There(_), _) => 0,
-        (When::Later(_), _) => 1,
-        (When::Now, _) => 2,
-        (When::In(_), _) => 3,
+        (_, true) | (TransitionWhen::Other(_), _) => 4,
+        (TransitionWhen::There(_), _) => 0,
+        (TransitionWhen::Later(_), _) => 1,
+        (TransitionWhen::Now, _) => 2,
+        (TransitionWhen::In(_), _) => 3,
     };
     let best = state.ways.iter().enumerate().filter(|(_, way)| rank(way) < 4).min_by_key(|(i, way)| (rank(way), *i));
     for (i, way) in state.ways.iter().enumerate() {
         if best.is_none_or(|(k, _)| k != i) {
-            let why = if let When::Other(kind) = &way.when { format!(" (condition `{kind}`)") } else { String::new() };
+            let why = if let TransitionWhen::Other(kind) = &way.when {
+                format!(" (condition `{kind}`)")
+            } else {
+                String::new()
+            };
             notes.about(&format!("transition from {name} {}", way.name), format!("left out{why}"));
         }
     }
@@ -106,7 +110,7 @@ fn chosen<'m>(name: &str, state: &'m State, notes: &mut Notes) -> Option<&'m Way
 }
 
 impl Route {
-    /// Adds what people do in a state.
+    /// Adds what agents do in a state.
     fn step(
         &mut self,
         machine: &Machine,
@@ -120,17 +124,17 @@ impl Route {
             self.field.get_or_insert_with(|| file.clone());
         }
         let when = way.map(|way| &way.when);
-        if let Some(When::In(region)) = when {
+        if let Some(TransitionWhen::In(region)) = when {
             self.stops.push(Goal::Area(region.grown(0.0)).into());
             return;
         }
-        let near = if let Some(When::There(distance)) = when { distance.max(NEAR) } else { NEAR };
-        let goal = if state.velocity == Velocity::Stand || when == Some(&When::Now) {
+        let near = if let Some(TransitionWhen::There(distance)) = when { distance.max(NEAR) } else { NEAR };
+        let goal = if state.velocity == Velocity::Stand || when == Some(&TransitionWhen::Now) {
             None
         } else {
             self.goal_in(machine, name, &state.selector, near, at, notes)
         };
-        let wait = if let Some(When::Later(time)) = when { Some(*time) } else { None };
+        let wait = if let Some(TransitionWhen::Later(time)) = when { Some(*time) } else { None };
         match (goal, wait, self.stops.last_mut()) {
             (Some(goal), wait, _) => self.stops.push(Stop { goal, wait }),
             (None, Some(wait), Some(last)) if last.wait.is_none() => last.wait = Some(wait),
@@ -140,7 +144,7 @@ impl Route {
         }
     }
 
-    /// Where people go in a state; none where they stay.
+    /// Returns the goal of agents in a state; `None` if they stay.
     fn goal_in(
         &self,
         machine: &Machine,
@@ -158,7 +162,7 @@ impl Route {
             None::<Goal>
         };
         let to = |aim: &Aim| match &aim.shape {
-            Form::Point(at) => Goal::Point(PointGoal { at: at.to_array(), tolerance: near }),
+            MengeRegion::Point(at) => Goal::Point(PointGoal { at: at.to_array(), tolerance: near }),
             shape => Goal::Area(shape.grown(near)),
         };
         let points =
@@ -170,7 +174,7 @@ impl Route {
                 found.map(to).or_else(|| missing(notes))
             }
             Selector::Mirror(..) | Selector::Offset(_) if !first => {
-                notes.about(&name, "a goal by the place where one is comes first or is left out");
+                notes.about(&name, "a goal relative to the agent's position must come first: left out");
                 None
             }
             Selector::Mirror(x, y) => {
@@ -192,10 +196,10 @@ impl Route {
                 };
                 let few = set.iter().map(|aim| aim.capacity).sum::<f64>() < 1e6
                     || set.iter().any(|aim| aim.capacity < at.len() as f64);
-                let all_points = set.iter().all(|aim| matches!(aim.shape, Form::Point(_)));
+                let all_points = set.iter().all(|aim| matches!(aim.shape, MengeRegion::Point(_)));
                 let listed = at.len() * (self.stops.len() + 1) <= LISTED;
                 if all_points && (few || farthest) && listed {
-                    notes.about(&name, "who gets which of its goals is settled at the start");
+                    notes.about(&name, "each agent's goal is chosen at the start");
                     return Some(points(shared_out(set, &from, farthest)));
                 }
                 Some(Goal::Nearest(set.iter().map(to).collect()))
@@ -213,7 +217,8 @@ impl Route {
     }
 }
 
-/// The goal of each: in order, everybody takes the nearest, or the farthest, that has room; once all are full, all have room again.
+/// Returns the goal of each agent: in order, each agent takes the nearest, or the farthest, goal with free capacity.
+/// Once all goals are full, all have their capacity again.
 fn shared_out(set: &[Aim], from: &[DVec2], farthest: bool) -> Vec<DVec2> {
     let mut room: Vec<f64> = set.iter().map(|aim| aim.capacity).collect();
     let mut out = Vec::with_capacity(from.len());

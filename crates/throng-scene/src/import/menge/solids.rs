@@ -1,4 +1,4 @@
-//! What is solid, and what is ground.
+//! Obstacles and ground.
 
 use super::super::notes::Notes;
 use super::super::plan::union;
@@ -11,28 +11,29 @@ use crate::import::short;
 use crate::scene::{Area, Obstacle, Shape};
 use std::path::Path;
 
-/// The place of a project.
+/// The ground and obstacles of a project.
 #[derive(Debug, Default)]
-pub(super) struct Ground {
+pub(super) struct MengeGround {
     pub walkable: Vec<Area>,
     pub obstacles: Vec<Obstacle>,
 }
 
-/// The obstacles that somebody heeds. `heeded` has the bits of their classes, `people` are everybody's places.
+/// Reads the obstacles that at least one profile heeds. `heeded` has the bits of their classes, `people` the places of
+/// all agents.
 pub(super) fn read(
     xml: &Xml,
     folder: &Path,
     heeded: u64,
     people: &[DVec2],
     notes: &mut Notes,
-) -> Result<Ground, Error> {
-    let mut ground = Ground::default();
-    // outlines that are walked round go counter-clockwise, those that people are inside of clockwise
+) -> Result<MengeGround, Error> {
+    let mut ground = MengeGround::default();
+    // outlines that agents walk around are counter-clockwise, outlines around agents clockwise
     let mut rooms: Vec<Vec<DVec2>> = vec![];
     for node in children(xml.document.root_element(), "ObstacleSet") {
         let class = xml.number(node, "class")?.unwrap_or(1.0) as u64;
         if class & heeded == 0 {
-            notes.about(&format!("obstacles of class {class}"), "nobody heeds them: left out");
+            notes.about(&format!("obstacles of class {class}"), "no profile heeds them: left out");
             continue;
         }
         match xml.text(node, "type")? {
@@ -73,7 +74,7 @@ pub(super) fn read(
     if ground.walkable.is_empty() && people.iter().all(|p| rooms.iter().any(|room| contains(room, *p))) {
         ground.walkable = rooms.iter().map(|room| Area { outer: plain(room), holes: vec![] }).collect();
     } else {
-        // somebody is outside of them
+        // an agent is outside of them
         ground.obstacles.extend(rooms.into_iter().map(|room| wall(room, true)));
     }
     Ok(ground)

@@ -1,14 +1,14 @@
-//! Elements and attributes, with errors that name the place.
+//! Elements and attributes, with errors that have their position.
 
 use crate::error::{Error, Kind};
 use crate::import::short;
 use crate::scene::{Normal, Number};
 use roxmltree::{Document, Node, ParsingOptions};
 
-/// The most elements and texts of a file.
+/// The maximum number of elements and texts of a file.
 const MOST: u32 = 1_000_000;
 
-/// The text of a file, and what is in it.
+/// The text of a file, and its elements.
 pub(super) struct Xml<'t> {
     text: &'t str,
     pub document: Document<'t>,
@@ -16,7 +16,7 @@ pub(super) struct Xml<'t> {
 
 impl<'t> Xml<'t> {
     /// # Errors
-    /// It is no XML.
+    /// The text is not XML.
     pub fn parse(text: &'t str) -> Result<Self, Error> {
         let options = ParsingOptions { nodes_limit: MOST, ..ParsingOptions::default() };
         let document =
@@ -24,10 +24,10 @@ impl<'t> Xml<'t> {
         Ok(Self { text, document })
     }
 
-    /// The number of an attribute, if it is there.
+    /// Returns the number of an optional attribute.
     ///
     /// # Errors
-    /// It is no finite number.
+    /// It is not a finite number.
     pub fn number(&self, node: Node, name: &str) -> Result<Option<f64>, Error> {
         let Some(said) = node.attribute(name) else { return Ok(None) };
         // Menge reads `.3` and `3.`, as Rust does
@@ -38,26 +38,26 @@ impl<'t> Xml<'t> {
         })
     }
 
-    /// The number of an attribute that must be there.
+    /// Returns the number of a required attribute.
     ///
     /// # Errors
-    /// It is not there, or no finite number.
+    /// It is missing, or not a finite number.
     pub fn needed(&self, node: Node, name: &str) -> Result<f64, Error> {
         self.number(node, name)?.ok_or_else(|| self.missing(node, name))
     }
 
-    /// The text of an attribute that must be there.
+    /// Returns the text of a required attribute.
     ///
     /// # Errors
-    /// It is not there.
+    /// It is missing.
     pub fn text<'n>(&self, node: Node<'n, '_>, name: &str) -> Result<&'n str, Error> {
         node.attribute(name).ok_or_else(|| self.missing(node, name))
     }
 
-    /// The distribution that `dist` and its numbers say.
+    /// Returns the distribution that `dist` and its numbers describe.
     ///
     /// # Errors
-    /// It is of no kind that Menge has, or a number is missing or wrong.
+    /// Menge has no such distribution, or a number is missing or wrong.
     pub fn distribution(&self, node: Node) -> Result<Number, Error> {
         match self.text(node, "dist")? {
             "c" => Ok(Number::Constant(self.needed(node, "value")?)),
@@ -85,14 +85,14 @@ impl<'t> Xml<'t> {
         self.wrong(node, Kind::MissingKey, format!("<{}> has no `{name}`", node.tag_name().name()))
     }
 
-    /// An error about an element.
+    /// Returns an error about an element.
     pub fn wrong(&self, node: Node, kind: Kind, message: impl Into<String>) -> Error {
         let start = node.range().start;
         Error::new(kind, message).place(self.text, start..start + node.tag_name().name().len() + 1)
     }
 }
 
-/// The elements right inside one that are called so.
+/// Returns the child elements with a name.
 pub(super) fn children<'n, 't>(node: Node<'n, 't>, name: &'static str) -> impl Iterator<Item = Node<'n, 't>> {
     node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
 }

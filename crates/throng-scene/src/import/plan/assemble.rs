@@ -1,10 +1,10 @@
-//! From what is drawn to what a scene needs: ground, obstacles, exits, places to start from.
+//! Assembles the parts of a scene from a drawing: ground, obstacles, exits, start places.
 
 use super::super::notes::Notes;
-use super::Ground;
+use super::PlanGround;
 use super::chain::chain;
 use super::curve::{TOLERANCE, arc};
-use super::drawing::{Drawing, Form, Item};
+use super::drawing::{Drawing, Item, PlanShape};
 use super::layer::{KNOWN, Role};
 use super::overlay::{difference, parts, wall};
 use crate::error::{Error, Kind};
@@ -12,39 +12,39 @@ use crate::geometry::{DVec2, contains, points, rectangle};
 use crate::scene::{Area, Circle, Obstacle, Point, Shape};
 use std::collections::BTreeMap;
 
-/// An exit that is drawn as a line reaches so far to both sides of it, one that is a point so far round it, metres.
+/// How far an exit drawn as a line reaches to both sides of it, and one drawn as a point around it, metres.
 const REACH: f64 = 0.5;
-/// Ground that is smaller is none, m².
+/// Smaller areas of ground are dropped, m².
 const SLIVER: f64 = 1e-6;
 
-/// What a plan says.
+/// The parts of a plan.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
+pub(super) struct PlanParts {
     pub walkable: Vec<Area>,
     pub obstacles: Vec<Obstacle>,
-    /// Corners.
+    /// The corners of exits.
     pub exits: Vec<Vec<DVec2>>,
     pub starts: Vec<Start>,
     pub notes: Notes,
-    /// Why its unit is likely wrong, if it is.
+    /// Why its unit is likely to be wrong, if it is.
     pub doubt: Option<String>,
 }
 
-/// Where people start.
+/// A start place.
 #[derive(Debug)]
 pub(super) struct Start {
     pub corners: Vec<DVec2>,
-    /// How many, where the plan says so.
+    /// The number of agents, if the plan gives it.
     pub people: Option<u64>,
-    /// The radius of their bodies, where the plan says so, metres.
+    /// The radius of their bodies, if the plan gives it, metres.
     pub radius: Option<f64>,
 }
 
-impl Parts {
-    /// Sorts out what is drawn.
+impl PlanParts {
+    /// Sorts the shapes of a drawing by their roles.
     ///
     /// # Errors
-    /// Those of [`Drawing::check`]; and nothing says what it is.
+    /// Those of [`Drawing::check`]; or no layer has a known role.
     pub fn of(mut drawing: Drawing) -> Result<Self, Error> {
         drawing.check()?;
         let unknown = drawing.unknown();
@@ -56,7 +56,7 @@ impl Parts {
         if !nothing {
             for (layer, count) in &drawing.unknown() {
                 let shapes = if *count == 1 { "a shape".to_owned() } else { format!("{count} shapes") };
-                notes.about(&format!("layer `{layer}`"), format!("{shapes} that nothing says what they are: left out"));
+                notes.about(&format!("layer `{layer}`"), format!("{shapes} without a known role: left out"));
             }
         } else {
             drawing.items.iter_mut().for_each(|item| item.role = Some(Role::Walkable));
@@ -71,11 +71,11 @@ impl Parts {
         Ok(parts)
     }
 
-    /// The ground less what is solid.
+    /// Returns the ground without obstacles.
     ///
     /// # Errors
-    /// Nothing is ground.
-    pub fn ground(self) -> Result<Ground, Error> {
+    /// There is no ground.
+    pub fn ground(self) -> Result<PlanGround, Error> {
         let solids = self.obstacles.iter().flat_map(|obstacle| outlines(&obstacle.shape));
         let solids: Vec<Vec<DVec2>> = solids.collect();
         let free = if solids.is_empty() && self.walkable.len() < 2 {
@@ -89,28 +89,28 @@ impl Parts {
             let hint = self.doubt.as_deref().unwrap_or(hint);
             return Err(Error::new(Kind::Geometry, "nothing of this plan can be walked on").hint(hint));
         }
-        Ok(Ground { areas: free.iter().map(Area::walkable).collect(), notes: self.notes.lines() })
+        Ok(PlanGround { areas: free.iter().map(Area::walkable).collect(), notes: self.notes.lines() })
     }
 
     fn grounds_and_places(&mut self, items: &[Item]) {
         for item in items {
             let layer = format!("layer `{}`", item.layer);
             match (item.role, &item.form) {
-                (Some(Role::Walkable), Form::Area(outer, holes)) => {
+                (Some(Role::Walkable), PlanShape::Area(outer, holes)) => {
                     self.walkable
                         .push(Area { outer: plain(outer), holes: holes.iter().map(|hole| plain(hole)).collect() });
                 }
-                (Some(Role::Walkable), Form::Disc(center, radius)) => {
+                (Some(Role::Walkable), PlanShape::Disc(center, radius)) => {
                     self.walkable.push(Area { outer: plain(&disc(*center, *radius)), holes: vec![] });
                 }
-                (Some(Role::Walkable), _) => self.notes.about(&layer, "what is not closed is no ground: left out"),
-                (Some(Role::Exit), Form::Line(points)) => {
+                (Some(Role::Walkable), _) => self.notes.about(&layer, "open lines are no ground: left out"),
+                (Some(Role::Exit), PlanShape::Line(points)) => {
                     self.notes.about(&layer, format!("a line: an exit that reaches {REACH} m to both sides"));
                     self.exits.extend(points.windows(2).map(|ends| strip(ends[0], ends[1])));
                 }
                 (Some(Role::Exit), form) => self.exits.extend(form.region()),
-                (Some(Role::Start), Form::Line(_)) => {
-                    self.notes.about(&layer, "what is not closed is no place to start from: left out")
+                (Some(Role::Start), PlanShape::Line(_)) => {
+                    self.notes.about(&layer, "open lines are no start places: left out")
                 }
                 (Some(Role::Start), form) => {
                     let start = |corners| Start { corners, people: item.people, radius: None };
@@ -122,7 +122,7 @@ impl Parts {
     }
 
     fn solids(&mut self, items: &[Item]) {
-        // somebody is in there
+        // points that agents must reach
         let inside: Vec<DVec2> = self
             .walkable
             .iter()
@@ -141,17 +141,17 @@ impl Parts {
                 wall(&points)
             };
             let shapes = match &item.form {
-                Form::Area(outer, holes) if holes.is_empty() && holds(outer) => vec![closed(outer)],
-                Form::Area(outer, holes) if holes.is_empty() => vec![Shape::Polygon(plain(outer))],
-                Form::Area(outer, holes) => {
+                PlanShape::Area(outer, holes) if holes.is_empty() && holds(outer) => vec![closed(outer)],
+                PlanShape::Area(outer, holes) if holes.is_empty() => vec![Shape::Polygon(plain(outer))],
+                PlanShape::Area(outer, holes) => {
                     let area = Area { outer: plain(outer), holes: holes.iter().map(|hole| plain(hole)).collect() };
                     parts(area).into_iter().map(Shape::Polygon).collect()
                 }
-                Form::Line(points) => vec![wall(points)],
-                Form::Disc(center, radius) => {
+                PlanShape::Line(points) => vec![wall(points)],
+                PlanShape::Disc(center, radius) => {
                     vec![Shape::Circle(Circle { center: center.to_array(), radius: *radius })]
                 }
-                Form::Point(_) => {
+                PlanShape::Point(_) => {
                     self.notes.about(&format!("layer `{}`", item.layer), "a point is no obstacle: left out");
                     vec![]
                 }
@@ -160,7 +160,7 @@ impl Parts {
         }
     }
 
-    /// What a text says of the place to start from that it stands in: `number=20`, `radius=0.2`, as JuPedSim's drawings have it.
+    /// Reads a text inside a start place, as in JuPedSim's drawings: `number=20`, `radius=0.2`.
     fn label(&mut self, at: DVec2, text: &str) {
         let Some(start) = self.starts.iter_mut().find(|start| contains(&start.corners, at)) else { return };
         for said in text.split([';', ',', ' ', '\n']).flat_map(|part| part.split("\\P")) {
@@ -177,8 +177,8 @@ impl Parts {
     }
 }
 
-impl Form {
-    /// The ground it covers; none for lines.
+impl PlanShape {
+    /// Returns the ground it covers; none for lines.
     fn region(&self) -> Option<Vec<DVec2>> {
         match self {
             Self::Area(outer, _) => Some(outer.clone()),
@@ -189,7 +189,7 @@ impl Form {
     }
 }
 
-/// What is solid of an obstacle.
+/// Returns the outlines of the solid parts of an obstacle.
 fn outlines(shape: &Shape) -> Vec<Vec<DVec2>> {
     match shape {
         Shape::Circle(circle) => vec![disc(DVec2::from_array(circle.center), circle.radius)],
@@ -199,7 +199,7 @@ fn outlines(shape: &Shape) -> Vec<Vec<DVec2>> {
     }
 }
 
-/// A layer's name, or that it has none.
+/// Returns a layer's name in quotes, or that it has none.
 fn quoted(layer: &str) -> String {
     if layer.is_empty() { "one without a name".to_owned() } else { format!("`{layer}`") }
 }
@@ -215,22 +215,23 @@ fn nothing_known(unknown: &BTreeMap<&str, usize>) -> Error {
         .hint(format!("name layers by what is on them, with words that begin so: {KNOWN}"))
 }
 
-/// Lines of the same layer that meet, joined.
+/// Joins lines of the same layer that meet.
 fn joined(items: Vec<Item>) -> Vec<Item> {
     let mut lines: BTreeMap<(Option<Role>, String), Vec<Item>> = BTreeMap::new();
     let mut out = vec![];
     for item in items {
         match item.form {
-            Form::Line(_) => lines.entry((item.role, item.layer.clone())).or_default().push(item),
+            PlanShape::Line(_) => lines.entry((item.role, item.layer.clone())).or_default().push(item),
             _ => out.push(item),
         }
     }
     for ((role, layer), items) in lines {
         let Some(place) = items.first().map(|item| item.place) else { continue };
-        let points =
-            items.into_iter().filter_map(|item| if let Form::Line(points) = item.form { Some(points) } else { None });
+        let points = items
+            .into_iter()
+            .filter_map(|item| if let PlanShape::Line(points) = item.form { Some(points) } else { None });
         for (points, closed) in chain(points.collect()) {
-            let form = if closed { Form::Area(points, vec![]) } else { Form::Line(points) };
+            let form = if closed { PlanShape::Area(points, vec![]) } else { PlanShape::Line(points) };
             out.push(Item { role, layer: layer.clone(), form, place, people: None });
         }
     }

@@ -1,4 +1,4 @@
-//! Lines that meet end to end, joined.
+//! Joins lines that meet end to end.
 
 use crate::geometry::DVec2;
 use std::collections::BTreeMap;
@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 /// Ends that are nearer than this meet, metres.
 const MEET: f64 = 1e-3;
 
-/// Joins lines whose ends meet, where no more than two do, and says which have become closed outlines: those come without their
-/// first point at the end.
+/// Joins lines at points where exactly two ends meet. Returns each line, and whether it has become a closed outline. A
+/// closed outline does not repeat its first point.
 pub(super) fn chain(lines: Vec<Vec<DVec2>>) -> Vec<(Vec<DVec2>, bool)> {
     let key = |p: DVec2| (p / MEET).round().to_array().map(|x| x as i64);
-    // which lines end where
+    // the lines that end at each point
     let mut ends: BTreeMap<[i64; 2], Vec<usize>> = BTreeMap::new();
     for (i, line) in lines.iter().enumerate() {
         for end in [line.first(), line.last()].into_iter().flatten() {
@@ -18,7 +18,7 @@ pub(super) fn chain(lines: Vec<Vec<DVec2>>) -> Vec<(Vec<DVec2>, bool)> {
         }
     }
     let mut used = vec![false; lines.len()];
-    // the line, not used yet, that goes on from an end where only two meet
+    // the unused line that continues from an end where two lines meet
     let next = |end: DVec2, used: &[bool]| {
         let meeting = ends.get(&key(end)).filter(|meeting| meeting.len() == 2)?;
         meeting.iter().copied().find(|i| !used[*i])
@@ -29,7 +29,7 @@ pub(super) fn chain(lines: Vec<Vec<DVec2>>) -> Vec<(Vec<DVec2>, bool)> {
             continue;
         }
         let mut joined = lines[i].clone();
-        // to the end, then, the other way round, from the start
+        // first to the end, then from the start in the other direction
         for _ in 0..2 {
             while let Some(k) = joined.last().and_then(|end| next(*end, &used)) {
                 used[k] = true;
@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn lines_round_a_square_become_an_outline() {
-        // in any order, some the other way round
+        // in any order and direction
         let lines = vec![
             line(&[(0.0, 0.0), (4.0, 0.0)]),
             line(&[(0.0, 3.0), (4.0, 3.0)]),

@@ -1,19 +1,19 @@
-//! Curves as lines, within a tolerance.
+//! Approximates curves by lines, within a tolerance.
 
 use crate::geometry::DVec2;
 use std::f64::consts::TAU;
 
-/// Lines leave their curves by no more than this, metres.
+/// The default tolerance: lines deviate from their curves by no more than this, metres.
 pub(super) const TOLERANCE: f64 = 0.01;
 
-/// The most lines that stand for one curve: what a file draws larger is coarser.
+/// The maximum number of lines of a curve: very large curves are coarser.
 const MOST: f64 = 1024.0;
 
-/// A part of an ellipse with the half axes `a` and `b`, from one angle to another in steps, both ends included. The angles are
-/// radians from `a` towards `b`.
+/// Returns points of an arc of an ellipse with the half axes `a` and `b`, from one angle to another, both ends
+/// included. The angles are radians from `a` towards `b`.
 pub(super) fn arc(center: DVec2, [a, b]: [DVec2; 2], [from, to]: [f64; 2], tolerance: f64) -> Vec<DVec2> {
     let radius = a.length().max(b.length());
-    // a chord of an angle lies r (1 - cos (angle / 2)) inside the circle
+    // a chord over an angle lies r (1 - cos(angle / 2)) inside the circle
     let chord = 2.0 * libm::acos((1.0 - tolerance / radius).clamp(-1.0, 1.0));
     let lines = ((to - from).abs() / chord).ceil().clamp(8.0 * (to - from).abs() / TAU, MOST).max(1.0);
     let point = |k: u32| {
@@ -23,8 +23,8 @@ pub(super) fn arc(center: DVec2, [a, b]: [DVec2; 2], [from, to]: [f64; 2], toler
     (0..=lines.ceil() as u32).map(point).collect()
 }
 
-/// The arc between two points that leaves the line to the right by `bulge` times half its length, as DXF has it: the tangent of
-/// a quarter of the angle. Without the first point.
+/// Returns the arc between two points, without the first point. It deviates from the line to the right by `bulge` times
+/// half the line's length. As in DXF, `bulge` is the tangent of a quarter of the arc's angle.
 fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<DVec2> {
     let half = (to - from) * 0.5;
     if bulge.abs() < 1e-9 || half.length_squared() == 0.0 {
@@ -39,7 +39,7 @@ fn bulge(from: DVec2, to: DVec2, bulge: f64, tolerance: f64) -> Vec<DVec2> {
     points
 }
 
-/// Corners, with how much the line after each bulges, as points.
+/// Returns the points of a polyline of corners, each with the bulge of the line after it.
 pub(super) fn bulged(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = corners.first().map(|(at, _)| *at).into_iter().collect();
     let next = corners.iter().skip(1).chain(corners.first().filter(|_| closed));
@@ -52,9 +52,9 @@ pub(super) fn bulged(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> 
     points
 }
 
-/// A cubic Bézier curve, without its first point.
+/// Returns a cubic Bézier curve, without its first point.
 pub(super) fn cubic([a, b, c, d]: [DVec2; 4], tolerance: f64) -> Vec<DVec2> {
-    // the second derivative is at most six times the larger of the second differences
+    // the second derivative is at most six times the larger second difference
     let bend = (a - 2.0 * b + c).length().max((b - 2.0 * c + d).length());
     let lines = (0.75 * bend / tolerance).sqrt().ceil().clamp(1.0, MOST);
     let point = |k: u32| {
@@ -69,7 +69,7 @@ pub(super) fn cubic([a, b, c, d]: [DVec2; 4], tolerance: f64) -> Vec<DVec2> {
 mod tests {
     use super::*;
 
-    /// How far the middles of lines are from a circle about the origin.
+    /// Returns the greatest deviation of the lines' midpoints from a circle about the origin.
     fn off(points: &[DVec2], radius: f64) -> f64 {
         points.windows(2).map(|ends| (ends[0].midpoint(ends[1]).length() - radius).abs()).fold(0.0, f64::max)
     }
@@ -81,7 +81,7 @@ mod tests {
             let whole = arc(DVec2::ZERO, axes, [0.0, TAU], TOLERANCE);
             assert!(off(&whole, radius) <= TOLERANCE * 1.0001 && whole.len() >= 9, "{radius}: {}", off(&whole, radius));
         }
-        // far too large a circle has a bounded number of lines
+        // an excessively large circle has a bounded number of lines
         let axes = [DVec2::X * 1e12, DVec2::Y * 1e12];
         assert_eq!(arc(DVec2::ZERO, axes, [0.0, TAU], TOLERANCE).len(), 1025);
     }
@@ -99,7 +99,7 @@ mod tests {
         let k = 0.551_915_024_494;
         let quarter = [DVec2::X, DVec2::new(1.0, k), DVec2::new(k, 1.0), DVec2::Y].map(|p| p * 30.0);
         let points = cubic(quarter, TOLERANCE);
-        // the curve itself leaves the circle by 2e-4 of the radius
+        // the curve itself deviates from the circle by 2e-4 of the radius
         assert!(off(&points, 30.0) < TOLERANCE + 30.0 * 2e-4);
         assert!(points.len() < 60);
     }

@@ -1,4 +1,4 @@
-//! What is drawn in a file, of whatever kind: shapes on layers, metres, y up.
+//! The drawing in a file of any kind: shapes on layers, metres, y up.
 
 use super::super::notes::Notes;
 use super::layer::{Role, role};
@@ -7,40 +7,40 @@ use crate::geometry::{DVec2, crossing, signed_area};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// What was drawn in a file.
+/// The contents of a drawing.
 #[derive(Debug)]
 pub(super) struct Drawing {
     pub items: Vec<Item>,
-    /// Texts, and where they stand.
+    /// Texts and their positions.
     pub labels: Vec<(DVec2, String)>,
     pub notes: Notes,
-    /// Whether polygons that nothing is known of are ground.
+    /// Whether polygons without a known role are ground.
     pub plain: bool,
-    /// The length of the unit that the file was read in, metres; 1 where it has none.
+    /// The length of the unit in which the file was read, metres; 1 if it has none.
     pub unit: f64,
-    /// How many points were added.
+    /// The number of points that were added.
     points: usize,
 }
 
 /// A shape on a layer.
 #[derive(Debug)]
 pub(super) struct Item {
-    /// What it is, where that is known.
+    /// The role of the shape, if known.
     pub role: Option<Role>,
     /// The name of its layer.
     pub layer: String,
-    pub form: Form,
-    pub place: Place,
-    /// How many people start there, where the file says so.
+    pub form: PlanShape,
+    pub place: FilePosition,
+    /// The number of agents that start there, if the file gives it.
     pub people: Option<u64>,
 }
 
 /// A shape.
 #[derive(Clone, Debug)]
-pub(super) enum Form {
+pub(super) enum PlanShape {
     /// A closed outline, the first corner not repeated, and holes.
     Area(Vec<DVec2>, Vec<Vec<DVec2>>),
-    /// From point to point, not closed.
+    /// A line from point to point, not closed.
     Line(Vec<DVec2>),
     /// A disc.
     Disc(DVec2, f64),
@@ -48,18 +48,18 @@ pub(super) enum Form {
     Point(DVec2),
 }
 
-/// Where in a file.
+/// A position in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum FilePosition {
     /// A line, from 1.
     Line(usize),
-    /// A feature, from 0, as GeoJSON has them.
+    /// A feature of GeoJSON, from 0.
     Feature(usize),
     /// A polygon, from 0.
     Polygon(usize),
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePosition {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Line(line) => write!(f, "line {line}"),
@@ -69,13 +69,13 @@ impl fmt::Display for Place {
     }
 }
 
-/// Coordinates beyond this, metres, are mistakes.
+/// Greater coordinates, metres, are mistakes.
 pub(super) const FARTHEST: f64 = 1e7;
 
-/// How a unit is changed, for hints.
-pub(super) const UNIT: &str = "say how long its unit is: --plan-unit METRES, or in a scene `unit` beside the name";
+/// How to change a unit, for hints.
+pub(super) const UNIT: &str = "set the length of its unit: --plan-unit METRES, or in a scene `unit` beside the name";
 
-/// The most points of a drawing.
+/// The maximum number of points of a drawing.
 const MOST: usize = 4_000_000;
 
 impl Default for Drawing {
@@ -85,13 +85,13 @@ impl Default for Drawing {
 }
 
 impl Drawing {
-    /// An empty one in which polygons that nothing is known of are ground.
+    /// Returns an empty drawing in which polygons without a known role are ground.
     pub fn of_ground() -> Self {
         Self { plain: true, ..Self::default() }
     }
 
-    /// Adds a shape on a layer; past the most points, which is an error of [`Self::check`], none.
-    pub fn add(&mut self, layer: &str, form: Form, place: Place) {
+    /// Adds a shape on a layer. Shapes beyond the maximum number of points are dropped; [`Self::check`] reports them.
+    pub fn add(&mut self, layer: &str, form: PlanShape, place: FilePosition) {
         self.points += form.points().len();
         if self.points > MOST {
             return;
@@ -99,11 +99,11 @@ impl Drawing {
         self.items.push(Item { role: role(layer), layer: layer.to_owned(), form, place, people: None });
     }
 
-    /// That no coordinate is wrong, that there are not too many, and that no outline crosses itself. Shapes without an extent are
-    /// left out, outlines whose ends meet are closed.
+    /// Checks that coordinates are valid, that there are not too many points, and that no outline crosses itself. Drops
+    /// shapes without an extent, and closes outlines with ends that meet.
     ///
     /// # Errors
-    /// With the layer and the place.
+    /// One of these checks fails. The error has the layer and the position.
     pub fn check(&mut self) -> Result<(), Error> {
         for item in &self.items {
             let points = item.form.points();
@@ -119,11 +119,11 @@ impl Drawing {
         self.items.retain_mut(|item| item.form.tidy());
         let known = |item: &&Item| item.role.is_some() || self.plain;
         for item in self.items.iter().filter(known) {
-            let Form::Area(outer, holes) = &item.form else { continue };
+            let PlanShape::Area(outer, holes) = &item.form else { continue };
             for ring in std::iter::once(outer).chain(holes) {
                 if let Some((at, ..)) = crossing(ring) {
                     let message = format!("this outline crosses itself at ({:.3}, {:.3}) m", at.x, at.y);
-                    let hint = "draw it in order round the shape, as one would walk it";
+                    let hint = "draw it in order along the outline";
                     return Err(item.wrong(Kind::Geometry, message).hint(hint));
                 }
             }
@@ -139,7 +139,7 @@ impl Drawing {
         }
     }
 
-    /// The names of the layers that nothing is known of, with how many shapes are on each.
+    /// Returns the names of the layers without a known role, with the number of shapes on each.
     pub fn unknown(&self) -> BTreeMap<&str, usize> {
         let mut unknown = BTreeMap::new();
         for item in self.items.iter().filter(|item| item.role.is_none()) {
@@ -150,19 +150,19 @@ impl Drawing {
 }
 
 impl Item {
-    /// An error about this shape.
+    /// Returns an error about this shape.
     pub fn wrong(&self, kind: Kind, message: impl fmt::Display) -> Error {
         let layer = if self.layer.is_empty() { String::new() } else { format!("layer `{}`, ", self.layer) };
         let mut error = Error::new(kind, format!("{layer}{}: {message}", self.place));
-        if let Place::Line(line) = self.place {
+        if let FilePosition::Line(line) = self.place {
             error.at = Some((line, 1));
         }
         error
     }
 }
 
-impl Form {
-    /// A line, or the outline it is where it ends as it begins.
+impl PlanShape {
+    /// Returns a line, or an area if it is closed or its ends meet.
     pub fn of_line(mut points: Vec<DVec2>, closed: bool) -> Self {
         let ends = points.first().zip(points.last()).is_some_and(|(a, b)| points.len() > 3 && a.distance(*b) < 1e-6);
         if ends {
@@ -171,7 +171,7 @@ impl Form {
         if closed || ends { Self::Area(points, vec![]) } else { Self::Line(points) }
     }
 
-    /// Moves all points; a disc becomes as large as it is along x.
+    /// Moves all points. The new radius of a disc is its radius along x.
     pub fn each(&mut self, to: impl Fn(DVec2) -> DVec2) {
         match self {
             Self::Area(outer, holes) => outer.iter_mut().chain(holes.iter_mut().flatten()).for_each(|p| *p = to(*p)),
@@ -185,7 +185,7 @@ impl Form {
         }
     }
 
-    /// All its points; of a disc its middle and one on its rim.
+    /// Returns all points; for a disc its centre and a point on its circle.
     pub fn points(&self) -> Vec<DVec2> {
         match self {
             Self::Area(outer, holes) => outer.iter().chain(holes.iter().flatten()).copied().collect(),
@@ -195,14 +195,14 @@ impl Form {
         }
     }
 
-    /// Drops points that repeat the one before; whether anything is left.
+    /// Drops repeated points. Returns whether the shape still has an extent.
     fn tidy(&mut self) -> bool {
         let ring = |ring: &mut Vec<DVec2>| {
             ring.dedup();
             while ring.len() > 1 && ring.first() == ring.last() {
                 ring.pop();
             }
-            // one that crosses itself may have none, and is an error
+            // a ring that crosses itself may have no area: keep it, it is an error
             ring.len() > 2 && (signed_area(ring).abs() > 1e-9 || crossing(ring).is_some())
         };
         match self {

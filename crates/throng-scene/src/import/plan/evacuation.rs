@@ -1,9 +1,9 @@
-//! A plan as a scene: people where it says, or anywhere on its ground, leave by the nearest exit.
+//! A plan as a scene: agents start in the start places, or anywhere on the ground, and leave by the nearest exit.
 
 use super::super::{Imported, roomy};
-use super::Ask;
-use super::assemble::{Parts, Start};
-use crate::build::{has_room, solid_shape};
+use super::PlanOptions;
+use super::assemble::{PlanParts, Start};
+use crate::assemble::{has_room, solid_shape};
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, Solid, bounds, contains, rectangle, signed_area};
 use crate::scene::{
@@ -11,18 +11,18 @@ use crate::scene::{
 };
 use std::path::Path;
 
-/// Ground for one, where nothing says how many there are, m².
+/// Ground per agent if the plan gives no number, m².
 const EACH: f64 = 4.0;
-/// The most that is chosen so.
+/// Maximum of that number.
 const MOST: f64 = 1000.0;
-/// Up to this part of a place under bodies their places are drawn by chance.
+/// Up to this part of a place under bodies, positions are drawn at random.
 const DRAWN: f64 = 0.45;
-/// Bodies in rows are so much further apart than touching.
+/// Distance between bodies in rows, relative to contact.
 const APART: f64 = 1.01;
 /// The least distance between bodies at the start, metres.
 const GAP: f64 = 0.05;
 
-pub(super) fn scene(name: &str, mut parts: Parts, ask: &Ask) -> Result<Imported, Error> {
+pub(super) fn scene(name: &str, mut parts: PlanParts, ask: &PlanOptions) -> Result<Imported, Error> {
     let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let goal = goal(name, &mut parts, ask)?;
     if parts.walkable.is_empty() && parts.starts.is_empty() {
@@ -50,8 +50,8 @@ pub(super) fn scene(name: &str, mut parts: Parts, ask: &Ask) -> Result<Imported,
     Ok(Imported { scene, notes: parts.notes.lines() })
 }
 
-/// The nearest of the exits: the one that is asked for, else the plan's.
-fn goal(name: &str, parts: &mut Parts, ask: &Ask) -> Result<Goal, Error> {
+/// Returns the goal: the requested exit, or else the nearest of the plan's exits.
+fn goal(name: &str, parts: &mut PlanParts, ask: &PlanOptions) -> Result<Goal, Error> {
     let radius = f64::from(throng::Agent::default().radius);
     let walkable: Vec<_> = parts.walkable.iter().map(Area::walkable).collect();
     let solid = solid(parts, radius);
@@ -78,8 +78,9 @@ fn goal(name: &str, parts: &mut Parts, ask: &Ask) -> Result<Goal, Error> {
     Ok(if exits.len() == 1 { exits.remove(0) } else { Goal::Nearest(exits) })
 }
 
-/// A group for every place to start from: as many as asked for, by the sizes of places, or as the plan says, or as there is room for.
-fn starting(parts: &mut Parts, ask: &Ask, goal: &Goal) -> Vec<Group> {
+/// Returns a group for every start place: the requested number of agents, divided by the areas of the places, or the
+/// plan's number, or as many as there is room for.
+fn starting(parts: &mut PlanParts, ask: &PlanOptions, goal: &Goal) -> Vec<Group> {
     let sizes: Vec<f64> = parts.starts.iter().map(|start| signed_area(&start.corners).abs()).collect();
     let counts = match ask.people {
         Some(people) => shares(people, &sizes),
@@ -104,14 +105,14 @@ fn starting(parts: &mut Parts, ask: &Ask, goal: &Goal) -> Vec<Group> {
     groups.filter(|group| group.count.is_some_and(|count| count > 0)).collect()
 }
 
-/// How many people there are where nothing says it, with a note.
-fn chosen(parts: &mut Parts, size: f64) -> u64 {
+/// Returns the number of agents if the plan gives none, with a note.
+fn chosen(parts: &mut PlanParts, size: f64) -> u64 {
     let count = (size / EACH).clamp(1.0, MOST) as u64;
     parts.notes.whole(format!("nothing says how many people there are: {count}, one on every {EACH} m² and {MOST} at most; --people N changes it"));
     count
 }
 
-/// A number divided in proportion: the largest remainders get what is left.
+/// Divides a number in proportion to sizes. The largest remainders get the rest.
 fn shares(people: u64, sizes: &[f64]) -> Vec<u64> {
     let whole: f64 = sizes.iter().sum();
     let exact: Vec<f64> = sizes.iter().map(|size| people as f64 * size / whole).collect();
@@ -125,15 +126,15 @@ fn shares(people: u64, sizes: &[f64]) -> Vec<u64> {
     counts
 }
 
-/// What bodies up to a radius keep off.
-fn solid(parts: &Parts, radius: f64) -> Solid {
+/// Returns the solid parts for bodies up to a radius.
+fn solid(parts: &PlanParts, radius: f64) -> Solid {
     let obstacles: Vec<_> = parts.obstacles.iter().map(|obstacle| solid_shape(&obstacle.shape)).collect();
     Solid::new(&parts.walkable.iter().map(Area::walkable).collect::<Vec<_>>(), &obstacles, radius)
 }
 
-/// Where the people of a place to start from stand: drawn by chance; where there are too many for that, in rows, every row between
-/// those of the row before, some left out evenly.
-fn standing(start: &Start, count: u64, parts: &Parts) -> Place {
+/// Returns the positions of the agents of a start place: random; or, if there are too many agents for that, in
+/// staggered rows with evenly spread gaps.
+fn standing(start: &Start, count: u64, parts: &PlanParts) -> Place {
     let corners = &start.corners;
     let drawn = Place::Polygon(PolygonPlace { corners: corners.iter().map(DVec2::to_array).collect(), gap: 0.0 });
     let radius = start.radius.unwrap_or(f64::from(throng::Agent::default().radius));
@@ -158,7 +159,7 @@ fn standing(start: &Start, count: u64, parts: &Parts) -> Place {
     Place::Points(chosen.collect())
 }
 
-/// That a body of the usual size fits somewhere in an exit.
+/// Checks that a body of the default size fits somewhere in an exit.
 fn reachable(ground: &[throng::Walkable], solid: &Solid, exit: &Rectangle, radius: f64) -> Result<(), Error> {
     if has_room(solid, &rectangle(exit), radius) {
         return Ok(());

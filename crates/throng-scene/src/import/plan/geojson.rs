@@ -1,15 +1,15 @@
-//! GeoJSON (RFC 7946): features, by their properties. Own reader over `serde_json`: a plan needs the shapes of seven geometries, and
-//! errors that name the feature.
+//! GeoJSON (RFC 7946): features, by their properties. Has its own reader over `serde_json`: a plan needs the shapes of
+//! seven geometries, and errors that name the feature.
 
-use super::drawing::{Drawing, Form, Item, Place};
+use super::drawing::{Drawing, FilePosition, Item, PlanShape};
 use super::layer::role;
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, bounds};
 use serde_json::Value;
 
-/// Properties that may say what a feature is, the first that does.
+/// Properties that may define the role of a feature, in order of precedence.
 const KEYS: [&str; 6] = ["throng", "layer", "type", "kind", "indoor", "name"];
-/// Properties that say how many people start there.
+/// Properties that define the number of agents.
 const PEOPLE: [&str; 3] = ["people", "count", "number"];
 
 /// A plan narrower than this is not in metres: its coordinates are degrees.
@@ -18,10 +18,11 @@ const NARROW: f64 = 0.5;
 const HINT: &str =
     "a plan in GeoJSON is a FeatureCollection of Polygons and LineStrings with a property `layer`, such as `walls`";
 
-/// Reads the shapes of a GeoJSON text: in metres, or in degrees, which become metres about the middle; or in a unit.
+/// Reads the shapes of a GeoJSON text: in metres, in a unit, or in degrees, which are converted to metres about the
+/// centre.
 ///
 /// # Errors
-/// It is no GeoJSON; a geometry is not as it should be, with the feature.
+/// The text is not GeoJSON, or a geometry is wrong. The error has the feature.
 pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     let value: Value = serde_json::from_str(text).map_err(|error| {
         let at = (error.line().max(1), error.column().max(1));
@@ -45,7 +46,8 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
         let mut forms = vec![];
         shapes(geometry, &mut forms)
             .map_err(|what| Error::new(Kind::Geometry, format!("features[{i}]: {what}")).hint(HINT))?;
-        let item = |form| Item { role: role(layer), layer: layer.to_owned(), form, place: Place::Feature(i), people };
+        let item =
+            |form| Item { role: role(layer), layer: layer.to_owned(), form, place: FilePosition::Feature(i), people };
         drawing.items.extend(forms.into_iter().map(item));
     }
     if drawing.items.is_empty() {
@@ -55,17 +57,17 @@ pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     Ok(drawing)
 }
 
-/// The shapes of a geometry; else what is wrong with it.
-fn shapes(geometry: &Value, out: &mut Vec<Form>) -> Result<(), String> {
+/// Adds the shapes of a geometry, or returns what is wrong with it.
+fn shapes(geometry: &Value, out: &mut Vec<PlanShape>) -> Result<(), String> {
     let coordinates = &geometry["coordinates"];
     let list = |value: &Value| value.as_array().cloned().ok_or_else(|| "its coordinates are no list".to_owned());
     match geometry["type"].as_str() {
-        Some("Point") => out.push(Form::Point(point(coordinates)?)),
-        Some("MultiPoint") => out.extend(line(coordinates)?.into_iter().map(Form::Point)),
-        Some("LineString") => out.push(Form::of_line(line(coordinates)?, false)),
+        Some("Point") => out.push(PlanShape::Point(point(coordinates)?)),
+        Some("MultiPoint") => out.extend(line(coordinates)?.into_iter().map(PlanShape::Point)),
+        Some("LineString") => out.push(PlanShape::of_line(line(coordinates)?, false)),
         Some("MultiLineString") => {
             for value in list(coordinates)? {
-                out.push(Form::of_line(line(&value)?, false));
+                out.push(PlanShape::of_line(line(&value)?, false));
             }
         }
         Some("Polygon") => out.push(polygon(coordinates)?),
@@ -86,14 +88,14 @@ fn shapes(geometry: &Value, out: &mut Vec<Form>) -> Result<(), String> {
     Ok(())
 }
 
-fn polygon(value: &Value) -> Result<Form, String> {
+fn polygon(value: &Value) -> Result<PlanShape, String> {
     let rings = value.as_array().ok_or("its coordinates are no list of rings")?;
     let mut rings = rings.iter().map(line).collect::<Result<Vec<_>, _>>()?.into_iter();
     let outer = rings.next().ok_or("a polygon without a ring")?;
     if outer.len() < 4 {
         return Err(format!("a ring of {} points: it needs four or more, the last as the first", outer.len()));
     }
-    Ok(Form::Area(outer, rings.collect()))
+    Ok(PlanShape::Area(outer, rings.collect()))
 }
 
 fn line(value: &Value) -> Result<Vec<DVec2>, String> {
@@ -109,7 +111,7 @@ fn point(value: &Value) -> Result<DVec2, String> {
     })
 }
 
-/// To metres.
+/// Converts the coordinates to metres.
 fn scale(drawing: &mut Drawing, value: &Value, unit: Option<f64>) {
     let Some([low, high]) = bounds(drawing.items.iter().flat_map(|item| item.form.points())) else { return };
     let wide = (high - low).max_element();
@@ -129,8 +131,9 @@ fn scale(drawing: &mut Drawing, value: &Value, unit: Option<f64>) {
     }
 }
 
-/// How long a degree of longitude and one of latitude are at a latitude, metres: the radii of curvature of the ellipsoid WGS 84,
-/// across and along the meridian. Within a kilometre of the middle places are right to a few centimetres.
+/// Returns the lengths of a degree of longitude and of latitude at a latitude, metres: from the radii of curvature of
+/// the WGS 84 ellipsoid, across and along the meridian. Within a kilometre of the centre, positions are accurate to a
+/// few centimetres.
 fn metres_per_degree(latitude: f64) -> DVec2 {
     let (axis, flattening) = (6_378_137.0, 1.0 / 298.257_223_563);
     let e2 = flattening * (2.0 - flattening);

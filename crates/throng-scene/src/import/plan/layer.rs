@@ -1,19 +1,21 @@
-//! What is on a layer of a plan, by its name.
+//! The role of a layer of a plan, by its name.
 
-/// What is on a layer. Where a name says several, the first of these holds: the wall of an exit is an exit.
+/// The role of a layer. If a name has words of several roles, the first of these applies: the wall of an exit is an
+/// exit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Role {
-    /// Where people leave.
+    /// Agents leave here.
     Exit,
-    /// Where people are at the start.
+    /// Agents start here.
     Start,
-    /// What is solid.
+    /// An obstacle.
     Obstacle,
-    /// What can be walked on.
+    /// Walkable ground.
     Walkable,
 }
 
-/// The words that say so, by their beginnings: `wall` is in `Walls`, `A-WALL-FULL` and `outerWall`.
+/// The words of each role. A word matches the beginning of a word of a name: `wall` is in `Walls`, `A-WALL-FULL` and
+/// `outerWall`.
 const WORDS: [(Role, &[&str]); 4] = [
     (Role::Exit, &["exit", "egress", "door", "goal", "target", "destination", "sink"]),
     (
@@ -40,17 +42,18 @@ const WORDS: [(Role, &[&str]); 4] = [
     (Role::Walkable, &["walk", "floor", "flor", "area", "room", "space", "ground", "corridor", "hall"]),
 ];
 
-/// What is known by these names.
+/// The words that messages list.
 pub(crate) const KNOWN: &str = "walkable, floor, area, room, space; wall, obstacle, column, furniture; exit, door, goal; start, spawn, entrance, people";
 
-/// What a name says, if it has a word that is known.
+/// Returns the role of a name, if it has a known word.
 pub(crate) fn role(name: &str) -> Option<Role> {
     let words = words(name);
     let says = |known: &[&str]| words.iter().any(|word| known.iter().any(|known| word.starts_with(known)));
     WORDS.iter().find(|(_, known)| says(known)).map(|(role, _)| *role)
 }
 
-/// The words of a name, in small letters: what is no letter, and a capital after a small letter, begins another.
+/// Returns the words of a name in lower case. A character that is not a letter, and a capital after a small letter,
+/// start a new word.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut small = false;

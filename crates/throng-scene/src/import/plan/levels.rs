@@ -1,37 +1,37 @@
-//! The levels of a mesh: faces that one can walk from to another.
+//! The levels of a mesh: faces connected by walkable edges and steps.
 
 use super::walk::{Face, STEP, is_walkable, size};
 use crate::error::{Error, Kind};
 use std::collections::BTreeMap;
 
-/// Corners that are nearer than this are one, metres.
+/// Corners nearer than this are the same corner, metres.
 const WELD: f64 = 1e-3;
-/// A level has a number if it is at least so large, against the largest.
+/// The least size of a level with a number, relative to the largest level.
 const LARGE: f64 = 0.01;
-/// The most levels that a note lists.
+/// The maximum number of levels that a note lists.
 const LISTED: usize = 12;
 
-/// One level of a mesh, and what is not of it.
+/// A level of a mesh, and the other faces.
 pub(super) struct Levels {
-    /// The faces of the level that was chosen, steps between them included.
+    /// The faces of the chosen level, including the steps between them.
     pub level: Vec<Face>,
     pub others: Vec<Face>,
-    /// Which levels there are, if there are several.
+    /// A list of the levels, if there are several.
     pub note: Option<String>,
 }
 
-/// What is known of a level.
+/// The properties of a level.
 struct Level {
-    /// The first of its faces.
+    /// The index of its first face.
     root: usize,
-    /// m².
+    /// Area, m².
     size: f64,
-    /// The mean of its heights, metres.
+    /// Mean height, metres.
     height: f64,
 }
 
 impl Levels {
-    /// Chooses a level: by its number, from 1 for the lowest, or else the largest.
+    /// Selects a level: by its number, from 1 for the lowest, or else the largest.
     ///
     /// # Errors
     /// There is no such level.
@@ -79,7 +79,7 @@ impl Levels {
     }
 }
 
-/// The levels, with their numbers.
+/// Lists the levels with their numbers.
 fn list(levels: &[Level]) -> String {
     let one = |(i, level): (usize, &Level)| {
         let height = if level.height.abs() < 0.05 { 0.0 } else { level.height };
@@ -91,7 +91,7 @@ fn list(levels: &[Level]) -> String {
     format!("{levels} {}{more}", some.join(", "))
 }
 
-/// For every face that people can walk on or step over, the first of those that are joined with it.
+/// Returns, for every face that agents can walk on or step over, the first face connected to it.
 fn roots(faces: &[Face]) -> Vec<Option<usize>> {
     let tall = |face: &Face| {
         let [a, b, c] = face.map(|p| p.z);
@@ -117,7 +117,7 @@ fn roots(faces: &[Face]) -> Vec<Option<usize>> {
     (0..faces.len()).map(|i| belongs[i].then(|| root(&mut parent, i))).collect()
 }
 
-/// The first of those that are joined with one.
+/// Returns the first face connected to a face.
 fn root(parent: &mut [usize], mut i: usize) -> usize {
     while parent[i] != i {
         parent[i] = parent[parent[i]];

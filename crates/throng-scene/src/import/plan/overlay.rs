@@ -1,4 +1,4 @@
-//! Polygons with holes put together and taken apart.
+//! Unions, differences and outlines of polygons with holes.
 
 use crate::geometry::{DVec2, bounds, points, signed_area};
 use crate::scene::{Area, Point};
@@ -8,83 +8,83 @@ use i_overlay::float::single::SingleFloatOverlay;
 #[cfg(feature = "svg")]
 use i_overlay::mesh::float::{stroke::offset::StrokeOffset, style::StrokeStyle};
 
-type Ring = Vec<Point>;
+type OverlayRing = Vec<Point>;
 
-/// Coordinates beyond this are not worked with here.
+/// Greater coordinates are not processed here.
 pub(super) const FARTHEST: f64 = 1e9;
 
-/// Half the width of walls that have none, metres.
+/// Half the width of walls without a width, metres.
 pub(super) const THIN: f64 = 0.01;
 
-/// What lies in any of the outlines, whichever way round they go.
+/// Returns the union of outlines of any orientation.
 pub(in super::super) fn union(outlines: &[Vec<DVec2>]) -> Vec<Area> {
-    let rings: Vec<Ring> = outlines.iter().map(|outline| turned(outline)).collect();
-    areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, FillRule::NonZero))
+    let rings: Vec<OverlayRing> = outlines.iter().map(|outline| turned(outline)).collect();
+    areas(rings.overlay(&Vec::<OverlayRing>::new(), OverlayRule::Subject, FillRule::NonZero))
 }
 
-/// What lies in any of some areas and in none of some outlines.
+/// Returns the union of areas minus outlines.
 pub(super) fn difference(ground: &[Area], less: &[Vec<DVec2>]) -> Vec<Area> {
-    let mut rings: Vec<Ring> = vec![];
+    let mut rings: Vec<OverlayRing> = vec![];
     for Area { outer, holes } in ground {
         rings.push(turned(&points(outer)));
-        // the other way round: what is ground in another area stays it
+        // opposite orientation: ground of another area in the hole stays ground
         rings.extend(holes.iter().map(|hole| turned(&points(hole)).into_iter().rev().collect()));
     }
-    let less: Vec<Ring> = less.iter().map(|outline| turned(outline)).collect();
+    let less: Vec<OverlayRing> = less.iter().map(|outline| turned(outline)).collect();
     areas(rings.overlay(&less, OverlayRule::Difference, FillRule::NonZero))
 }
 
-/// What rings enclose: by the rule of even and odd, or all that they go round more often one way than the other.
+/// Returns the areas that rings enclose, by the even-odd or the non-zero rule.
 pub(super) fn enclosed(rings: &[Vec<DVec2>], even_odd: bool) -> Vec<Area> {
     let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
-    let rings: Vec<Ring> = rings.iter().map(|ring| ring.iter().map(DVec2::to_array).collect()).collect();
-    areas(rings.overlay(&Vec::<Ring>::new(), OverlayRule::Subject, rule))
+    let rings: Vec<OverlayRing> = rings.iter().map(|ring| ring.iter().map(DVec2::to_array).collect()).collect();
+    areas(rings.overlay(&Vec::<OverlayRing>::new(), OverlayRule::Subject, rule))
 }
 
-/// What a pen that follows a line paints.
+/// Returns the areas of a stroked line.
 #[cfg(feature = "svg")]
 pub(super) fn stroked(line: &[DVec2], closed: bool, style: StrokeStyle<Point>) -> Vec<Area> {
-    let line: Ring = line.iter().map(DVec2::to_array).collect();
+    let line: OverlayRing = line.iter().map(DVec2::to_array).collect();
     areas(line.stroke(style, closed))
 }
 
-/// The same ground in parts without holes: every hole is cut through.
-pub(super) fn parts(area: Area) -> Vec<Ring> {
+/// Returns the same ground in parts without holes: cuts run through the holes.
+pub(super) fn parts(area: Area) -> Vec<OverlayRing> {
     let (mut todo, mut done) = (vec![area], vec![]);
     while let Some(area) = todo.pop() {
-        let corners = |ring: &Ring| bounds(ring.iter().map(|p| DVec2::from_array(*p)));
+        let corners = |ring: &OverlayRing| bounds(ring.iter().map(|p| DVec2::from_array(*p)));
         let (Some([low, high]), Some(hole)) = (corners(&area.outer), area.holes.first().and_then(corners)) else {
             done.push(area.outer);
             continue;
         };
         let (cut, low, high) = ((hole[0].x + hole[1].x) * 0.5, low - 1.0, high + 1.0);
-        let rings: Vec<Ring> = std::iter::once(area.outer).chain(area.holes).collect();
+        let rings: Vec<OverlayRing> = std::iter::once(area.outer).chain(area.holes).collect();
         for (from, to) in [(low.x, cut), (cut, high.x)] {
-            let half: Vec<Ring> = vec![vec![[from, low.y], [to, low.y], [to, high.y], [from, high.y]]];
+            let half: Vec<OverlayRing> = vec![vec![[from, low.y], [to, low.y], [to, high.y], [from, high.y]]];
             todo.extend(areas(rings.overlay(&half, OverlayRule::Intersect, FillRule::EvenOdd)));
         }
     }
     done
 }
 
-/// The outline of a wall: what has no width gets [`THIN`] to each side.
+/// Returns the outline of a wall without a width: it extends [`THIN`] to each side.
 pub(super) fn wall(from: DVec2, to: DVec2) -> Vec<DVec2> {
     let along = (to - from).normalize_or_zero() * THIN;
     let left = along.perp();
     vec![from - along - left, to + along - left, to + along + left, from - along + left]
 }
 
-/// Counter-clockwise.
-fn turned(outline: &[DVec2]) -> Ring {
-    let mut ring: Ring = outline.iter().map(DVec2::to_array).collect();
+/// Returns the outline in counter-clockwise order.
+fn turned(outline: &[DVec2]) -> OverlayRing {
+    let mut ring: OverlayRing = outline.iter().map(DVec2::to_array).collect();
     if signed_area(outline) < 0.0 {
         ring.reverse();
     }
     ring
 }
 
-fn areas(shapes: Vec<Vec<Ring>>) -> Vec<Area> {
-    let area = |shape: Vec<Ring>| {
+fn areas(shapes: Vec<Vec<OverlayRing>>) -> Vec<Area> {
+    let area = |shape: Vec<OverlayRing>| {
         let mut rings = shape.into_iter();
         Area { outer: rings.next().unwrap_or_default(), holes: rings.collect() }
     };
@@ -112,7 +112,7 @@ mod tests {
         let framed = difference(&[ground(0.0, 4.0)], &[square(1.0, 3.0)]);
         assert_eq!((framed.len(), framed[0].holes.len()), (1, 1));
         assert!((size(&framed[0].holes[0]) - 4.0).abs() < 1e-6);
-        // a hole in one area is none where another has ground
+        // a hole of one area is filled where another area has ground
         let filled = [framed[0].clone(), ground(1.0, 2.0)];
         let filled = difference(&filled, &[square(2.0, 2.5)]);
         let whole: f64 = filled.iter().map(Area::size).sum();

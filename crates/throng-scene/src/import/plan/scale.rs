@@ -1,16 +1,16 @@
-//! Whether a plan is as large as a place for people.
+//! Checks whether a plan is large enough for people.
 
 use super::drawing::Drawing;
 use crate::geometry::DVec2;
 
-/// A plan that is smaller is none of a place for people, metres.
+/// The least size of a plan for people, metres.
 const LEAST: f64 = 1.0;
-/// How large a plan for people mostly is, metres.
+/// The usual size of a plan for people, metres.
 const USUAL: std::ops::RangeInclusive<f64> = 2.0..=100.0;
-/// Units that plans are drawn in: what they are called, and their length in metres.
+/// The units of plans: names, and lengths in metres.
 const UNITS: [(&str, f64); 3] = [("metres", 1.0), ("centimetres", 0.01), ("millimetres", 0.001)];
 
-/// What to tell of a plan that is smaller than a person has room in: its unit is likely another than the file says.
+/// Returns a message if a plan is too small for a person: its unit is likely to be wrong.
 pub(super) fn doubt(drawing: &Drawing) -> Option<String> {
     let points = drawing.items.iter().flat_map(|item| item.form.points());
     let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
@@ -29,7 +29,7 @@ pub(super) fn doubt(drawing: &Drawing) -> Option<String> {
     })
 }
 
-/// A length to a hundredth of itself.
+/// Rounds a length to three significant digits.
 fn rounded(length: f64) -> f64 {
     let step = 10.0_f64.powf(length.log10().floor() - 2.0);
     (length / step).round() * step

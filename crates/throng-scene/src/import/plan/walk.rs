@@ -1,10 +1,11 @@
-//! What of a triangle mesh can be walked on, as areas: one level of it.
+//! The walkable part of a triangle mesh: one level of it, as areas.
 //!
-//! Faces no steeper than 45° that share edges, or are joined by steps no higher than 0.4 m, are a level; one is taken, the largest
-//! where nobody says which. Where something else is between 0.4 m and 2 m above it, nobody passes.
+//! Faces no steeper than 45° that share edges, or are joined by steps no higher than 0.4 m, are a level. One level is
+//! taken: the selected one, or else the largest. Where another face is between 0.4 m and 2 m above it, agents cannot
+//! pass.
 
-use super::super::obj::{Triangles, Up, triangles};
-use super::drawing::{Drawing, FARTHEST, Form, Place, UNIT};
+use super::super::obj::{ObjUp, Triangles, triangles};
+use super::drawing::{Drawing, FARTHEST, FilePosition, PlanShape, UNIT};
 use super::levels::Levels;
 use super::overlay::{difference, union, wall};
 use crate::error::{Error, Kind};
@@ -15,19 +16,19 @@ use crate::scene::Area;
 const STEEPEST: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// The highest step, metres.
 pub(super) const STEP: f64 = 0.4;
-/// How much room people need above them, metres.
+/// The headroom that people need, metres.
 const HEADROOM: f64 = 2.0;
-/// The most triangles.
+/// The maximum number of triangles.
 const MOST: usize = 200_000;
 
 pub(super) type Face = [DVec3; 3];
 
-/// Reads what can be walked on. Which axis is up is found: the one along which more of the mesh can be.
+/// Reads the walkable part. The vertical axis is the one along which more of the mesh is walkable.
 ///
 /// # Errors
-/// Those of OBJ; there are too many triangles; nothing can be walked on; there is no such level.
+/// Those of OBJ; or there are too many triangles, no walkable face, or no such level.
 pub(super) fn read(text: &str, unit: f64, asked: Option<u64>) -> Result<Drawing, Error> {
-    let Triangles { points: corners, triangles } = triangles(text, Up::Z)?;
+    let Triangles { points: corners, triangles } = triangles(text, ObjUp::Z)?;
     if triangles.len() > MOST {
         let message = format!("this mesh has {} triangles, more than {MOST}", triangles.len());
         return Err(Error::new(Kind::OutOfRange, message).hint("export less of it, or a coarser mesh"));
@@ -76,14 +77,14 @@ pub(super) fn read(text: &str, unit: f64, asked: Option<u64>) -> Result<Drawing,
     for Area { outer, holes } in areas.into_iter().take(1) {
         drawing.add(
             "walkable",
-            Form::Area(points(&outer), holes.iter().map(|hole| points(hole)).collect()),
-            Place::Line(1),
+            PlanShape::Area(points(&outer), holes.iter().map(|hole| points(hole)).collect()),
+            FilePosition::Line(1),
         );
     }
     Ok(drawing)
 }
 
-/// Where other faces are as high above the level as bodies are.
+/// Returns the outlines of other faces that block bodies on the level.
 fn blocked(level: &[Face], others: &[Face]) -> Result<Vec<Vec<DVec2>>, Error> {
     let reach = |face: &Face| {
         let [a, b, c] = face.map(|p| p.truncate());
@@ -109,7 +110,7 @@ fn blocked(level: &[Face], others: &[Face]) -> Result<Vec<Vec<DVec2>>, Error> {
     Ok(out)
 }
 
-/// What of a face is above another as high as bodies are, in the plan.
+/// Returns the part of a face that is at the height of bodies above a floor face, projected to the horizontal plane.
 fn shadow(face: &Face, floor: &Face) -> Option<Vec<DVec2>> {
     let up = (floor[1] - floor[0]).cross(floor[2] - floor[0]);
     let above = |p: DVec3| (p - floor[0]).dot(up) / up.z;
@@ -129,7 +130,7 @@ fn shadow(face: &Face, floor: &Face) -> Option<Vec<DVec2>> {
     (from != to).then(|| wall(from, to))
 }
 
-/// What of a convex outline is where a linear function is at least 0.
+/// Returns the part of a convex outline where a linear function is at least 0.
 fn clipped(outline: &[DVec3], side: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut out = vec![];
     for (a, b) in outline.iter().zip(outline.iter().cycle().skip(1)) {
@@ -149,7 +150,7 @@ pub(super) fn is_walkable(face: &Face) -> bool {
     normal.z > STEEPEST * normal.length()
 }
 
-/// Of a face in the plan, m².
+/// Returns the area of a face in the horizontal plane, m².
 pub(super) fn size(face: &Face) -> f64 {
     signed_area(&face.map(|p| p.truncate())).abs()
 }
@@ -158,7 +159,7 @@ pub(super) fn size(face: &Face) -> f64 {
 mod tests {
     use super::*;
 
-    /// A box on a floor, y up; how high its lower side is.
+    /// Returns a box above a floor, y up; `low` is the height of its bottom.
     fn boxed(low: f64) -> String {
         let mut text = String::from("v 0 0 0\nv 10 0 0\nv 10 0 -10\nv 0 0 -10\nf 1 2 3 4\n");
         for (x, y, z) in [(4, 0, 4), (6, 0, 4), (6, 0, 6), (4, 0, 6), (4, 3, 4), (6, 3, 4), (6, 3, 6), (4, 3, 6)] {
@@ -170,14 +171,14 @@ mod tests {
 
     fn ground(text: &str) -> (f64, usize) {
         let drawing = read(text, 1.0, None).unwrap();
-        let Form::Area(outer, holes) = &drawing.items[0].form else { panic!("{drawing:?}") };
+        let PlanShape::Area(outer, holes) = &drawing.items[0].form else { panic!("{drawing:?}") };
         (signed_area(outer).abs() - holes.iter().map(|hole| signed_area(hole).abs()).sum::<f64>(), holes.len())
     }
 
     #[test]
     fn what_stands_on_the_floor_is_a_hole_in_it() {
         let (size, holes) = ground(&boxed(0.0));
-        // its walls have a width of a centimetre
+        // its walls reach out by a centimetre
         assert_eq!(holes, 1);
         assert!((size - (100.0 - 2.02 * 2.02)).abs() < 1e-3, "{size}");
     }

@@ -1,6 +1,6 @@
-//! Ways to combine behaviours, and to cure them.
+//! Combinations of behaviours, and modifiers of a behaviour.
 
-use super::{Near, Noise, Steer, Target, What, Who, parameters};
+use super::{GroupFilter, Near, Noise, ObstacleNames, Steer, Target, parameters};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -11,141 +11,141 @@ use std::fmt;
 parameters! {
     /// A part of a sum.
     Weighted {
-        /// What its force is multiplied with. Without it, 1. Limit: >= 0.
+        /// Factor of its force. Without it, 1. Limit: >= 0.
         weight: Option<f64>,
-        /// The part.
+        /// The behaviour of this part.
         of: Steer,
     }
-    /// In order, each part is asked with a probability.
+    /// Parts in order, each evaluated with a probability.
     Dithering {
-        /// How many seconds what was drawn holds; 0: it is drawn in every step. Without it, 0.1. Limit: >= 0.
+        /// Seconds for which a draw holds; 0: each step draws again. Without it, 0.1. Limit: >= 0.
         every: Option<f64>,
         /// The parts, the most important first.
         of: Vec<Probable>,
     }
-    /// A part that is asked with a probability.
+    /// A part that is evaluated with a probability.
     Probable {
-        /// How probably. Without it, 1. Limit: 0 to 1.
+        /// The probability. Without it, 1. Limit: 0 to 1.
         probability: Option<f64>,
-        /// The part.
+        /// The behaviour of this part.
         of: Steer,
     }
-    /// Forces are granted in order until there is none left.
+    /// Parts in order, each of which takes force from a budget until it is used up.
     Allocation {
-        /// How much there is, as a part of the vehicle's top force. Without it, 1. Limit: > 0 to 1.
+        /// The budget, as a part of the vehicle's greatest force. Without it, 1. Limit: > 0 to 1.
         budget: Option<f64>,
         /// The parts, the most important first.
         of: Vec<Steer>,
     }
-    /// Goes in the one direction of many that is the most interesting less its danger.
+    /// Moves in the direction with the greatest interest minus danger, of a set of directions.
     ContextSteering {
-        /// The parts: what is interesting.
+        /// The parts: their forces are the interest.
         of: Vec<Weighted>,
-        /// How many directions it weighs all round; those who fly as many again above and below. Without it, 16. Limit: 4
-        /// to 64.
+        /// Number of directions in the horizontal plane; agents that fly evaluate as many again above and below it.
+        /// Without it, 16. Limit: 4 to 64.
         directions: Option<u64>,
-        /// In how many seconds a touch is no danger yet. Without it, 2. Limit: > 0.
+        /// Seconds beyond which a collision is no danger. Without it, 2. Limit: > 0.
         horizon: Option<f64>,
-        /// Who is in the way. Without it, anybody.
-        who: Option<Who>,
-        /// What is in the way. Without it, everything.
-        what: Option<What>,
+        /// The agents that are a danger. Without it, all agents.
+        groups: Option<GroupFilter>,
+        /// The obstacles that are a danger. Without it, everything.
+        obstacles: Option<ObstacleNames>,
     }
     /// One behaviour at a time: a state machine.
     Switch {
-        /// The name of the state it begins in.
+        /// The name of the first state.
         first: String,
         /// The states, by name.
         states: BTreeMap<String, State>,
     }
     /// A state of a switch.
     State {
-        /// What is done in it.
+        /// The behaviour of the state.
         of: Steer,
-        /// When it is left, and for which state: the first whose condition holds.
+        /// The exits of the state: the agent takes the first exit with a condition that holds.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         exits: Vec<Exit>,
     }
-    /// A way out of a state.
+    /// An exit of a state.
     Exit {
-        /// The name of the state it leads to.
+        /// The name of the next state.
         to: String,
-        /// When.
+        /// The condition.
         when: Condition,
     }
     /// A target and a distance.
     Apart {
-        /// Whom or what.
+        /// The target.
         target: Target,
-        /// How far, metres. Limit: >= 0.
+        /// The distance, metres. Limit: >= 0.
         than: f64,
     }
-    /// How many are near.
+    /// A number of neighbours.
     Crowd {
-        /// Where. Without it, as far as the agent sees.
+        /// The neighbourhood. Without it, the reach of the neighbour search.
         near: Option<Near>,
-        /// How many at least.
+        /// The least number.
         least: u64,
     }
     /// Bounds of a figure of the rules.
     Counted {
         /// The name of the figure.
         of: String,
-        /// At least so much. Without it, however little.
+        /// Lower bound. Without it, none.
         at_least: Option<f64>,
-        /// At most so much. Without it, however much.
+        /// Upper bound. Without it, none.
         at_most: Option<f64>,
     }
-    /// Nothing to say.
+    /// An empty table.
     #[derive(Default)]
     Nothing {}
-    /// Asks a part only every so often, and keeps what it said in between.
+    /// Evaluates a part only at intervals, and keeps its result in between.
     Amortised {
-        /// Seconds from one time to the next. Limit: > 0.
+        /// Seconds between two evaluations. Limit: > 0.
         every: f64,
-        /// What is asked.
+        /// The part.
         of: Box<Steer>,
     }
-    /// Keeps the force of a part for a while after the part has nothing more to correct, fading.
+    /// Keeps the force of a part for some time after the part has nothing to correct, and fades it out.
     Hold {
-        /// How long, seconds. Limit: > 0.
+        /// The time, seconds. Limit: > 0.
         seconds: f64,
-        /// What is held.
+        /// The part.
         of: Box<Steer>,
     }
-    /// Lets direction and speed of what a part would like waver by noise.
+    /// Adds noise to the direction and speed of a part.
     Irregular {
-        /// The most that the direction wavers, degrees. Without it, 10. Limit: 0 to 85.
+        /// Greatest deviation of the direction, degrees. Without it, 10. Limit: 0 to 85.
         angle: Option<f64>,
-        /// The most that the speed wavers, as a part of it. Without it, 0.08. Limit: 0 to 1.
+        /// Greatest deviation of the speed, as a part of it. Without it, 0.08. Limit: 0 to 1.
         speed: Option<f64>,
-        /// How both waver.
+        /// The noise of both.
         noise: Option<Noise>,
-        /// What wavers.
+        /// The part.
         of: Box<Steer>,
     }
-    /// A part that goes no faster and pushes no harder than these.
+    /// Limits the speed and force of a part.
     Limited {
-        /// The speed that the part takes for the top speed, m/s. Without it, that of the vehicle. Limit: > 0.
+        /// The speed that the part uses as the greatest speed, m/s. Without it, that of the vehicle. Limit: > 0.
         max_speed: Option<f64>,
-        /// The most force it has, newtons. Without it, that of the vehicle. Limit: > 0.
+        /// The greatest force of the part, newtons. Without it, that of the vehicle. Limit: > 0.
         max_force: Option<f64>,
-        /// What is limited.
+        /// The part.
         of: Box<Steer>,
     }
-    /// Stops where a part would run into somebody, and waits for a moment of random length.
+    /// Stops where a part would collide with an agent, and waits for a random time.
     StopAndWait {
-        /// Whom it stops for. Without it, anybody.
-        who: Option<Who>,
-        /// It stops this many seconds before it would touch somebody. Without it, 0.3. Limit: > 0.
+        /// The agents that it stops for. Without it, all agents.
+        groups: Option<GroupFilter>,
+        /// It stops this many seconds before contact. Without it, 0.3. Limit: > 0.
         within: Option<f64>,
-        /// The least it waits, seconds. Without it, 0.2. Limit: > 0.
+        /// The least waiting time, seconds. Without it, 0.2. Limit: > 0.
         least_wait: Option<f64>,
-        /// The most it waits, seconds. Without it, 1. Limit: at least `least_wait`.
+        /// The greatest waiting time, seconds. Without it, 1. Limit: at least `least_wait`.
         most_wait: Option<f64>,
-        /// For how many seconds its way must be clear before it goes on. Without it, 0.5. Limit: >= 0.
+        /// Seconds for which its way must be clear before it continues. Without it, 0.5. Limit: >= 0.
         clear: Option<f64>,
-        /// What it would do.
+        /// The part.
         of: Box<Steer>,
     }
 }
@@ -154,49 +154,49 @@ parameters! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct WeightedSum(pub Vec<Weighted>);
 
-/// The sum of parts in order, each times its weight, up to the vehicle's top force.
+/// The sum of parts in order, each times its weight, up to the vehicle's greatest force.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RunningSum(pub Vec<Weighted>);
 
-/// The first part that has anything to correct. In files a list of parts, or `{ epsilon = 0.01, of = [ .. ] }`.
+/// The first part that has something to correct. In files a list of parts, or `{ epsilon = 0.01, of = [ .. ] }`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Priority {
-    /// A force no greater than this, newtons, is nothing to correct. Without it, 0. Limit: >= 0.
+    /// A force no greater than this, newtons, counts as nothing to correct. Without it, 0. Limit: >= 0.
     pub epsilon: Option<f64>,
     /// The parts, the most important first.
     pub of: Vec<Steer>,
 }
 
-/// Something that holds or not, for one agent in one step.
+/// A condition for one agent in one step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Condition {
-    /// A target is there, and nearer than so many metres.
+    /// A target exists, and is nearer than a distance.
     Nearer(Apart),
-    /// A target is farther than so many metres, or not there.
+    /// A target is farther than a distance, or does not exist.
     Farther(Apart),
-    /// It has been in the state for so many seconds. Limit: >= 0.
+    /// The state has lasted for this many seconds. Limit: >= 0.
     After(f64),
-    /// There are at least so many near it.
+    /// A number of neighbours is near.
     Crowded(Crowd),
     /// The behaviour of the state had nothing to correct in its last step.
     Done(Nothing),
-    /// By chance, so many times a second on average. Limit: >= 0.
+    /// At random, this many times a second on average. Limit: >= 0.
     Chance(f64),
     /// A figure of the rules is within bounds.
     Figure(Counted),
-    /// The other does not hold.
+    /// The condition does not hold.
     Not(Box<Condition>),
-    /// All hold.
+    /// All conditions hold.
     All(Vec<Condition>),
-    /// One holds at least.
+    /// At least one condition holds.
     Any(Vec<Condition>),
 }
 
-/// What `{ epsilon = .., of = [ .. ] }` says.
+/// The table `{ epsilon = .., of = [ .. ] }`.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Table {
+struct PartsTable {
     epsilon: Option<f64>,
     of: Vec<Steer>,
 }
@@ -219,7 +219,7 @@ impl<'de> Deserialize<'de> for Priority {
                 Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Priority::from)
             }
             fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Priority, A::Error> {
-                let Table { epsilon, of } = Table::deserialize(MapAccessDeserializer::new(map))?;
+                let PartsTable { epsilon, of } = PartsTable::deserialize(MapAccessDeserializer::new(map))?;
                 Ok(Priority { epsilon, of })
             }
         }
@@ -233,7 +233,7 @@ impl JsonSchema for Priority {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let list = generator.subschema_for::<Vec<Steer>>();
-        let table = generator.subschema_for::<Table>();
+        let table = generator.subschema_for::<PartsTable>();
         json_schema!({ "anyOf": [list, table] })
     }
 }

@@ -1,4 +1,4 @@
-//! A behaviour that a program has added to the scene, as files name it.
+//! A behaviour that a program has added to the scene, as files write it.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserializer, MapAccess};
@@ -13,12 +13,12 @@ use toml::Table;
 pub struct Custom {
     /// Its name in [`Behaviours`](crate::Behaviours).
     pub name: String,
-    /// What is said of its parameters; those that are left out are as the behaviour says.
+    /// The given parameters. The behaviour defines the values of the others.
     pub parameters: Table,
 }
 
 impl From<&str> for Custom {
-    /// The behaviour of this name, with nothing said of its parameters.
+    /// Returns the behaviour with this name, without parameters.
     fn from(name: &str) -> Self {
         Self { name: name.to_owned(), parameters: Table::new() }
     }
@@ -64,7 +64,7 @@ impl JsonSchema for Custom {
         "Custom".into()
     }
 
-    /// Any name: [`Plugins::schema`](crate::Plugins::schema) knows which there are.
+    /// Accepts any name: [`Plugins::schema`](crate::Plugins::schema) lists the names that exist.
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
             "description": "A behaviour that a program has added to the scene: its name, or `{ NAME = { its parameters } }`.",

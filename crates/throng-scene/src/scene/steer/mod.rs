@@ -1,7 +1,7 @@
-//! What agents steer by, as scene files say it: the behaviours of [`throng::steer`] and ways to combine them.
+//! Steering in scene files: the behaviours of [`throng::steer`] and their combinations.
 //!
-//! Each is a table of its parameters; those that can be left out are `Option`s, and have the library's defaults then.
-//! Angles are degrees, places are world coordinates, agents and groups go by their groups' names.
+//! Each behaviour is a table of its parameters. Optional parameters are `Option`s and have the library's defaults.
+//! Angles are degrees, places are world coordinates, agents and groups are referred to by group names.
 //!
 //! ```
 //! use throng_scene::Steer;
@@ -31,12 +31,12 @@ pub use position::Position;
 pub use single::*;
 pub use slip::*;
 pub use swarm::*;
-pub use target::{Member, Target, Who};
+pub use target::{GroupFilter, Member, Target};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Tables of parameters.
+/// Defines tables of parameters.
 macro_rules! parameters {
     ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $key:ident: $type:ty,)* })*) => { $(
         $(#[$meta])*
@@ -49,133 +49,133 @@ macro_rules! parameters {
 }
 pub(in crate::scene) use parameters;
 
-/// What an agent steers by: a behaviour, or several combined.
+/// What an agent steers by: a behaviour, or a combination of behaviours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Steer {
-    /// To a target at the top speed, and past it (Reynolds 1999).
+    /// Moves to a target at top speed, and past it (Reynolds 1999).
     Seek(Seek),
-    /// Straight away from a target (Reynolds 1999).
+    /// Moves straight away from a target (Reynolds 1999).
     Flee(Flee),
-    /// To a target, and to rest there (Reynolds 1999).
+    /// Moves to a target, and stops there (Reynolds 1999).
     Arrive(Arrive),
-    /// To where a quarry will be (Reynolds 1999).
+    /// Moves to the predicted position of a quarry (Reynolds 1999).
     Pursue(Pursue),
-    /// Away from where a menace will be (Reynolds 1999).
+    /// Moves away from the predicted position of a menace (Reynolds 1999).
     Evade(Evade),
-    /// Past a quarry at a distance (Reynolds 1999).
+    /// Passes a quarry at a distance (Reynolds 1999).
     OffsetPursuit(OffsetPursuit),
-    /// Up to a quarry, then as it goes (Reynolds 1999).
+    /// Approaches a quarry, then moves as it moves (Reynolds 1999).
     Shadow(Shadow),
-    /// Between two others (Reynolds 1999).
+    /// Moves between two targets (Reynolds 1999).
     Interpose(Interpose),
-    /// A place beside a leader, as wingmen have.
+    /// Keeps a place beside a leader, as wingmen do.
     KeepStation(KeepStation),
-    /// To a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
+    /// Moves to a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
     Dock(Dock),
-    /// A run-up to a leap, as gdx-ai's jump.
+    /// Runs up to a leap, as gdx-ai's jump does.
     Takeoff(Takeoff),
-    /// Strolls about (Reynolds 1999).
+    /// Wanders at random (Reynolds 1999).
     Wander(Wander),
-    /// Strolls about by noise (Reynolds 1999).
+    /// Wanders by noise (Reynolds 1999).
     FractalWander(FractalWander),
     /// Sweeps a region (Reynolds 1999).
     Explore(Explore),
-    /// Wanders until it sees what it looks for, then goes there (Reynolds 1999).
+    /// Wanders until it sees its food, then moves there (Reynolds 1999).
     Forage(Forage),
-    /// Turns to a target, and leaves it to others where to go.
+    /// Turns to a target; does not move.
     Face(Face),
-    /// Faces as somebody else does.
+    /// Turns to the orientation of another agent.
     MatchOrientation(MatchOrientation),
-    /// Turns to where it goes.
+    /// Turns to its direction of motion.
     LookWhereYouGo(LookWhereYouGo),
-    /// Away from what happened, until it is forgotten.
+    /// Moves away from events until they are forgotten.
     Fear(Fear),
     /// Turns to a direction.
     HeadFor(HeadFor),
-    /// Presses with a force that is always the same.
+    /// Applies a constant force.
     ConstantForce(ConstantForce),
-    /// Away from where all of them will be.
+    /// Moves away from the predicted positions of several agents.
     EvadeAll(EvadeAll),
-    /// Past those who defend a target.
+    /// Moves past the defenders of a target.
     SlipThrough(SlipThrough),
-    /// With a flow (Reynolds 1999).
+    /// Moves with a flow (Reynolds 1999).
     FollowFlow(FollowFlow),
-    /// Presses ahead.
+    /// Applies a force straight ahead.
     MoveForward(MoveForward),
-    /// Goes at a speed, wherever it goes.
+    /// Reaches a speed, whatever its direction.
     TargetSpeed(TargetSpeed),
-    /// Comes back when it is too far from something.
+    /// Returns when it is too far from something.
     Tether(Tether),
-    /// Away from those who are near (Reynolds 1999).
+    /// Keeps away from near neighbours (Reynolds 1999).
     Separation(Separation),
-    /// Turns to where those who are near face (Reynolds 1999).
+    /// Turns to the mean direction of near neighbours (Reynolds 1999).
     Alignment(Alignment),
-    /// To the middle of those who are near (Reynolds 1999).
+    /// Moves to the centre of near neighbours (Reynolds 1999).
     Cohesion(Cohesion),
-    /// Takes on the velocity of those who are near (Reynolds 1987).
+    /// Matches the mean velocity of near neighbours (Reynolds 1987).
     MatchVelocity(MatchVelocity),
     /// Separation, alignment and cohesion together (Reynolds 1999).
     Flocking(Flocking),
     /// The flock of 1987 (Reynolds 1987).
     Boids(Boids),
-    /// Turns aside from the first who will come too near, as OpenSteer does.
+    /// Turns aside from the first neighbour that will come too near, as OpenSteer does.
     AvoidNeighbours(AvoidNeighbours),
-    /// Turns aside from who is too close, as OpenSteer does.
+    /// Turns aside from a neighbour that is too close, as OpenSteer does.
     CloseAvoidance(CloseAvoidance),
-    /// Turns, brakes or speeds up for the first who will come too near (Reynolds 1999).
+    /// Turns, brakes or speeds up for the first neighbour that will come too near (Reynolds 1999).
     UnalignedAvoidance(UnalignedAvoidance),
-    /// Goes no faster than those right ahead (Reynolds 1999).
+    /// Moves no faster than the neighbours right ahead (Reynolds 1999).
     Queue(Queue),
-    /// Behind a leader, out of its way (Reynolds 1999).
+    /// Follows behind a leader, out of its way (Reynolds 1999).
     FollowLeader(FollowLeader),
-    /// Its own place in a formation that moves with a leader.
+    /// Keeps its place in a formation that moves with a leader.
     KeepFormation(KeepFormation),
-    /// Round what is in the way (Reynolds 1999).
+    /// Avoids obstacles in its way (Reynolds 1999).
     AvoidObstacles(AvoidObstacles),
-    /// By a map of what is solid, as OpenSteer's cars drive.
+    /// Avoids obstacles by a map of them, as OpenSteer's cars do.
     AvoidMap(AvoidMap),
-    /// Away from what its whiskers touch, as gdx-ai does.
+    /// Moves away from what its whiskers touch, as in gdx-ai.
     Whiskers(Whiskers),
-    /// On one side of a surface (Reynolds 1999).
+    /// Stays on one side of a surface (Reynolds 1999).
     Contain(Contain),
-    /// Along a path (Reynolds 1999).
+    /// Moves along a path (Reynolds 1999).
     FollowPath(FollowPath),
-    /// Back to a path that it is about to leave, as OpenSteer does.
+    /// Returns to a path that it is about to leave, as in OpenSteer.
     StayOnPath(StayOnPath),
-    /// Along a wall (Reynolds 1999).
+    /// Moves along a wall (Reynolds 1999).
     FollowWall(FollowWall),
-    /// Behind an obstacle, hidden from somebody (Reynolds 1999).
+    /// Hides from another agent behind an obstacle (Reynolds 1999).
     Hide(Hide),
-    /// Along a path with others (Reynolds 1999, "crowd path following").
+    /// Moves along a path among other agents (Reynolds 1999, "crowd path following").
     CrowdPath(CrowdPath),
-    /// Through a door with others (Reynolds 1999, "queuing").
+    /// Moves through a door among other agents (Reynolds 1999, "queuing").
     QueueAtDoor(QueueAtDoor),
-    /// By noise and what guides it, as insects (Wang et al. 2014).
+    /// Moves by noise and guides, as insects do (Wang et al. 2014).
     Swarm(Swarm),
-    /// The sum of all, each times its weight (Reynolds 1999).
+    /// The sum of all parts, each times its weight (Reynolds 1999).
     WeightedSum(WeightedSum),
-    /// The sum of the first, up to the vehicle's top force.
+    /// The sum of parts in order, up to the vehicle's greatest force.
     RunningSum(RunningSum),
-    /// The first that has anything to correct (Reynolds 1999).
+    /// The first part that has something to correct (Reynolds 1999).
     Priority(Priority),
-    /// The first that has anything to correct, of those drawn by chance (Reynolds 1999).
+    /// The first part that has something to correct, of parts drawn at random (Reynolds 1999).
     Dithering(Dithering),
-    /// What there is of force is granted to the first, then to the next (Reynolds 1987).
+    /// The force is a budget: the parts take from it in order (Reynolds 1987).
     Allocation(Allocation),
-    /// In the direction that is the most interesting less its danger (Fray 2015).
+    /// Moves in the direction with the greatest interest minus danger (Fray 2015).
     ContextSteering(ContextSteering),
-    /// One at a time: a state machine.
+    /// One behaviour at a time: a state machine.
     Switch(Switch),
-    /// Asked only every so often.
+    /// Evaluates a part only at intervals.
     Amortised(Amortised),
-    /// Kept for a while.
+    /// Keeps the force of a part for some time.
     Hold(Hold),
-    /// Wavers by noise, so that motion is not like a robot's.
+    /// Adds noise to a part, so that the motion looks less mechanical.
     Irregular(Irregular),
-    /// With a speed and a force of its own.
+    /// Limits the speed and force of a part.
     Limited(Limited),
-    /// Stops where it would run into somebody.
+    /// Stops where a part would collide with an agent.
     StopAndWait(StopAndWait),
     /// A behaviour that a program has added to the scene, by its name: see `Behaviours`.
     Custom(Custom),

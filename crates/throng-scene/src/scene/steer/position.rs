@@ -1,17 +1,17 @@
-//! Places and offsets on the ground or in space.
+//! Places and offsets, on the ground or in space.
 
-use crate::scene::{Point, Spot};
+use crate::scene::{Point, SpacePoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Metres along x and y, and up. In files `[x, y]`, or `[x, y, z]`.
+/// Metres along x, y and z (up). In files `[x, y]`, or `[x, y, z]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Position(pub Spot);
+pub struct Position(pub SpacePoint);
 
 impl From<Point> for Position {
-    /// On the ground.
+    /// Returns a position on the ground.
     fn from([x, y]: Point) -> Self {
         Self([x, y, 0.0])
     }
@@ -26,11 +26,11 @@ impl Serialize for Position {
     }
 }
 
-/// What belongs where a position can be.
+/// What a position is, for error messages.
 const EXPECTED: &str = "[x, y] or [x, y, z]";
 
 impl Position {
-    /// From a list that was begun.
+    /// Reads a position from a sequence.
     pub(super) fn visit<'de, A: de::SeqAccess<'de>>(mut seq: A) -> Result<Self, A::Error> {
         let (mut place, mut length) = ([0.0; 3], 0);
         while let Some(x) = seq.next_element::<f64>()? {

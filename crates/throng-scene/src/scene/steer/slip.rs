@@ -1,32 +1,33 @@
-//! Past others who are in the way.
+//! Moving past agents that are in the way.
 
-use super::{Target, Who, parameters};
+use super::{GroupFilter, Target, parameters};
 
 parameters! {
-    /// Goes away from where all of them will be, the more the nearer they are.
+    /// Moves away from the predicted positions of several agents; the nearer a position is, the more.
     #[derive(Default)]
     EvadeAll {
-        /// Whom. Without it, those of other groups.
-        who: Option<Who>,
-        /// How far ahead it looks: a part of the time in which it would be there itself. Without it, 0.5. Limit: >= 0.
+        /// The agents. Without it, those of other groups.
+        groups: Option<GroupFilter>,
+        /// How far ahead positions are predicted: a part of the time in which it would reach them itself. Without it,
+        /// 0.5. Limit: >= 0.
         ahead: Option<f64>,
-        /// How near another is, metres, from whom it goes away with all of the force. Without it, 4. Limit: > 0.
+        /// Distance of an agent, metres, within which it uses all of the force. Without it, 4. Limit: > 0.
         near: Option<f64>,
-        /// How much those count whom it has left behind. Without it, 0.5. Limit: 0 to 1.
+        /// Weight of agents that it has left behind. Without it, 0.5. Limit: 0 to 1.
         behind: Option<f64>,
     }
-    /// Goes to a target while the corridor there is clear, and out of the way of those who close it while it is not.
+    /// Moves to a target while the corridor to it is clear, and else away from the agents in the corridor.
     SlipThrough {
-        /// Where to.
+        /// The target.
         target: Target,
-        /// Past whom, and how it keeps away from them.
+        /// The agents it moves past, and how it evades them.
         evade: Option<EvadeAll>,
-        /// How far ahead it looks for who will be in the corridor: a part of the time in which it would be there itself.
+        /// How far ahead it predicts agents in the corridor: a part of the time in which it would reach them itself.
         /// Without it, 0.3. Limit: >= 0.
         ahead: Option<f64>,
-        /// How far the corridor reaches to either side, radii of its body. Without it, 8. Limit: > 0.
+        /// Extent of the corridor to either side, in radii of its body. Without it, 8. Limit: > 0.
         width: Option<f64>,
-        /// The most that its way leads aside from ahead, degrees. Without it, 45. Limit: > 0 to 180.
+        /// Greatest angle between its direction and straight ahead, degrees. Without it, 45. Limit: > 0 to 180.
         turn: Option<f64>,
     }
 }

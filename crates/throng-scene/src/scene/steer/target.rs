@@ -1,4 +1,4 @@
-//! Whom or what behaviours steer by.
+//! The targets of behaviours, and the agents that they take into account.
 
 use super::Position;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -7,49 +7,50 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Which others count. In files `"anybody"`, `"own"`, `"others"`, or the name of a group or a mover.
+/// The agents that a behaviour takes into account. In files `all`, `own`, `others`, or the name of a group or a
+/// mover.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Who {
-    /// Everybody.
+pub enum GroupFilter {
+    /// All agents.
     #[default]
-    Anybody,
-    /// Those of the agent's own group.
+    All,
+    /// The agents of the agent's own group.
     Own,
-    /// Those of all other groups.
+    /// The agents of all other groups.
     Others,
-    /// Those of the group of this name.
+    /// The agents of the group with this name.
     Group(String),
 }
 
-/// Whom or what a behaviour steers by. In files `[x, y]` or `[x, y, z]`, `"goal"`, `{ group = "wolves", agent = 0 }`, or
+/// The target of a behaviour. In files `[x, y]` or `[x, y, z]`, `"goal"`, `{ group = "wolves", agent = 0 }`, or
 /// `{ nearest = "others" }`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
     /// A place.
     At(Position),
-    /// Where the agent's own journey leads next.
+    /// The next goal of the agent's journey.
     Goal,
-    /// One agent, wherever it is.
+    /// An agent, wherever it is.
     Agent(Member),
     /// The nearest neighbour that counts.
-    Nearest(Who),
+    Nearest(GroupFilter),
 }
 
-/// One agent of a group, or a mover.
+/// An agent of a group, or a mover.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Member {
     /// Name of the group, or of the mover.
     pub group: String,
-    /// Which of the group, from 0.
+    /// The position of the agent in the group, from 0.
     #[serde(default)]
     pub agent: u64,
 }
 
-impl Serialize for Who {
+impl Serialize for GroupFilter {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(match self {
-            Self::Anybody => "anybody",
+            Self::All => "all",
             Self::Own => "own",
             Self::Others => "others",
             Self::Group(name) => name,
@@ -57,11 +58,12 @@ impl Serialize for Who {
     }
 }
 
-impl<'de> Deserialize<'de> for Who {
+impl<'de> Deserialize<'de> for GroupFilter {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         Ok(match text.as_str() {
-            "anybody" => Self::Anybody,
+            "all" => Self::All,
+            "anybody" => return Err(de::Error::custom("the name of all agents is `all` now")),
             "own" => Self::Own,
             "others" => Self::Others,
             _ => Self::Group(text),
@@ -69,28 +71,28 @@ impl<'de> Deserialize<'de> for Who {
     }
 }
 
-impl JsonSchema for Who {
+impl JsonSchema for GroupFilter {
     fn schema_name() -> Cow<'static, str> {
-        "Who".into()
+        "GroupFilter".into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "Which others count: \"anybody\", \"own\", \"others\", or the name of a group or a mover.",
+            "description": "The agents that count: \"all\", \"own\", \"others\", or the name of a group or a mover.",
             "type": "string"
         })
     }
 }
 
-/// What the table of a target says.
+/// The table of a target.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Table {
+struct TargetTable {
     #[serde(skip_serializing_if = "Option::is_none")]
     group: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     agent: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    nearest: Option<Who>,
+    nearest: Option<GroupFilter>,
 }
 
 impl Serialize for Target {
@@ -99,7 +101,9 @@ impl Serialize for Target {
             Self::At(place) => place.serialize(serializer),
             Self::Goal => serializer.serialize_str("goal"),
             Self::Agent(member) => member.serialize(serializer),
-            Self::Nearest(who) => Table { group: None, agent: None, nearest: Some(who.clone()) }.serialize(serializer),
+            Self::Nearest(groups) => {
+                TargetTable { group: None, agent: None, nearest: Some(groups.clone()) }.serialize(serializer)
+            }
         }
     }
 }
@@ -119,11 +123,11 @@ impl<'de> Deserialize<'de> for Target {
                 Position::visit(seq).map(Target::At)
             }
             fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Target, A::Error> {
-                match Table::deserialize(MapAccessDeserializer::new(map))? {
-                    Table { group: Some(group), agent, nearest: None } => {
+                match TargetTable::deserialize(MapAccessDeserializer::new(map))? {
+                    TargetTable { group: Some(group), agent, nearest: None } => {
                         Ok(Target::Agent(Member { group, agent: agent.unwrap_or(0) }))
                     }
-                    Table { group: None, agent: None, nearest: Some(who) } => Ok(Target::Nearest(who)),
+                    TargetTable { group: None, agent: None, nearest: Some(groups) } => Ok(Target::Nearest(groups)),
                     _ => Err(de::Error::invalid_value(de::Unexpected::Map, &self)),
                 }
             }
@@ -139,16 +143,16 @@ impl JsonSchema for Target {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let place = generator.subschema_for::<Position>();
         let member = generator.subschema_for::<Member>();
-        let who = generator.subschema_for::<Who>();
+        let groups = generator.subschema_for::<GroupFilter>();
         json_schema!({
-            "description": "Whom or what a behaviour steers by.",
+            "description": "The target of a behaviour.",
             "anyOf": [
                 place,
-                { "description": "Where the agent's own journey leads next.", "const": "goal" },
+                { "description": "The next goal of the agent's journey.", "const": "goal" },
                 member,
                 {
                     "description": "The nearest neighbour that counts.",
-                    "type": "object", "properties": { "nearest": who },
+                    "type": "object", "properties": { "nearest": groups },
                     "required": ["nearest"], "additionalProperties": false
                 }
             ]

@@ -1,4 +1,4 @@
-//! Edits of texts, their layout, and what is refused.
+//! Tests of edits, their layout, and refused edits.
 
 use super::*;
 use crate::document::number;
@@ -86,7 +86,7 @@ fn what_is_no_scene_is_refused_in_words() {
     assert!(document.text() == SCENE && !document.undo());
 }
 
-/// Every path of a text to a simple value.
+/// Collects the path of every simple value of a text.
 fn leaves(item: &Item, path: &str, found: &mut Vec<String>) {
     let further = |step: &str| if path.is_empty() { step.to_owned() } else { format!("{path}.{step}") };
     if let Some(table) = item.as_table_like() {

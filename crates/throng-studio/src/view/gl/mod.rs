@@ -1,8 +1,8 @@
-//! Layers of geometry, drawn by OpenGL 3.3 or WebGL 2.
+//! Drawing of layers with OpenGL 3.3 or WebGL 2.
 //!
-//! This is the only module of the workspace that is allowed `unsafe`: the calls of OpenGL are, since it believes what it is
-//! told about buffers. Here each buffer is written and described by one function ([`Buffer::upload`]), with the type
-//! whose fields the shader reads, so that the two agree.
+//! This is the only module of the workspace that may use `unsafe`: OpenGL trusts the buffer layouts that it is given.
+//! Each buffer is described and filled in one place ([`Buffer::upload`]), from the type with the fields that the
+//! shader reads, so that layout and content agree.
 #![allow(unsafe_code)]
 
 mod program;
@@ -17,22 +17,22 @@ use std::sync::Arc;
 use texture::Texture;
 use throng_draw::{Color, Shape, Vertex};
 
-/// How the world is seen, for the shaders.
+/// The uniforms of the shaders.
 #[derive(Clone, Copy, Debug)]
 pub struct Lighting {
-    /// Points relative to the world's origin to clip coordinates.
+    /// From points relative to the world's origin to clip coordinates.
     pub clip: Mat4,
     /// Size of the picture, pixels.
     pub size: Vec2,
-    /// Pixels of a point of the screen.
+    /// Pixels per point of the screen.
     pub unit: f32,
-    /// Pixels of a metre a metre away; from straight above, of any metre.
+    /// Pixels per metre at a distance of one metre. In a plan, pixels per metre.
     pub focal: f32,
-    /// What is nearer is not seen, metres; from straight above 0.
+    /// Distance of the near plane, metres. 0 in a plan.
     pub near: f32,
-    /// How far the clock is from the state before to the state now.
+    /// Interpolation weight between the previous and the current state.
     pub share: f32,
-    /// Whether there are shadows on the ground.
+    /// Whether shadows are drawn on the ground.
     pub shadows: bool,
     /// The colour of notches.
     pub notch: Color,
@@ -41,19 +41,19 @@ pub struct Lighting {
 /// The opacity of shadows.
 const SHADE: f32 = 0.2;
 
-/// What has been drawn with before: programs and buffers of the graphics processor.
+/// The programs and buffers of the graphics processor.
 pub struct Canvas {
     areas: Program,
     discs: Program,
     lines: Program,
     figures: Program,
     images: Program,
-    /// The corners of each shape, and how many.
+    /// The corners of each shape, and their number.
     meshes: Vec<(glow::Buffer, i32)>,
     layers: Vec<Layer>,
 }
 
-/// The buffers of a layer, and what they hold.
+/// The buffers of a layer and their content.
 struct Layer {
     of: Option<Arc<Geometry>>,
     image: Texture,
@@ -65,8 +65,10 @@ struct Layer {
 }
 
 impl Canvas {
+    /// Creates the programs and meshes.
+    ///
     /// # Errors
-    /// What the compiler of shaders says.
+    /// A shader does not compile. The message is that of the compiler.
     pub fn new(gl: &glow::Context) -> Result<Self, String> {
         Ok(Self {
             areas: Program::new(gl, include_str!("shaders/area.vert"), include_str!("shaders/area.frag"))?,
@@ -83,8 +85,7 @@ impl Canvas {
         [&self.images, &self.areas, &self.discs, &self.lines, &self.figures]
     }
 
-    /// Draws layers, the first below the others, into the current viewport. A layer that is the same as the last time is not
-    /// handed over again.
+    /// Draws layers into the current viewport, the first one below the others. Unchanged layers are not uploaded again.
     ///
     /// # Errors
     /// The graphics processor has no memory left.
@@ -92,7 +93,7 @@ impl Canvas {
         while self.layers.len() < layers.len() {
             self.layers.push(Layer::new(gl, &self.meshes)?);
         }
-        // SAFETY: calls without arguments that point anywhere.
+        // SAFETY: no argument is a pointer.
         unsafe {
             gl.enable(glow::BLEND);
             gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
@@ -107,7 +108,7 @@ impl Canvas {
             depth(gl, geometry.deep, geometry.deep);
             layer.image.draw(gl, &self.images);
             self.areas.draw(gl, &layer.areas, glow::TRIANGLES);
-            // what is smooth at its edges hides nothing
+            // antialiased edges do not write depth
             depth(gl, geometry.deep, false);
             if lighting.shadows {
                 self.discs.shadows(gl, Some(SHADE));
@@ -123,11 +124,11 @@ impl Canvas {
         Ok(())
     }
 
-    /// Gives everything back.
+    /// Deletes all programs and buffers.
     pub fn destroy(&self, gl: &glow::Context) {
         self.programs().into_iter().for_each(|program| program.destroy(gl));
         for &(mesh, _) in &self.meshes {
-            // SAFETY: it is of this context and not used again.
+            // SAFETY: the buffer belongs to this context and is not used again.
             unsafe { gl.delete_buffer(mesh) }
         }
         let plain = self.layers.iter().flat_map(|layer| [&layer.areas, &layer.discs, &layer.lines]);
@@ -136,9 +137,9 @@ impl Canvas {
     }
 }
 
-/// Whether what is drawn next is hidden by what is nearer, and whether it hides what is farther.
+/// Sets whether the next items are hidden by nearer ones, and whether they hide farther ones.
 fn depth(gl: &glow::Context, hidden: bool, hides: bool) {
-    // SAFETY: calls without arguments that point anywhere.
+    // SAFETY: no argument is a pointer.
     unsafe {
         if hidden {
             gl.enable(glow::DEPTH_TEST);
@@ -149,7 +150,7 @@ fn depth(gl: &glow::Context, hidden: bool, hides: bool) {
     }
 }
 
-/// Hands over the corners of a shape.
+/// Uploads the corners of a shape.
 fn mesh(gl: &glow::Context, corners: &[Vertex]) -> Result<(glow::Buffer, i32), String> {
     let fields: Vec<[Vec3; 3]> = corners.iter().map(|vertex| [vertex.corner, vertex.normal, vertex.joint]).collect();
     // SAFETY: the bytes are copied during the call.
@@ -221,32 +222,33 @@ impl Layer {
     }
 }
 
-/// Some items of one kind.
+/// A buffer of items of one type.
 struct Buffer {
     array: glow::VertexArray,
     buffer: glow::Buffer,
-    /// Bytes of an item.
+    /// Bytes per item.
     stride: usize,
-    /// How many corners an item has that is drawn once for all of them; `None`: each item is a corner.
+    /// The number of corners of an instanced item. `None` if each item is a corner.
     corners: Option<i32>,
     count: i32,
 }
 
 impl Buffer {
-    /// A buffer for items with these fields.
+    /// Creates a buffer for items with these fields.
     fn new(gl: &glow::Context, fields: &[(&str, Attribute)], corners: Option<i32>) -> Result<Self, String> {
         let stride = fields.iter().map(|(_, field)| field.bytes()).sum();
-        // SAFETY: calls without arguments that point anywhere.
+        // SAFETY: no argument is a pointer.
         let (array, buffer) = unsafe { (gl.create_vertex_array()?, gl.create_buffer()?) };
         let new = Self { array, buffer, stride, corners, count: 0 };
         new.read(gl, buffer, fields, u32::from(corners.is_some()));
         Ok(new)
     }
 
-    /// Lets shaders read fields, one after the other, from a buffer; `each` 1: once an item, 0: once a corner.
+    /// Describes consecutive fields of a buffer to the shaders. `each` is 1 for fields per item, 0 for fields per
+    /// corner.
     fn read(&self, gl: &glow::Context, buffer: glow::Buffer, fields: &[(&str, Attribute)], each: u32) {
         let stride: usize = fields.iter().map(|(_, field)| field.bytes()).sum();
-        // SAFETY: what is described are the fields of the items that are written to the buffer.
+        // SAFETY: the described fields are those of the items in the buffer.
         unsafe {
             gl.bind_vertex_array(Some(self.array));
             gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer));
@@ -264,7 +266,7 @@ impl Buffer {
     }
 
     fn destroy(&self, gl: &glow::Context) {
-        // SAFETY: both are of this context and not used again.
+        // SAFETY: both belong to this context and are not used again.
         unsafe {
             gl.delete_vertex_array(self.array);
             gl.delete_buffer(self.buffer);

@@ -1,9 +1,9 @@
-//! A program of shaders and what it is told.
+//! Shader programs, their attributes and uniforms.
 
 use super::{Buffer, Lighting};
 use eframe::glow::{self, HasContext};
 
-/// The names of the fields that shaders read, by place; no shader has two at one.
+/// The names of the attributes by location. No shader uses two names of one location.
 const ATTRIBUTES: [(u32, &str); 15] = [
     (0, "at"),
     (0, "before"),
@@ -22,7 +22,7 @@ const ATTRIBUTES: [(u32, &str); 15] = [
     (9, "joint"),
 ];
 
-/// The place of a field.
+/// Returns the location of an attribute.
 pub(super) fn place(name: &str) -> u32 {
     ATTRIBUTES.iter().find(|(_, known)| *known == name).map_or(0, |(place, _)| *place)
 }
@@ -30,7 +30,7 @@ pub(super) fn place(name: &str) -> u32 {
 /// A field of the items of a buffer.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Attribute {
-    /// So many numbers.
+    /// This number of floats.
     Floats(i32),
     /// Four bytes.
     Colour,
@@ -44,7 +44,7 @@ impl Attribute {
         }
     }
 
-    /// How many, of what, and whether they stand for 0 to 1.
+    /// Returns the number of components, their type, and whether they are normalised to 0 to 1.
     pub fn layout(self) -> (i32, u32, bool) {
         match self {
             Self::Floats(count) => (count, glow::FLOAT, false),
@@ -53,7 +53,7 @@ impl Attribute {
     }
 }
 
-/// Shaders that work together.
+/// A linked program of a vertex and a fragment shader.
 pub(super) struct Program {
     program: glow::Program,
 }
@@ -62,7 +62,7 @@ const COMMON: &str = include_str!("shaders/common.glsl");
 
 impl Program {
     pub fn new(gl: &glow::Context, vertex: &str, fragment: &str) -> Result<Self, String> {
-        // SAFETY: shaders and program are of this context; what they are made of is checked by it.
+        // SAFETY: the shaders and the program belong to this context, which checks their sources.
         unsafe {
             let header =
                 if gl.version().is_embedded { "#version 300 es\nprecision highp float;\n" } else { "#version 330\n" };
@@ -92,9 +92,9 @@ impl Program {
         }
     }
 
-    /// How the world is seen.
+    /// Sets the uniforms of the view.
     pub fn light(&self, gl: &glow::Context, lighting: &Lighting) {
-        // SAFETY: a uniform that the program does not have has no place, and is left alone.
+        // SAFETY: a uniform that the program lacks has no location, and setting it has no effect.
         unsafe {
             gl.use_program(Some(self.program));
             let at = |name| gl.get_uniform_location(self.program, name);
@@ -111,7 +111,7 @@ impl Program {
         }
     }
 
-    /// Whether shadows of this opacity are drawn in place of bodies.
+    /// Draws shadows of this opacity instead of bodies, or bodies if `None`.
     pub fn shadows(&self, gl: &glow::Context, opacity: Option<f32>) {
         // SAFETY: as in `light`.
         unsafe {
@@ -122,12 +122,12 @@ impl Program {
         }
     }
 
-    /// Draws all items of a buffer: each a quad, or every three a triangle.
+    /// Draws all items of a buffer, as instances or as triangles of three items.
     pub fn draw(&self, gl: &glow::Context, buffer: &Buffer, mode: u32) {
         if buffer.count == 0 {
             return;
         }
-        // SAFETY: the buffer has so many items, of the fields that the program reads.
+        // SAFETY: the buffer holds `count` items with the fields that the program reads.
         unsafe {
             gl.use_program(Some(self.program));
             gl.bind_vertex_array(Some(buffer.array));
@@ -140,7 +140,7 @@ impl Program {
     }
 
     pub fn destroy(&self, gl: &glow::Context) {
-        // SAFETY: it is of this context and not used again.
+        // SAFETY: the program belongs to this context and is not used again.
         unsafe { gl.delete_program(self.program) }
     }
 }

@@ -1,10 +1,10 @@
-//! A picture that the graphics processor holds.
+//! A picture in the memory of the graphics processor.
 
-use super::super::geometry::{Picture, Tile};
+use super::super::geometry::{GroundPicture, Tile};
 use super::{Attribute, Buffer, Program};
 use eframe::glow::{self, HasContext};
 
-/// A picture, and where it lies.
+/// A texture and its position on the ground.
 pub(super) struct Texture {
     texture: glow::Texture,
     tiles: Buffer,
@@ -13,7 +13,7 @@ pub(super) struct Texture {
 impl Texture {
     pub fn new(gl: &glow::Context) -> Result<Self, String> {
         let tiles = Buffer::new(gl, &[("from", Attribute::Floats(3)), ("to", Attribute::Floats(3))], Some(4))?;
-        // SAFETY: calls without arguments that point anywhere.
+        // SAFETY: no argument is a pointer.
         unsafe {
             let texture = gl.create_texture()?;
             gl.bind_texture(glow::TEXTURE_2D, Some(texture));
@@ -29,15 +29,15 @@ impl Texture {
         }
     }
 
-    /// Takes another picture, or none. One that has not the pixels that it says is none.
-    pub fn upload(&mut self, gl: &glow::Context, picture: Option<&Picture>) {
+    /// Uploads another picture, or none. A picture is ignored if its size does not match its pixels.
+    pub fn upload(&mut self, gl: &glow::Context, picture: Option<&GroundPicture>) {
         let picture = picture.filter(|picture| picture.pixels.len() == picture.size[0] * picture.size[1]);
         let tile: Option<Tile> = picture.map(|picture| picture.tile);
         self.tiles.upload(gl, tile.as_slice());
-        let Some(Picture { size: [width, height], pixels, .. }) = picture else { return };
+        let Some(GroundPicture { size: [width, height], pixels, .. }) = picture else { return };
         let bytes = glow::PixelUnpackData::Slice(Some(bytemuck::cast_slice(pixels)));
         let (kind, format) = (glow::UNSIGNED_BYTE, glow::RGBA);
-        // SAFETY: there are as many bytes as the size says, which are copied during the call.
+        // SAFETY: the number of bytes matches the size, and the bytes are copied during the call.
         unsafe {
             gl.bind_texture(glow::TEXTURE_2D, Some(self.texture));
             let size = (*width as i32, *height as i32);
@@ -46,7 +46,7 @@ impl Texture {
     }
 
     pub fn draw(&self, gl: &glow::Context, program: &Program) {
-        // SAFETY: it is of this context; the program reads the first texture.
+        // SAFETY: the texture belongs to this context, and the program reads texture unit 0.
         unsafe {
             gl.active_texture(glow::TEXTURE0);
             gl.bind_texture(glow::TEXTURE_2D, Some(self.texture));
@@ -56,7 +56,7 @@ impl Texture {
 
     pub fn destroy(&self, gl: &glow::Context) {
         self.tiles.destroy(gl);
-        // SAFETY: it is of this context and not used again.
+        // SAFETY: the texture belongs to this context and is not used again.
         unsafe { gl.delete_texture(self.texture) }
     }
 }

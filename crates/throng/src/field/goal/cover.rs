@@ -1,12 +1,12 @@
-//! Which cells are covered by what is solid.
+//! The cells that obstacles cover.
 
-use super::super::eikonal::Lattice;
+use super::super::eikonal::NodeLattice;
 use crate::space::{Obstacle, Place};
 use glam::DVec2;
 
-/// Cells whose middles are not on the free ground of a place: rows of them are gone over from `first`, the middle of the first, on. The
-/// same that [`Place::blocked`] says, give or take thin walls.
-pub(super) fn solid(place: &Place, first: DVec2, lattice: &Lattice<2>) -> Vec<bool> {
+/// Returns, row by row, whether the centre of each cell is outside the free ground of a place. `first` is the centre of
+/// the first cell. The result agrees with [`Place::blocked`] except at thin walls.
+pub(super) fn solid(place: &Place, first: DVec2, lattice: &NodeLattice<2>) -> Vec<bool> {
     let mut solid = vec![!place.areas.is_empty(); lattice.len()];
     let mut ground = vec![false; lattice.len()];
     for area in &place.areas {
@@ -23,15 +23,15 @@ pub(super) fn solid(place: &Place, first: DVec2, lattice: &Lattice<2>) -> Vec<bo
             Obstacle::Circle { center, radius } => {
                 disc((*center, *radius), (first, lattice), |cell| solid[cell] = true)
             }
-            // without width
+            // a wall has no width
             Obstacle::Wall { .. } => {}
         }
     }
     solid
 }
 
-/// Calls `inside` with every cell whose middle is in a disc.
-pub(super) fn disc((center, radius): (DVec2, f64), ground: (DVec2, &Lattice<2>), mut inside: impl FnMut(usize)) {
+/// Calls `inside` with every cell that has its centre in a disc.
+pub(super) fn disc((center, radius): (DVec2, f64), ground: (DVec2, &NodeLattice<2>), mut inside: impl FnMut(usize)) {
     for row in rows(ground, center.y - radius, center.y + radius) {
         let away = ground.0.y + row as f64 * ground.1.cell - center.y;
         let half = (radius * radius - away * away).max(0.0).sqrt();
@@ -39,8 +39,9 @@ pub(super) fn disc((center, radius): (DVec2, f64), ground: (DVec2, &Lattice<2>),
     }
 }
 
-/// Calls `inside` with every cell whose middle is in a polygon, by the even-odd rule: row by row, between the edges that cross it.
-pub(super) fn fill(corners: &[DVec2], ground: (DVec2, &Lattice<2>), mut inside: impl FnMut(usize)) {
+/// Calls `inside` with every cell that has its centre in a polygon, by the even-odd rule: row by row, between the edges
+/// that cross the row.
+pub(super) fn fill(corners: &[DVec2], ground: (DVec2, &NodeLattice<2>), mut inside: impl FnMut(usize)) {
     let least = corners.iter().map(|corner| corner.y).fold(f64::INFINITY, f64::min);
     let greatest = corners.iter().map(|corner| corner.y).fold(f64::NEG_INFINITY, f64::max);
     let rows = rows(ground, least, greatest);
@@ -62,27 +63,32 @@ pub(super) fn fill(corners: &[DVec2], ground: (DVec2, &Lattice<2>), mut inside: 
     }
 }
 
-/// The rows of cells with middles between two heights, or one more.
-fn rows((first, lattice): (DVec2, &Lattice<2>), from: f64, to: f64) -> std::ops::Range<usize> {
+/// Returns the rows of cells with centres between two heights, and possibly one more.
+fn rows((first, lattice): (DVec2, &NodeLattice<2>), from: f64, to: f64) -> std::ops::Range<usize> {
     let row = |y: f64| (y - first.y) / lattice.cell;
     // `as` saturates
     row(from).floor().max(0.0) as usize..((row(to).ceil() + 1.0).max(0.0) as usize).min(lattice.counts[1])
 }
 
-/// Calls `inside` with the cells of a row whose middles are between two places along x.
-fn span((first, lattice): (DVec2, &Lattice<2>), row: usize, (from, to): (f64, f64), inside: &mut impl FnMut(usize)) {
+/// Calls `inside` with the cells of a row that have their centres between two places along x.
+fn span(
+    (first, lattice): (DVec2, &NodeLattice<2>),
+    row: usize,
+    (from, to): (f64, f64),
+    inside: &mut impl FnMut(usize),
+) {
     let column = |x: f64| ((x - first.x) / lattice.cell).ceil().max(0.0) as usize;
     for column in column(from)..column(to).min(lattice.counts[0]) {
         inside(row * lattice.counts[0] + column);
     }
 }
 
-/// The sides between solid cells and others, as walls: one for those that go on straight.
-pub(super) fn outlines(low: DVec2, lattice: &Lattice<2>, solid: &[bool]) -> Vec<Obstacle> {
+/// Returns the sides between solid and free cells as walls. Sides in a straight line make one wall.
+pub(super) fn outlines(low: DVec2, lattice: &NodeLattice<2>, solid: &[bool]) -> Vec<Obstacle> {
     let [columns, rows] = lattice.counts;
     let corner = |column: usize, row: usize| low + DVec2::new(column as f64, row as f64) * lattice.cell;
     let mut walls = Vec::new();
-    // between a row and the next, then between a column and the next
+    // first the sides between rows, then the sides between columns
     let mut straight =
         |lines: usize, length: usize, ends: &dyn Fn(usize, usize) -> DVec2, parts: &dyn Fn(usize, usize) -> bool| {
             for line in 1..lines {
@@ -109,8 +115,8 @@ pub(super) fn outlines(low: DVec2, lattice: &Lattice<2>, solid: &[bool]) -> Vec<
     walls
 }
 
-/// Calls `inside` with every cell whose middle is in a box.
-pub(super) fn within((low, high): (DVec2, DVec2), ground: (DVec2, &Lattice<2>), mut inside: impl FnMut(usize)) {
+/// Calls `inside` with every cell that has its centre in a box.
+pub(super) fn within((low, high): (DVec2, DVec2), ground: (DVec2, &NodeLattice<2>), mut inside: impl FnMut(usize)) {
     for row in rows(ground, low.y, high.y) {
         span(ground, row, (low.x, high.x), &mut inside);
     }

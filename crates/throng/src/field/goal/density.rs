@@ -1,18 +1,18 @@
-//! How crowded the cells of a terrain are.
+//! The density of agents in the cells of a terrain.
 
 use super::terrain::Terrain;
 use crate::Error;
 use glam::{DVec2, Vec2};
 
-/// Parts of a person that are counted: whole numbers, so that the sum is the same in whatever order people come.
+/// Units of an agent that are counted: whole numbers, so that the sum does not depend on the order of the agents.
 const PARTS: f64 = (1 << 20) as f64;
 
-/// People a square metre in every cell of a terrain, row by row.
+/// The density in every cell of a terrain, agents a square metre, row by row.
 ///
 /// ```
 /// use glam::{DVec2, Vec2};
-/// use throng::field::{Density, Survey, Terrain};
-/// let ground = Terrain::of(|_| false, Survey { high: DVec2::splat(20.0), ..Survey::default() })?;
+/// use throng::field::{Density, TerrainSettings, Terrain};
+/// let ground = Terrain::of(|_| false, TerrainSettings { high: DVec2::splat(20.0), ..TerrainSettings::default() })?;
 /// let people = (0..400).map(|k| Vec2::new((k % 20) as f32 + 0.5, (k / 20) as f32 + 0.5));
 /// let mut density = Density::empty(&ground);
 /// let now = Density::of(&ground, people, 2.0)?;
@@ -26,14 +26,14 @@ const PARTS: f64 = (1 << 20) as f64;
 pub struct Density(Vec<f32>);
 
 impl Density {
-    /// Nobody anywhere.
+    /// Returns a density of zero everywhere.
     pub fn empty(terrain: &Terrain) -> Self {
         Self(vec![0.0; terrain.cost().len()])
     }
 
-    /// That of people at some places, metres from the world's origin. Everybody counts as much as one, spread over the cells within
-    /// `radius` metres that are not solid, by a kernel `(1 - (d / radius)^2)^2`. Who is off the terrain does not count. The order of
-    /// people does not matter.
+    /// Returns the density of agents at these positions, metres from the world's origin. Each agent counts 1, spread
+    /// over the cells within `radius` metres that are not solid, by the kernel `(1 - (d / radius)^2)^2`. Agents off the
+    /// terrain do not count. The order of the agents does not matter.
     ///
     /// # Errors
     /// A radius that is not greater than 0 and finite.
@@ -56,7 +56,7 @@ impl Density {
             for &(cell, part) in &kernel {
                 parts[cell] += (part / sum * PARTS) as u64;
             }
-            // narrower than the cells
+            // the kernel is narrower than the cells
             if kernel.is_empty() {
                 parts[own] += PARTS as u64;
             }
@@ -66,27 +66,27 @@ impl Density {
         Ok(Self(parts.into_iter().map(density).collect()))
     }
 
-    /// Comes nearer to another by a part of the way, 0 to 1: what changes within moments is smoothed.
+    /// Moves this density towards another by a part (0 to 1) of the difference: short-lived changes are smoothed.
     ///
     /// # Panics
-    /// Never; cells that the other lacks stay as they are.
+    /// Never. Cells that `now` lacks keep their values.
     pub fn follow(&mut self, now: &Self, part: f32) {
         now.lead(&mut self.0, part);
     }
 
-    /// Brings other cells nearer to these, as [`follow`](Self::follow) does.
+    /// Moves the values of other cells towards these, as [`follow`](Self::follow) does.
     pub(in crate::field) fn lead(&self, cells: &mut [f32], part: f32) {
         cells.iter_mut().zip(&self.0).for_each(|(old, now)| *old += (now - *old) * part);
     }
 
-    /// People a square metre, one a cell.
+    /// Returns the density of each cell, agents a square metre.
     pub fn cells(&self) -> &[f32] {
         &self.0
     }
 }
 
 impl Terrain {
-    /// Calls `inside` with the cells whose middles are in a box.
+    /// Calls `inside` with the cells that have their centres in a box.
     fn within(&self, corners: (DVec2, DVec2), inside: impl FnMut(usize)) {
         super::cover::within(corners, (self.low + 0.5 * self.cell(), &self.lattice), inside);
     }

@@ -1,4 +1,4 @@
-//! What a flow leads to.
+//! The goals of a flow.
 
 use super::cover;
 use super::terrain::{TOUCH, Terrain};
@@ -6,31 +6,32 @@ use crate::Error;
 use crate::space::{check_polygon, is_inside, nearest_on_outline};
 use glam::DVec2;
 
-/// What a flow leads to. Metres, from the world's origin.
+/// A goal of a flow. Metres, from the world's origin.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Destination {
-    /// A point: who comes near slows down, and stops there.
+    /// A point: the flow slows down close to it and stops there.
     Point {
-        /// Where.
+        /// Position of the point.
         at: DVec2,
-        /// Distance that counts as there. Limit: >= 0.
+        /// Distance within which the point counts as reached. Limit: >= 0.
         tolerance: f64,
     },
-    /// A disc, entered anywhere.
+    /// A disc. It counts as reached wherever it is entered.
     Disc {
         /// Its centre.
         center: DVec2,
         /// Its radius. Limit: > 0.
         radius: f64,
     },
-    /// An area, entered anywhere.
+    /// An area. It counts as reached wherever it is entered.
     Area {
-        /// The corners of a simple polygon, either way round.
+        /// The corners of a simple polygon, in either orientation.
         corners: Vec<DVec2>,
     },
 }
 
-/// Cells from a goal within which a front starts at its exact distance: nearer, it is too round for the differences.
+/// Distance from a goal, in cells, within which a front starts at its exact distance: there its curvature is too high
+/// for the differences.
 const BAND: f64 = 5.0;
 
 impl Destination {
@@ -50,7 +51,7 @@ impl Destination {
         }
     }
 
-    /// The point of it that is nearest to another; that one itself if it is in it.
+    /// Returns the point of the goal that is nearest to `p`; `p` itself if it is in the goal.
     pub(super) fn nearest(&self, p: DVec2) -> DVec2 {
         match self {
             Self::Point { at, .. } => *at,
@@ -60,7 +61,7 @@ impl Destination {
         }
     }
 
-    /// A place in or at it, for messages.
+    /// Returns a place in or at the goal, for messages.
     pub(super) fn place(&self) -> DVec2 {
         match self {
             Self::Point { at, .. } => *at,
@@ -69,7 +70,7 @@ impl Destination {
         }
     }
 
-    /// The box round it.
+    /// Returns the bounding box of the goal.
     fn bounds(&self) -> (DVec2, DVec2) {
         match self {
             Self::Point { at, .. } => (*at, *at),
@@ -82,8 +83,8 @@ impl Destination {
         }
     }
 
-    /// Adds the open cells of a terrain from which fronts start, each with the nearest point of the goal: those in it, and those close
-    /// to it that see it.
+    /// Adds the open cells of a terrain from which fronts start, each with the nearest point of the goal: the cells in
+    /// the goal, and the cells close to it with a free line to it.
     pub(super) fn starts(&self, terrain: &Terrain, starts: &mut Vec<(u32, DVec2)>) {
         let cell = terrain.cell();
         let band = BAND * cell;

@@ -1,22 +1,22 @@
-//! Velocities that lead into no wall.
+//! Velocities limited by walls.
 
 use glam::DVec2;
 
-/// Walls that are looked at together; farther from each other than a cell there are no more.
+/// Maximum number of walls considered together; walls farther apart than a cell are never more.
 const MOST: usize = 8;
-/// Directions that differ less are one.
+/// Squared difference of directions below which they count as the same.
 const SAME: f64 = 1e-9;
 
-/// How fast one may go towards the walls nearby.
+/// The limits of speed towards nearby walls.
 #[derive(Default)]
-pub(super) struct Limits {
-    /// Unit vectors away from walls, and how fast one may go against them, at least 0.
+pub(super) struct WallSpeedLimits {
+    /// Unit vectors away from walls, and the maximum speed against each, at least 0.
     all: [(DVec2, f64); MOST],
     count: usize,
 }
 
-impl Limits {
-    /// Against a unit vector nobody may go faster than this.
+impl WallSpeedLimits {
+    /// Limits the speed against a unit vector to `most`.
     pub fn add(&mut self, away: DVec2, most: f64) {
         match self.all[..self.count].iter_mut().find(|limit| limit.0.distance_squared(away) < SAME) {
             Some(limit) => limit.1 = limit.1.min(most),
@@ -24,7 +24,7 @@ impl Limits {
                 self.all[self.count] = (away, most);
                 self.count += 1;
             }
-            // the nearest count
+            // the tightest limits are kept
             None => {
                 if let Some(widest) = self.all.iter_mut().max_by(|a, b| a.1.total_cmp(&b.1))
                     && widest.1 > most
@@ -35,8 +35,8 @@ impl Limits {
         }
     }
 
-    /// The velocity nearest to one that keeps all limits: that one, or the nearest on the line of a limit, or where two of them meet.
-    /// Standing always keeps them.
+    /// Returns the velocity nearest to `velocity` that keeps all limits: `velocity` itself, or its projection on the
+    /// line of a limit, or the intersection of two such lines. Zero always keeps the limits.
     pub fn nearest(&self, velocity: DVec2) -> DVec2 {
         let limits = &self.all[..self.count];
         let slack = 1e-9 * velocity.length();

@@ -1,4 +1,4 @@
-//! The ways between neighbouring cells of a terrain.
+//! The links between neighbouring cells of a terrain.
 
 use super::super::cost::KEPT;
 use super::super::eikonal::Links;
@@ -6,11 +6,11 @@ use super::terrain::{TOUCH, Terrain};
 use crate::parallel;
 use glam::Vec2;
 
-/// Ways to the neighbours right, above and across the corners above, with their bits and those of the ways back.
+/// Steps to the neighbours right, above, and diagonally above, with the bits of these links and of the links back.
 const WAYS: [(isize, isize, Links, Links); 4] = [(1, 0, 2, 1), (0, 1, 8, 4), (1, 1, 128, 16), (-1, 1, 64, 32)];
 
 impl Terrain {
-    /// The cell that is so many farther right and up, if there is one.
+    /// Returns the cell at an offset of columns and rows, if there is one.
     fn next(&self, cell: usize, (right, up): (isize, isize)) -> Option<usize> {
         let [columns, rows] = self.lattice.counts;
         let column = (cell % columns).checked_add_signed(right).filter(|&column| column < columns)?;
@@ -18,8 +18,8 @@ impl Terrain {
         Some(row * columns + column)
     }
 
-    /// Gives cells that are too close to walls the ways out: lengths and directions by the neighbours that are farther from walls than
-    /// they are. So nobody is led on through gaps that are too narrow.
+    /// Sets lengths and directions of the cells that are too close to walls, from the neighbours that are farther from
+    /// walls. So these cells lead out, and no flow leads on through gaps that are too narrow.
     pub(super) fn lead_out(&self, cost: &[f32], lengths: &mut [f32], directions: &mut [Vec2]) {
         for &cell in &self.close {
             let cell = cell as usize;
@@ -41,7 +41,7 @@ impl Terrain {
         }
     }
 
-    /// Finds the ways between neighbouring cells.
+    /// Finds the links between neighbouring cells.
     pub(super) fn link(&mut self) {
         let mut onwards: Vec<(Links, Links)> = vec![(0, 0); self.lattice.len()];
         parallel::rows(&mut onwards[..], |(): &mut (), node, (links, margin)| {
@@ -51,14 +51,14 @@ impl Terrain {
                     continue;
                 }
                 let open = self.is_open(node) && self.is_open(next);
-                // ways across corners matter close to walls only
+                // diagonal links matter close to walls only
                 let close = |node: usize| f64::from(self.distances[node]) < self.radius + 1.5 * self.lattice.cell;
                 if right != 0 && up != 0 && open && !close(node) && !close(next) {
                     continue;
                 }
                 let gap = if open { (KEPT * self.radius).max(TOUCH) } else { TOUCH };
                 let (from, to) = (self.middle(node), self.middle(next));
-                // no point between them is farther from both than half the way
+                // no point between the two cells is farther from both than half of their distance
                 let sum = f64::from(self.distances[node]) + f64::from(self.distances[next]);
                 if sum > 2.0 * gap + 1.001 * from.distance(to) || self.walls.keep_off((from, to), gap) {
                     *if open { &mut *links } else { &mut *margin } |= there;

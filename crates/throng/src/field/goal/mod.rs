@@ -1,4 +1,4 @@
-//! Fields that lead to goals round everything that is in the way.
+//! Fields that lead to goals round obstacles.
 
 mod cover;
 mod density;
@@ -10,5 +10,5 @@ mod to_goal;
 
 pub use density::Density;
 pub use destination::Destination;
-pub use terrain::{Survey, Terrain};
+pub use terrain::{Terrain, TerrainSettings};
 pub use to_goal::ToGoal;

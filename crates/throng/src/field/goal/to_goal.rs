@@ -1,9 +1,9 @@
-//! Flow to a goal: the way that takes the least time, from everywhere.
+//! Flow to a goal: the route of least cost, from everywhere.
 
 use super::super::eikonal::{Front, backwards, march};
 use super::super::{Field, cost};
 use super::destination::Destination;
-use super::limits::Limits;
+use super::limits::WallSpeedLimits;
 use super::terrain::{TOUCH, Terrain};
 use crate::Error;
 use crate::parallel;
@@ -12,30 +12,30 @@ use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// Beside a point goal, within as many cells, ways lead straight there.
+/// Distance from a goal, in cells, within which the flow leads straight to it.
 const STRAIGHT: f64 = 3.0;
-/// Cosine of the angle between directions from which on they do not belong to the same way: between them fronts meet.
+/// Cosine of the angle between directions below which they belong to different routes: fronts meet between them.
 const SAME_WAY: f32 = 0.5;
-/// A part of what lies between middles that says too little.
+/// Sum of weights below which the interpolation is unreliable.
 const LITTLE: f32 = 1e-3;
 
-/// A flow to the nearest of some goals on a terrain: along the ways that cost least, to which every cell knows the direction.
+/// A flow to the nearest of some goals on a terrain: along the routes of least cost. Every cell stores its direction.
 ///
-/// The times from which the directions come are the solution of the eikonal equation (|grad T| = cost) by fast marching, see Sethian
-/// 1996; Treuille, Cooper, Popovic, *Continuum crowds*, 2006, led crowds so. Who follows it goes round walls, keeps off them as the
-/// terrain's clearance asks, and never comes nearer to one than the terrain's radius. Zero where no way leads to a goal, beyond the
-/// terrain, and at the goal.
+/// The directions are the slope of the solution of the eikonal equation (|grad T| = cost), computed by fast marching
+/// (Sethian 1996). Treuille, Cooper, Popovic, *Continuum crowds*, 2006, lead crowds in this way. An agent that follows
+/// the flow goes round walls, keeps the clearance that the terrain's costs give, and never comes nearer to a wall than
+/// the terrain's radius. The velocity is zero where no route leads to a goal, beyond the terrain, and at the goal.
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
 /// use std::sync::Arc;
-/// use throng::field::{Destination, Field, Survey, Terrain, ToGoal};
+/// use throng::field::{Destination, Field, TerrainSettings, Terrain, ToGoal};
 /// use throng::space::Place;
 /// use throng::Obstacle;
 /// // a wall across the room, open at the top
 /// let wall = Obstacle::Wall { points: vec![DVec2::new(5.0, -1.0), DVec2::new(5.0, 8.0)] };
 /// let place = Place { areas: vec![], obstacles: vec![Some(wall)] };
-/// let ground = Terrain::of_place(&place, DVec2::ZERO, Survey { high: DVec2::splat(10.0), ..Survey::default() })?;
+/// let ground = Terrain::of_place(&place, DVec2::ZERO, TerrainSettings { high: DVec2::splat(10.0), ..TerrainSettings::default() })?;
 /// let goal = Destination::Point { at: DVec2::new(8.0, 2.0), tolerance: 0.2 };
 /// let flow = ToGoal::new(Arc::new(ground), vec![goal], 1.3)?;
 /// let up = flow.velocity(Vec3::new(3.5, 2.0, 0.0), 0.0);
@@ -48,25 +48,25 @@ const LITTLE: f32 = 1e-3;
 pub struct ToGoal {
     terrain: Arc<Terrain>,
     goals: Arc<[Destination]>,
-    /// Cells from which fronts start, with the nearest point of the goal that they see.
+    /// Cells from which fronts start, with the nearest point of the goal that is visible from them.
     starts: Arc<[(u32, DVec2)]>,
     speed: f32,
     slowing: f32,
-    /// Metres that a metre costs in each cell, crowds counted.
+    /// The cost of a metre in each cell, metres, with the cost of crowds.
     cost: Vec<f32>,
-    /// Metres to the goal, each as dear as it is; infinite where no way leads there.
+    /// The cost of the route from each cell to the goal, metres; infinite where no route leads there.
     lengths: Vec<f32>,
-    /// Unit vectors; zero where none leads on.
+    /// Unit vectors; zero where no route leads on.
     directions: Vec<Vec2>,
     front: Front,
 }
 
 impl ToGoal {
-    /// A flow at a speed, m/s, to the nearest of these goals. It slows down within a metre of a point.
+    /// Creates a flow with a speed, m/s, to the nearest of these goals. It slows down within a metre of a point.
     ///
     /// # Errors
-    /// A speed that is not greater than 0 and finite; no goals, one with numbers out of their limits, beyond the terrain, inside
-    /// something solid, or where no open cell sees it.
+    /// A speed that is not greater than 0 and finite; no goals; a goal with values out of their limits, beyond the
+    /// terrain, inside an obstacle, or visible from no open cell.
     pub fn new(terrain: Arc<Terrain>, goals: Vec<Destination>, speed: f32) -> Result<Self, Error> {
         Error::unless_positive("speed of a flow to a goal", speed)?;
         let fail = |what: String, why: String| Err(Error::Shape { what, why });
@@ -82,10 +82,10 @@ impl ToGoal {
                 let at = goal.place();
                 let why = match terrain.cell_at(at) {
                     None => "it is beyond the terrain".into(),
-                    Some(cell) if terrain.is_solid(cell) => "it is inside something solid".into(),
+                    Some(cell) if terrain.is_solid(cell) => "it is inside an obstacle".into(),
                     Some(_) => {
                         let (radius, cell) = (terrain.radius, terrain.cell());
-                        format!("no cell of {cell} m close to it has room for a body of radius {radius} m and sees it")
+                        format!("no nearby cell of {cell} m visible from it has room for a body of radius {radius} m")
                     }
                 };
                 return fail(format!("goal {} at ({:.3}, {:.3})", index + 1, at.x, at.y), why);
@@ -107,7 +107,7 @@ impl ToGoal {
         Ok(flow)
     }
 
-    /// The same, slowing down within this many metres of a point. 0: full speed until it is there.
+    /// Sets the distance, metres, from a point within which the flow slows down. 0: full speed until it is reached.
     ///
     /// # Errors
     /// A distance that is not at least 0 and finite.
@@ -117,40 +117,43 @@ impl ToGoal {
         Ok(Self { slowing, ..self })
     }
 
-    /// Leads round crowds from now on: a metre costs `1 + density / weary` times as much, with the density in people a square metre, one
-    /// a cell ([`Density`](super::Density)), and `weary` that at which it costs twice as much. Treuille, Cooper, Popovic 2006 have a
-    /// like term, discomfort.
+    /// Makes the flow lead round crowds: a metre costs `1 + density / weary` times as much, with the density of each
+    /// cell in agents a square metre ([`Density`](super::Density)), and `weary` the density at which a metre costs
+    /// twice as much. Treuille, Cooper, Popovic 2006 have a similar term, discomfort.
     ///
-    /// Whoever goes on with the flow as it was has a clone of it; the terrain and the goals are shared.
+    /// To keep the flow without crowds, clone it first; the clone shares the terrain and the goals.
     ///
     /// # Errors
-    /// Another number of cells, a density that is not at least 0 and finite, `weary` not greater than 0 and finite; the flow stays as it
-    /// was then.
+    /// A number of densities that is not the number of cells; a density that is not at least 0 and finite; `weary` not
+    /// greater than 0 and finite. The flow is unchanged then.
     pub fn avoid_crowds(&mut self, density: &[f32], weary: f32) -> Result<(), Error> {
         Error::unless_positive("density at which ground costs twice as much", weary)?;
         let fail = |why: String| Err(Error::Shape { what: "the density on the terrain".into(), why });
         if density.len() != self.cost.len() {
-            return fail(format!("{} densities are not one for each of its {} cells", density.len(), self.cost.len()));
+            return fail(format!("{} densities are given for {} cells", density.len(), self.cost.len()));
         }
         if let Some(cell) = density.iter().position(|&density| !(density >= 0.0 && density.is_finite())) {
             let (at, density) = (self.terrain.middle(cell), density[cell]);
-            return fail(format!("that at ({:.3}, {:.3}) is {density}, but must be at least 0 and finite", at.x, at.y));
+            return fail(format!(
+                "the density at ({:.3}, {:.3}) is {density}, but must be at least 0 and finite",
+                at.x, at.y
+            ));
         }
         self.lead(|cell| 1.0 + density[cell] / weary);
         Ok(())
     }
 
-    /// The same flow led round crowds: see [`avoid_crowds`](Self::avoid_crowds).
+    /// Returns the same flow led round crowds: see [`avoid_crowds`](Self::avoid_crowds).
     ///
     /// # Errors
-    /// As that.
+    /// As [`avoid_crowds`](Self::avoid_crowds).
     pub fn with_density(&self, density: &[f32], weary: f32) -> Result<Self, Error> {
         let mut flow = self.clone();
         flow.avoid_crowds(density, weary)?;
         Ok(flow)
     }
 
-    /// Finds lengths and directions with cells that are dearer by a factor.
+    /// Computes lengths and directions with the costs of the cells multiplied by a factor.
     fn lead(&mut self, dearer: impl Fn(usize) -> f32) {
         let Self { terrain, starts, cost, lengths, directions, front, .. } = self;
         for (cell, cost) in cost.iter_mut().enumerate() {
@@ -171,7 +174,7 @@ impl ToGoal {
             }
         });
         terrain.lead_out(cost, lengths, directions);
-        // beside goals fronts are too round for differences
+        // close to goals the curvature of the front is too high for differences
         for &(cell, nearest) in starts.iter() {
             let place = terrain.middle(cell as usize);
             if lengths[cell as usize] == terrain.straight(place, nearest, cost) as f32 {
@@ -180,32 +183,33 @@ impl ToGoal {
         }
     }
 
-    /// The ground that it flows on.
+    /// Returns the terrain of the flow.
     pub fn terrain(&self) -> &Arc<Terrain> {
         &self.terrain
     }
 
-    /// What it leads to.
+    /// Returns the goals of the flow.
     pub fn goals(&self) -> &[Destination] {
         &self.goals
     }
 
-    /// Its speed, m/s.
+    /// Returns the speed, m/s.
     pub fn speed(&self) -> f32 {
         self.speed
     }
 
-    /// How long the way is from the middle of each cell, in metres that are as dear as they are; infinite where none leads to a goal.
+    /// Returns the cost of the route from the centre of each cell, metres; infinite where no route leads to a goal.
     pub fn lengths(&self) -> &[f32] {
         &self.lengths
     }
 
-    /// The cells that can be walked on, but from which no way leads to a goal.
+    /// Returns the open cells from which no route leads to a goal.
     pub fn unreachable(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.lengths.len()).filter(|&cell| self.terrain.is_open(cell) && self.lengths[cell].is_infinite())
     }
 
-    /// Seconds to the nearest goal at its speed, dear ground counted as it costs; none where no way leads there.
+    /// Returns the cost of the route to the nearest goal divided by the speed, seconds; none where no route leads
+    /// there.
     pub fn time_to_goal(&self, place: DVec2) -> Option<f32> {
         self.terrain.cell_at(place)?;
         if self.there(place) {
@@ -218,7 +222,7 @@ impl ToGoal {
         Some(length / self.speed)
     }
 
-    /// Whether a place counts as there.
+    /// Whether a place counts as being at a goal.
     fn there(&self, place: DVec2) -> bool {
         self.goals.iter().any(|goal| match goal {
             Destination::Point { at, tolerance } => {
@@ -228,7 +232,8 @@ impl ToGoal {
         })
     }
 
-    /// The straight way to the nearest goal that is seen from a place within `reach` metres, and whether it is a point.
+    /// Returns the straight way to the nearest goal that is visible from a place and within `reach` metres, and whether
+    /// the goal is a point.
     fn in_sight(&self, place: DVec2, reach: f64) -> Option<(DVec2, bool)> {
         let ways =
             self.goals.iter().map(|goal| (goal.nearest(place) - place, matches!(goal, Destination::Point { .. })));
@@ -238,17 +243,17 @@ impl ToGoal {
         seen.min_by(|a, b| a.0.length_squared().total_cmp(&b.0.length_squared()))
     }
 
-    /// What leads on from a place: from the cells round it, between them bilinearly. What lies beyond a wall does not count, nor what
-    /// leads another way round.
+    /// Returns the direction and the length of the route at a place, interpolated bilinearly from the surrounding
+    /// cells. Cells beyond a wall do not count, nor do cells of a different route.
     fn onwards(&self, place: DVec2) -> Option<Onwards> {
         let around = self.terrain.around(place);
         let middles = around.map(|(cell, _)| self.terrain.middle(cell));
-        // no point between the middles is farther from all of them than half a diagonal
+        // no point between the centres is farther from all of them than half a diagonal
         let nearest = around.iter().map(|&(cell, _)| self.terrain.distances()[cell]).fold(f32::INFINITY, f32::min);
         let clear = f64::from(nearest) > 0.708 * self.terrain.cell();
         let sees = |index: usize| clear || self.terrain.walls.keep_off((place, middles[index]), TOUCH);
         let seen: [bool; 4] = std::array::from_fn(sees);
-        // what is too close to walls tells only those who are there how to get out
+        // cells that are too close to walls count only where no open cell is visible
         let open = around.map(|(cell, _)| self.terrain.is_open(cell));
         let any_open = (0..4).any(|index| seen[index] && open[index]);
         let by: [f32; 4] = std::array::from_fn(|index| {
@@ -265,7 +270,7 @@ impl ToGoal {
         let all = (0..4).all(same);
         let (mut direction, mut length, mut sum) = (Vec2::ZERO, 0.0, 0.0);
         for (index, &(cell, part)) in around.iter().enumerate().filter(|&(index, _)| same(index)) {
-            // all together say what is on the rim, some do not
+            // all four weights together also extrapolate on the rim; fewer do not
             let part = if all { part } else { part.max(0.0) };
             let (there, off) = (self.directions[cell], (place - middles[index]).as_vec2());
             direction += there * part;
@@ -279,11 +284,11 @@ impl ToGoal {
         Some(Onwards { direction: direction.normalize_or_zero(), length: (length / sum).max(0.0), by })
     }
 
-    /// The velocity nearest to one that leads into no wall: towards those closer than a cell's width less and less, not at all where
-    /// the body touches.
+    /// Returns the velocity nearest to `velocity` that leads into no wall. The speed towards a wall closer than a
+    /// cell's width is limited in proportion to the gap, to 0 where the body touches the wall.
     fn keep_off(&self, place: DVec2, velocity: DVec2) -> DVec2 {
         let (radius, cell) = (self.terrain.radius, self.terrain.cell());
-        let mut limits = Limits::default();
+        let mut limits = WallSpeedLimits::default();
         self.terrain.walls.visit(place, radius + cell, |wall: Wall<'_>| {
             if let (distance, Some(away)) = wall.off(place) {
                 let part = ((distance - radius) / cell).clamp(0.0, 1.0);
@@ -316,7 +321,7 @@ impl Field for ToGoal {
                 None => return Vec3::ZERO,
             },
         };
-        // walls are farther from here than from the middle of the cell by less than half a diagonal
+        // walls are nearer to this place than to the cell's centre by less than half a diagonal
         if f64::from(self.terrain.distances()[cell]) > self.terrain.radius + 1.708 * self.terrain.cell() {
             return (direction * speed).extend(0.0);
         }
@@ -325,19 +330,19 @@ impl Field for ToGoal {
         if velocity.length() >= 0.5 * speed {
             return velocity.extend(0.0);
         }
-        // round a corner the next cell leads into the wall: to that cell first
+        // round a corner the interpolated direction leads into the wall: go to the centre of the next cell first
         let other = along(by.normalize_or_zero());
         if other.length() > velocity.length() { other } else { velocity }.extend(0.0)
     }
 }
 
-/// What leads on from a place.
+/// How a route continues from a place.
 struct Onwards {
     /// A unit vector.
     direction: Vec2,
-    /// How long the way is, in metres that are as dear as they are.
+    /// The cost of the route, metres.
     length: f32,
-    /// Straight to the middle of the cell by which it leads.
+    /// The offset to the centre of the cell through which the route leads.
     by: Vec2,
 }
 
@@ -348,7 +353,7 @@ impl fmt::Debug for ToGoal {
 }
 
 impl Terrain {
-    /// What a straight way costs.
+    /// Returns the cost of a straight way.
     fn straight(&self, from: DVec2, to: DVec2, cost: &[f32]) -> f64 {
         // a goal may be beyond the rim, or too close to a wall
         let there =

@@ -1,11 +1,11 @@
-//! Where swarms go through space: straight to a target, or along a smooth way there.
+//! The routes of swarms through space: to a target, or along a smooth curve to it.
 
 mod spine;
 mod voxels;
 mod way;
 
 pub use spine::{Smoothing, Spine};
-pub use voxels::{Scan, Voxels};
+pub use voxels::{VoxelSettings, Voxels};
 
 use super::eikonal::{Front, march};
 use super::slope::slope;
@@ -16,17 +16,18 @@ use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 
-/// Cubes from the target within which a front starts at its exact distance, where it is seen.
+/// Distance from the target, in cubes, within which a front starts at its exact distance where the target is visible.
 const BAND: f32 = 5.0;
-/// Cosine of the angle between directions from which on they do not belong to the same way.
+/// Cosine of the angle between directions below which they belong to different routes.
 const SAME_WAY: f32 = 0.5;
 
-/// How a swarm keeps to a [`Spine`].
+/// How a swarm follows a [`Spine`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tube {
-    /// Metres from the spine within which it leads; beyond, the field leads to the target on its own. Limit: > 0.
+    /// Distance from the spine, metres, within which the swarm follows it; beyond, the field leads directly to the
+    /// target. Limit: > 0.
     pub radius: f32,
-    /// How fast it pulls back to the spine: so much of the speed a metre beside it. Limit: >= 0.
+    /// Pull back to the spine, in parts of the speed for each metre of distance. Limit: >= 0.
     pub pull: f32,
 }
 
@@ -36,21 +37,22 @@ impl Default for Tube {
     }
 }
 
-/// The global field of a swarm's ways: to a target, down the slope of the time to it, or along a [`Spine`]. Wang, Jin, Deng, Zhou, *Inherent
-/// noise-aware insect swarm simulation*, Computer Graphics Forum 33(6), 2014, the preprocessing; the paper's energies are not known, these
-/// are like them.
+/// The global field of a swarm: to a target down the slope of the time to it, or along a [`Spine`]. This is the
+/// preprocessing of Wang, Jin, Deng, Zhou, *Inherent noise-aware insect swarm simulation*, Computer Graphics Forum
+/// 33(6), 2014. The paper does not give its energies; these are similar.
 ///
-/// Zero where no way leads to the target, beyond the box, and at the target. It keeps off what is solid as the voxels' clearance asks; near
-/// it, and for noise, obstacles are the swarm's own affair.
+/// The velocity is zero where no route leads to the target, beyond the box, and at the target. The field keeps the
+/// clearance that the costs of the voxels give. It does not keep an agent that leaves its route, for example because of
+/// noise, away from obstacles.
 ///
 /// ```
 /// use glam::Vec3;
 /// use std::sync::Arc;
-/// use throng::field::{Field, Guide, Scan, Smoothing, Tube, Voxels};
+/// use throng::field::{Field, SwarmGuide, VoxelSettings, Smoothing, Tube, Voxels};
 /// use throng::space::surface::{Sphere, Surface};
 /// let ball: Arc<dyn Surface> = Arc::new(Sphere::new(Vec3::new(5.0, 2.1, 2.0), 1.0)?);
-/// let space = Voxels::of(&[ball], Scan { high: Vec3::new(10.0, 4.0, 4.0), ..Scan::default() })?;
-/// let guide = Guide::new(Arc::new(space), Vec3::new(9.0, 2.0, 2.0), 0.2, 2.0)?;
+/// let space = Voxels::of(&[ball], VoxelSettings { high: Vec3::new(10.0, 4.0, 4.0), ..VoxelSettings::default() })?;
+/// let guide = SwarmGuide::new(Arc::new(space), Vec3::new(9.0, 2.0, 2.0), 0.2, 2.0)?;
 /// let spine = guide.spine(Vec3::new(1.0, 2.0, 2.0), Smoothing::default())?;
 /// assert!(spine.length() < 9.0 && spine.clearance() > 0.49);
 /// let guide = guide.along(spine, Tube::default())?;
@@ -58,35 +60,36 @@ impl Default for Tube {
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Guide {
+pub struct SwarmGuide {
     space: Arc<Voxels>,
     target: Vec3,
     tolerance: f32,
     speed: f32,
-    /// Metres to the target, each as dear as it is; infinite where no way leads there.
+    /// The cost of the route from each cube to the target, metres; infinite where no route leads there.
     lengths: Vec<f32>,
-    /// Unit vectors.
+    /// Unit vectors; zero where no route leads on.
     directions: Vec<Vec3>,
-    spine: Option<Arc<Along>>,
+    spine: Option<Arc<SpineFollower>>,
 }
 
-/// A spine, and which piece of it is nearest to each cube in its tube.
+/// A spine, and its nearest piece for each cube in its tube.
 #[derive(Debug)]
-struct Along {
+struct SpineFollower {
     spine: Spine,
     tube: Tube,
-    /// [`NONE`] beyond the tube, or where the spine is not seen.
+    /// [`NONE`] beyond the tube, or where the spine is not visible.
     pieces: Vec<u32>,
 }
 
 const NONE: u32 = u32::MAX;
 
-impl Guide {
-    /// A field that leads to a target at a speed, m/s; there is who is within the tolerance, metres.
+impl SwarmGuide {
+    /// Creates a field that leads to a target at a speed, m/s. The target counts as reached within the tolerance,
+    /// metres.
     ///
     /// # Errors
-    /// Numbers that are not finite, a tolerance below 0, a speed that is not greater than 0; a target beyond the box, inside something
-    /// solid, or where no free cube sees it.
+    /// Values that are not finite; a tolerance below 0; a speed that is not greater than 0; a target beyond the box,
+    /// inside an obstacle, or visible from no free cube.
     pub fn new(space: Arc<Voxels>, target: Vec3, tolerance: f32, speed: f32) -> Result<Self, Error> {
         Error::unless_finite("place of a target", f64::from(target.element_sum()))?;
         let holds = tolerance >= 0.0 && tolerance.is_finite();
@@ -97,7 +100,7 @@ impl Guide {
             return fail("it is beyond the box of space".into());
         }
         if space.nearest(target).is_inside() {
-            return fail("it is inside something solid".into());
+            return fail("it is inside an obstacle".into());
         }
         let count = space.cost.len();
         let mut lengths = vec![f32::INFINITY; count];
@@ -112,7 +115,7 @@ impl Guide {
         if starts.is_empty() {
             let (cell, radius) = (space.cell(), space.radius);
             return fail(format!(
-                "no cube of {cell} m close to it has room for a body of radius {radius} m and sees it"
+                "no nearby cube of {cell} m visible from it has room for a body of radius {radius} m"
             ));
         }
         for &start in &starts {
@@ -137,8 +140,8 @@ impl Guide {
         Ok(Self { space, target, tolerance, speed, lengths, directions, spine: None })
     }
 
-    /// The same, along a spine where the swarm is in its tube: its velocity there is the tangent, and the way to the nearest point of the
-    /// spine times the pull, at the same speed.
+    /// Returns the same field, but along a spine within its tube: the direction is the tangent plus `pull` times the
+    /// offset to the nearest point of the spine, at the same speed.
     ///
     /// # Errors
     /// A radius that is not greater than 0 and finite, a pull that is not at least 0 and finite.
@@ -148,7 +151,7 @@ impl Guide {
         Error::unless(holds, "pull towards a way", tube.pull, "at least 0 and finite")?;
         let space = &self.space;
         let mut pieces = vec![NONE; space.cost.len()];
-        // whoever is in a cube is closer than that to its middle
+        // every point of a cube is closer to its centre than 0.87 of its width
         let reach = tube.radius + 0.87 * space.cell();
         let (low, high) = spine
             .points()
@@ -166,30 +169,30 @@ impl Guide {
                 *out = piece as u32;
             }
         });
-        Ok(Self { spine: Some(Arc::new(Along { spine, tube, pieces })), ..self })
+        Ok(Self { spine: Some(Arc::new(SpineFollower { spine, tube, pieces })), ..self })
     }
 
-    /// The space that it leads through.
+    /// Returns the voxels of the field.
     pub fn space(&self) -> &Arc<Voxels> {
         &self.space
     }
 
-    /// How long the way is from the middle of each cube, in metres that are as dear as they are; infinite where none leads to the target.
+    /// Returns the cost of the route from the centre of each cube, metres; infinite where no route leads to the target.
     pub fn lengths(&self) -> &[f32] {
         &self.lengths
     }
 
-    /// How long the way to the target is, in metres that are as dear as they are; none where no way leads there.
+    /// Returns the cost of the route from a place to the target, metres; none where no route leads there.
     pub fn length_from(&self, place: Vec3) -> Option<f32> {
         self.by(place).map(|by| by.1)
     }
 
-    /// The cubes round a place whose middles it sees, from which ways lead on, each with its part of the place and how long the way is by
-    /// it; infinite where it does not count.
+    /// Returns the cubes around a place, each with its trilinear weight and the cost of the route through its centre.
+    /// The cost is infinite where the centre is not visible or no route leads on.
     fn around(&self, place: Vec3) -> [(usize, f32, f32); 8] {
         let around = self.space.around(place);
         let nearest = around.iter().map(|&(cell, _)| self.space.distances()[cell]).fold(f32::INFINITY, f32::min);
-        // no point between the middles is farther from all of them than half a diagonal
+        // no point between the centres is farther from all of them than half a diagonal
         let clear = nearest > 0.867 * self.space.cell();
         around.map(|(cell, part)| {
             let middle = self.space.middle(cell);
@@ -199,14 +202,14 @@ impl Guide {
         })
     }
 
-    /// The cube round a place by which the way is shortest, and its length.
+    /// Returns the cube around a place through which the route costs least, and that cost.
     fn by(&self, place: Vec3) -> Option<(usize, f32)> {
         self.space.cell_at(place)?;
         let all = self.around(place).into_iter().map(|(cell, _, length)| (cell, length));
         all.reduce(|best, by| if by.1 < best.1 { by } else { best }).filter(|by| by.1.is_finite())
     }
 
-    /// The direction to the target, a unit vector: down the slope, between cubes trilinearly.
+    /// Returns the direction to the target, a unit vector: down the slope, interpolated trilinearly between cubes.
     fn downhill(&self, place: Vec3) -> Option<Vec3> {
         let to = self.target - place;
         if to.length() < 2.0 * self.space.cell() && self.space.is_clear(place, self.target, 0.0) {
@@ -224,7 +227,7 @@ impl Guide {
     }
 }
 
-impl Field for Guide {
+impl Field for SwarmGuide {
     fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
         let Some(cell) = self.space.cell_at(place) else { return Vec3::ZERO };
         if place.distance(self.target) <= self.tolerance {
@@ -241,7 +244,7 @@ impl Field for Guide {
     }
 }
 
-impl fmt::Debug for Guide {
+impl fmt::Debug for SwarmGuide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Guide").field("target", &self.target).field("speed", &self.speed).finish_non_exhaustive()
     }

@@ -1,25 +1,25 @@
-//! Ways made smooth, that keep off what is solid.
+//! Smooth curves that keep a distance from obstacles.
 
 use super::voxels::Voxels;
 use crate::Error;
 use glam::Vec3;
 
-/// How a way is made smooth: it minimises the sum over its samples of `stiffness |q(k+1) - 2 q(k) + q(k-1)|^2 +
-/// tension |q(k+1) - q(k)|^2 + keep_off max(0, distance - d(q(k)))^2`, where `d` is how far what is solid is, with its ends fixed: Wang et
-/// al. 2014 minimise an energy whose terms they do not give; this is one like it.
+/// How a route is smoothed. With its ends fixed, the sum over its samples of `stiffness |q(k+1) - 2 q(k) + q(k-1)|^2 +
+/// tension |q(k+1) - q(k)|^2 + keep_off max(0, distance - d(q(k)))^2` is minimised, where `d` is the distance from
+/// obstacles. Wang et al. 2014 minimise an energy but do not give its terms; this one is similar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smoothing {
-    /// Metres between samples, about. Limit: > 0; at most 100,000 samples.
+    /// Approximate distance between samples, metres. Limit: > 0; at most 100,000 samples.
     pub spacing: f32,
-    /// Against bends. Limit: >= 0.
+    /// Weight of bends. Limit: >= 0.
     pub stiffness: f32,
-    /// Against length. Limit: >= 0.
+    /// Weight of length. Limit: >= 0.
     pub tension: f32,
-    /// Against being closer than `distance` to what is solid. Limit: >= 0.
+    /// Weight of being closer than `distance` to obstacles. Limit: >= 0.
     pub keep_off: f32,
-    /// Metres to keep off what is solid, where there is room: from the middle of a body. Limit: >= 0.
+    /// Distance to keep from obstacles where there is room, metres, from the centre of a body. Limit: >= 0.
     pub distance: f32,
-    /// Times that every sample is moved. Limit: at most 10,000.
+    /// Number of times that every sample is moved. Limit: at most 10,000.
     pub rounds: u32,
 }
 
@@ -29,14 +29,14 @@ impl Default for Smoothing {
     }
 }
 
-/// Samples of a way at most.
+/// Maximum number of samples of a route.
 const MOST: f32 = 100_000.0;
-/// Times that a move which goes too far is halved.
+/// Number of times that a shift which goes too far is halved.
 const HALVED: usize = 6;
-/// Moves shorter than this part of the spacing are none.
+/// Shift, in parts of the spacing, below which the smoothing has converged.
 const STILL: f32 = 1e-5;
 
-/// A smooth way through space.
+/// A smooth curve through space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spine {
     points: Vec<Vec3>,
@@ -44,7 +44,7 @@ pub struct Spine {
 }
 
 impl Spine {
-    /// Makes a way smooth. It must keep off what is solid by a body's radius, in all its parts: so does what comes out.
+    /// Smooths a route. All parts of the route must be at least a body's radius from obstacles; the result is too.
     pub(super) fn new(space: &Voxels, way: &[Vec3], smoothing: Smoothing) -> Result<Self, Error> {
         smoothing.check()?;
         let length: f32 = way.windows(2).map(|ends| ends[0].distance(ends[1])).sum();
@@ -53,7 +53,7 @@ impl Spine {
             return Err(Error::Shape { what: "the smooth way".into(), why });
         }
         let mut points = samples(way, smoothing.spacing);
-        // where they would cut corners of the way, in shorter pieces
+        // where the samples cut corners of the route: use shorter pieces
         for halved in 1..HALVED as i32 {
             let clear = |ends: &[Vec3]| space.is_clear(ends[0], ends[1], 0.999 * space.radius);
             if points.windows(2).all(clear) {
@@ -71,7 +71,7 @@ impl Spine {
                 break;
             }
         }
-        // what is still too close where there is room
+        // samples that are still too close although there is room
         for _ in 0..HALVED {
             for index in 1..points.len().saturating_sub(1) {
                 let near = space.nearest(points[index]);
@@ -85,29 +85,31 @@ impl Spine {
         Ok(Self { points, clearance })
     }
 
-    /// Its samples, from the start to the target.
+    /// Returns the samples, from the start to the target.
     pub fn points(&self) -> &[Vec3] {
         &self.points
     }
 
-    /// How far what is solid is from its samples, at least, metres: less than asked only where there is no more room, or at its ends.
+    /// Returns the minimum distance of the samples from obstacles, metres. It is less than requested only where there
+    /// is no room, or at the ends.
     pub fn clearance(&self) -> f32 {
         self.clearance
     }
 
-    /// Its length, metres.
+    /// Returns the length, metres.
     pub fn length(&self) -> f32 {
         self.points.windows(2).map(|ends| ends[0].distance(ends[1])).sum()
     }
 
-    /// The nearest point of it to a place, and the direction in which it goes there: near a sample, on from it or back.
+    /// Returns the nearest point of the curve to a place, and the direction of the curve there. The search goes from
+    /// piece `from` to neighbouring pieces as long as they are nearer.
     pub(super) fn nearest_from(&self, place: Vec3, mut from: usize) -> (Vec3, Vec3) {
         let last = self.points.len() - 2;
         let on = |segment: usize| {
             let (a, b) = (self.points[segment], self.points[segment + 1]);
             let along = b - a;
             let part = ((place - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            // without length, its start
+            // a piece without length: its start
             let part = if part.is_nan() { 0.0 } else { part };
             (a + along * part, part)
         };
@@ -122,14 +124,14 @@ impl Spine {
             (best, from) = nearer;
         }
         let (nearest, part) = on(from);
-        // between samples the direction turns evenly
+        // the direction turns evenly between samples
         let way = |segment: usize| (self.points[segment + 1] - self.points[segment]).normalize_or_zero();
         let other = if part < 0.5 { from.saturating_sub(1) } else { (from + 1).min(last) };
         let own = 1.0 - (part - 0.5).abs();
         (nearest, (way(from) * own + way(other) * (1.0 - own)).normalize_or_zero())
     }
 
-    /// The number of the piece that is nearest to a place, and how far it is.
+    /// Returns the index of the piece that is nearest to a place, and its distance.
     pub(super) fn piece(&self, place: Vec3) -> (usize, f32) {
         let far = |ends: &[Vec3]| {
             let along = ends[1] - ends[0];
@@ -141,7 +143,7 @@ impl Spine {
     }
 }
 
-/// A way in even pieces, about as long as `spacing`: at least two.
+/// Returns the ends of even pieces, about as long as `spacing`, of a route: at least two pieces.
 fn samples(way: &[Vec3], spacing: f32) -> Vec<Vec3> {
     let mut ends = Vec::with_capacity(way.len());
     let mut length = 0.0;
@@ -161,8 +163,9 @@ fn samples(way: &[Vec3], spacing: f32) -> Vec<Vec3> {
     samples
 }
 
-/// Moves a sample by a shift, or as much of it as it can go: where no body has room, nor between it and those beside it, it does not go, nor
-/// closer to what is solid than it is if that is closer than `distance`. Gives how far it has gone.
+/// Moves a sample by a shift, or by a half, a quarter and so on of it, and returns the distance moved. The sample does
+/// not move where a body has no room there or on the way to a neighbouring sample, nor closer to obstacles than
+/// `distance` or than it already is.
 fn shifted(space: &Voxels, points: &mut [Vec3], index: usize, shift: Vec3, distance: f32) -> f32 {
     let from = points[index];
     let before = space.nearest(from).distance;
@@ -188,7 +191,7 @@ impl Smoothing {
         let all = [
             ("stiffness of a way", self.stiffness),
             ("tension of a way", self.tension),
-            ("weight of keeping off what is solid", self.keep_off),
+            ("weight of keeping off obstacles", self.keep_off),
             ("distance that a way keeps", self.distance),
         ];
         for (what, value) in all {
@@ -197,12 +200,12 @@ impl Smoothing {
         Error::unless(self.rounds <= 10_000, "rounds of smoothing", self.rounds, "at most 10,000")
     }
 
-    /// To where the energy is least if this sample alone moves and the nearest surface is flat.
+    /// Returns the shift to the minimum of the energy if only this sample moves and the nearest surface is flat.
     fn downhill(&self, space: &Voxels, points: &[Vec3], index: usize) -> Vec3 {
         let at = |offset: isize| index.checked_add_signed(offset).and_then(|index| points.get(index)).copied();
         let here = points[index];
         let (mut slope, mut bend) = (Vec3::ZERO, 0.0);
-        // each second difference that it is part of, with its weight in it
+        // each second difference that the sample is part of, with the sample's coefficient in it
         for (middle, weight) in [(-1, 1.0), (0, -2.0), (1, 1.0)] {
             if let (Some(a), Some(b), Some(c)) = (at(middle - 1), at(middle), at(middle + 1)) {
                 slope += (a - 2.0 * b + c) * (weight * self.stiffness);

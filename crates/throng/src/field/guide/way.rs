@@ -1,20 +1,21 @@
-//! Ways to the target, found by following the slope.
+//! Routes to the target, found by following the slope.
 
-use super::{Guide, Smoothing, Spine};
+use super::{Smoothing, Spine, SwarmGuide};
 use crate::Error;
 use glam::Vec3;
 
-/// Parts of a cube that a step down the slope is long.
+/// Length of a step down the slope, in parts of a cube.
 const STEP: f32 = 0.5;
-/// The part of a step by which the way must get shorter.
+/// Part of a step by which the route must get shorter.
 const PROGRESS: f32 = 0.1;
 
-impl Guide {
-    /// A way from a place to the target: down the slope in steps of half a cube; where these would touch something, from cube to cube. A
-    /// body gets along it.
+impl SwarmGuide {
+    /// Returns a route from a place to the target along which a body has room: down the slope in steps of half a cube;
+    /// where a step would touch an obstacle, from cube to cube.
     ///
     /// # Errors
-    /// [`Error::Shape`] for a start beyond the box, where a body has no room, or from which no way leads to the target.
+    /// [`Error::Shape`] for a start beyond the box, where a body has no room, or from which no route leads to the
+    /// target.
     pub fn path(&self, from: Vec3) -> Result<Vec<Vec3>, Error> {
         let fail =
             |why: &str| Error::Shape { what: format!("the way from {from} to {}", self.target), why: why.into() };
@@ -23,7 +24,7 @@ impl Guide {
         }
         let near = self.space.nearest(from);
         if near.distance < self.space.radius {
-            let inside = "its start is inside something solid";
+            let inside = "its start is inside an obstacle";
             return Err(fail(if near.is_inside() { inside } else { "a body has no room at its start" }));
         }
         let mut way = vec![from];
@@ -36,10 +37,10 @@ impl Guide {
             }
             let next = match (self.downstep(here), node) {
                 (Some(next), _) => (next, None),
-                // from a middle to the next
+                // from the centre of a cube to the centre of the next
                 (None, Some(cell)) => match self.next(cell) {
                     Some(next) => (self.space.middle(next), Some(next)),
-                    // the cubes round the target: it is seen, if not by a body
+                    // the cubes around the target: it is visible, but a body may not have room
                     None if self.space.is_clear(here, self.target, 0.0) => (self.target, None),
                     None => return Err(fail("no way leads there")),
                 },
@@ -56,20 +57,21 @@ impl Guide {
         }
     }
 
-    /// A smooth way from a place to the target.
+    /// Returns a smooth curve from a place to the target.
     ///
     /// # Errors
-    /// As [`path`](Self::path); numbers of the smoothing out of their limits.
+    /// As [`path`](Self::path); values of the smoothing out of their limits.
     pub fn spine(&self, from: Vec3, smoothing: Smoothing) -> Result<Spine, Error> {
         Spine::new(&self.space, &self.path(from)?, smoothing)
     }
 
-    /// Whether a body gets straight from one place to another; who starts closer to something than it reaches gets no closer.
+    /// Whether a body moves straight from one place to another; a body that starts in contact with an obstacle comes no
+    /// closer.
     fn is_clear(&self, from: Vec3, to: Vec3) -> bool {
         self.space.is_clear(from, to, 0.999 * self.space.radius)
     }
 
-    /// A step down the slope, if a body gets along it and the way gets shorter.
+    /// Returns a step down the slope, if a body has room along it and the route gets shorter.
     fn downstep(&self, here: Vec3) -> Option<Vec3> {
         let step = STEP * self.space.cell();
         let next = here + self.downhill(here)? * step;
@@ -79,7 +81,7 @@ impl Guide {
         (room && after <= before - PROGRESS * step && self.is_clear(here, next)).then_some(next)
     }
 
-    /// The linked cube from which the way is shortest, if it is shorter than from this one.
+    /// Returns the linked cube with the shortest route, if it is shorter than from this cube.
     fn next(&self, cell: usize) -> Option<usize> {
         let (links, strides) = (self.space.links[cell], self.space.lattice.strides());
         let sides = (0..6).filter(|side| links >> side & 1 == 1);

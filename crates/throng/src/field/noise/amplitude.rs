@@ -1,23 +1,23 @@
-//! Where noise is strong and where it is weak.
+//! Amplitudes of noise.
 
 use super::ramp;
 use crate::Error;
 use crate::space::surface::Surface;
 use glam::Vec3;
 
-/// How strong something is at every place and time, and how that changes from place to place: a factor and its gradient, per metre.
-/// Functions of a place and a time are such.
+/// An amplitude at every place and time: a factor and its gradient, per metre. Functions of a place and a time are
+/// amplitudes.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::field::Amplitude;
-/// // stronger the higher, from the ground on
+/// // in proportion to the height above the ground
 /// let shear = |place: Vec3, _: f64| (0.5 * place.z, Vec3::Z * 0.5);
 /// assert_eq!(shear.at(Vec3::Z * 3.0, 0.0).0, 1.5);
 /// ```
 pub trait Amplitude: Send + Sync {
-    /// The factor and its gradient at a place, metres from the world's origin, and a time, seconds since the start. A gradient that is
-    /// not that of the factor makes a field that is not free of divergence.
+    /// Returns the factor and its gradient at a place, metres from the world's origin, and a time, seconds since the
+    /// start. If the gradient is not that of the factor, the resulting field is not free of divergence.
     fn at(&self, place: Vec3, time: f64) -> (f32, Vec3);
 }
 
@@ -27,7 +27,7 @@ impl<F: Fn(Vec3, f64) -> (f32, Vec3) + Send + Sync> Amplitude for F {
     }
 }
 
-/// All of it inside a surface, nothing from some distance on, and smoothly less between.
+/// The factor 1 inside a surface and 0 beyond a distance from it, with a smooth transition.
 ///
 /// ```
 /// use glam::Vec3;
@@ -45,7 +45,7 @@ pub struct FadeOut<S> {
 }
 
 impl<S: Surface> FadeOut<S> {
-    /// Out of a surface, within a width, metres.
+    /// Creates an amplitude that falls to 0 within a width, metres, outside a surface.
     ///
     /// # Errors
     /// A width that is not greater than 0 and finite.
@@ -58,7 +58,7 @@ impl<S: Surface> FadeOut<S> {
 impl<S: Surface> Amplitude for FadeOut<S> {
     fn at(&self, place: Vec3, _: f64) -> (f32, Vec3) {
         let near = self.surface.query(place);
-        // the ramp goes from -1 to 1, and so from the surface to the width
+        // the ramp goes from -1 at the surface to 1 at the width
         let (ramp, slope) = ramp(2.0 * near.distance / self.width - 1.0);
         (0.5 - 0.5 * ramp, near.normal * (-slope / self.width))
     }

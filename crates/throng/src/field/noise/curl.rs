@@ -1,58 +1,60 @@
-//! Velocities without sources and sinks, from noisy potentials.
+//! Velocities without divergence, from noise potentials.
 
 use super::Amplitude;
 use super::octave::{Octave, check_count};
 use super::simplex::{Jets, VARIANCE, Wide, individual, simplex};
-use super::wall::{Influence, Wall, influences};
+use super::wall::{Influence, NoiseWall, influences};
 use crate::Error;
 use crate::field::Field;
-use crate::lanes::{LANES, Vec3s, get3, load, set3};
 use crate::random::{Purpose, bits};
+use crate::simd::{LANES, Vec3s, get3, load, set3};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// The root of the mean square of the velocity that noise of unit length makes, of gradients whose components have a variance of 1:
-/// integrals over a cell of the lattice.
+/// The root mean square velocity of noise of unit length with gradients of unit variance in each component: integrals
+/// over a cell of the lattice.
 const PLANE: f64 = 0.039_540_563_930_1;
 const SPACE: f64 = 0.049_629_325_054_3;
 const CROSSED: f64 = 0.001_184_754_340_8;
 
-/// What velocities are made of.
+/// The potential of the velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Potential {
-    /// Along the ground, the same at every height: of one noise `psi`, `(d psi / dy, -d psi / dx)`.
+    /// Along the ground, the same at every height: `(d psi / dy, -d psi / dx)` of one noise `psi`.
     Plane,
     /// In space: the curl of three noises.
     Space,
-    /// In space: the cross product of the gradients of two noises. Faster, and less even: calm in most places and strong in some, as a
-    /// product of two is. DeWolf, *Divergence-free noise*, 2005.
+    /// In space: the cross product of the gradients of two noises. It is faster to compute and less even: calm in most
+    /// places and strong in some, as a product of two noises is. DeWolf, *Divergence-free noise*, 2005.
     Crossed,
 }
 
-/// Curl noise: a velocity that changes smoothly and by chance from place to place and time to time, without sources and sinks, and
-/// flows along walls.
+/// Curl noise: a random velocity that varies smoothly in space and time, has no sources or sinks, and flows along
+/// walls.
 ///
-/// Bridson, Hourihan, Nordenstam, *Curl-noise for procedural fluid flow*, SIGGRAPH 2007: the velocity is the curl of a potential, so
-/// whatever is done to the potential leaves it free of divergence. Near walls the potential is multiplied by a ramp of the distance
-/// that is zero on the wall; in space all of it, while the paper leaves its part along the normal as it is: there the velocity is
-/// `a curl psi + grad a x psi` with `a = 0` and `grad a` along the normal, so that nothing flows through, and only the slope of the
-/// distance is needed, which every surface knows. On walls that move the potential becomes that of their motion. Gradients of the
-/// noise are exact, not differences.
+/// Bridson, Hourihan, Nordenstam, *Curl-noise for procedural fluid flow*, SIGGRAPH 2007: the velocity is the curl of a
+/// potential, so every change of the potential leaves it free of divergence. Near walls the potential is multiplied by
+/// a ramp `a` of the distance that is zero on the wall. In space this scales the whole potential, while the paper keeps
+/// its component along the normal. The velocity is `a curl psi + grad a x psi`; on the wall `a = 0` and `grad a` is
+/// along the normal, so nothing flows through. This needs only the gradient of the distance, which every surface has.
+/// On moving walls the potential becomes that of the wall's motion. Gradients of the noise are exact, not finite
+/// differences.
 ///
-/// Those who are led by it meet each other nevertheless: it keeps nobody apart.
+/// Curl noise does not keep agents apart: agents that follow it can meet.
 ///
-/// Octaves are noises of their own, and so are those of other seeds, and of [individuals](Self::velocities_of_individuals).
-/// [`Amplitude`]s may vary freely. Sums with other fields are for who uses it. Zero where a place or the time is not finite.
+/// Octaves are independent noises, as are different seeds and [individuals](Self::velocities_of_individuals).
+/// [`Amplitude`]s may vary freely. To add other fields, use [`Sum`](crate::field::Sum). The velocity is zero where
+/// a place or the time is not finite.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::field::{CurlNoise, Field, Octave, Potential, Wall};
+/// use throng::field::{CurlNoise, Field, Octave, Potential, NoiseWall};
 /// use throng::space::surface::Sphere;
 /// let octaves = Octave::turbulence(0.5, 0.6, 0.3, 2)?;
-/// let lamp = Wall::new(Sphere::new(Vec3::ZERO, 0.2)?, 0.5)?;
+/// let lamp = NoiseWall::new(Sphere::new(Vec3::ZERO, 0.2)?, 0.5)?;
 /// let noise = CurlNoise::new(Potential::Space, &octaves, 7)?.with_wall(lamp);
 /// let on_the_lamp = noise.velocity(Vec3::X * 0.2, 3.0);
 /// assert!(on_the_lamp.x.abs() < 1e-6, "nothing flows into it");
@@ -63,27 +65,27 @@ pub struct CurlNoise {
     potential: Potential,
     eddies: Vec<Eddies>,
     amplitude: Option<Arc<dyn Amplitude>>,
-    walls: Vec<Wall>,
+    walls: Vec<NoiseWall>,
 }
 
-/// An octave, as it is computed.
+/// An octave with its precomputed factors.
 #[derive(Clone, Copy, Debug)]
 struct Eddies {
     octave: Octave,
     seed: u32,
-    /// Lengths a metre, periods a second.
+    /// Inverse length, per metre; inverse period, per second.
     per_length: f64,
     per_period: f64,
-    /// What derivatives and values of the noise are multiplied by.
+    /// Factors of the derivatives and of the values of the noise.
     speed: f32,
     potential: f32,
 }
 
 impl CurlNoise {
-    /// Noise of these octaves.
+    /// Creates noise of these octaves.
     ///
     /// # Errors
-    /// No octaves or more than 16, or one out of its limits.
+    /// No octaves or more than 16; an octave out of its limits.
     pub fn new(potential: Potential, octaves: &[Octave], seed: u64) -> Result<Self, Error> {
         check_count(octaves.len())?;
         octaves.iter().try_for_each(Octave::check)?;
@@ -104,33 +106,34 @@ impl CurlNoise {
         Ok(Self { potential, eddies, amplitude: None, walls: Vec::new() })
     }
 
-    /// With this amplitude, instead of the same everywhere.
+    /// Sets the amplitude; by default it is 1 everywhere.
     pub fn with_amplitude(self, amplitude: impl Amplitude + 'static) -> Self {
         Self { amplitude: Some(Arc::new(amplitude)), ..self }
     }
 
-    /// With one wall more. Where walls are nearer to each other than their widths, both count.
-    pub fn with_wall(mut self, wall: Wall) -> Self {
+    /// Adds a wall. Where walls are closer to each other than their widths, both count.
+    pub fn with_wall(mut self, wall: NoiseWall) -> Self {
         self.walls.push(wall);
         self
     }
 
-    /// What its velocities are made of.
+    /// Returns the potential of the velocities.
     pub fn potential(&self) -> Potential {
         self.potential
     }
 
-    /// Its octaves.
+    /// Returns the octaves.
     pub fn octaves(&self) -> impl ExactSizeIterator<Item = Octave> + '_ {
         self.eddies.iter().map(|eddies| eddies.octave)
     }
 
-    /// Velocities at many places, one a place: the same as one by one, but faster.
+    /// Computes the velocities at many places. The result equals that of [`velocity`](Field::velocity) at each place,
+    /// and is faster.
     pub fn velocities(&self, places: &[Vec3], time: f64, out: &mut [Vec3]) {
         self.velocities_at(Level::new(), (places, None), time, out);
     }
 
-    /// Velocities of individuals that have noises of their own, by their numbers, at their places.
+    /// Computes the velocities of individuals at their places. Each individual has its own noise, given by its number.
     ///
     /// ```
     /// use glam::Vec3;
@@ -146,7 +149,7 @@ impl CurlNoise {
         self.velocities_at(Level::new(), (places, Some(numbers)), time, out);
     }
 
-    /// With these instructions. Goes as far as the shortest list.
+    /// As [`velocities`](Self::velocities), with this instruction set. The shortest list sets the number of places.
     pub(crate) fn velocities_at(
         &self,
         level: Level,
@@ -168,7 +171,7 @@ impl CurlNoise {
         }
     }
 
-    /// As many as a vector has lanes, at most; by these numbers, if individuals have noises of their own.
+    /// Computes at most one SIMD vector of velocities; with `numbers`, each individual has its own noise.
     #[inline(always)]
     pub(crate) fn vector<S: Simd>(
         &self,
@@ -216,7 +219,7 @@ impl CurlNoise {
         out.iter_mut().enumerate().for_each(|(lane, out)| *out = get3(&columns, lane));
     }
 
-    /// What walls and the amplitude make of the potential.
+    /// Computes the influence of the walls and the amplitude on the potential.
     #[inline(never)]
     fn influence(&self, places: &[Vec3], time: f64, out: &mut [Influence; LANES]) {
         influences(&self.walls, places, time, self.potential == Potential::Plane, out);
@@ -231,7 +234,8 @@ impl CurlNoise {
 }
 
 impl Eddies {
-    /// A vector potential, over the length, and its curl, of gradients that are bytes.
+    /// Returns a vector potential, divided by the length, and its curl. Gradients are not normalised: their components
+    /// are bytes.
     #[inline(always)]
     fn at<S: Simd>(
         &self,
@@ -301,7 +305,7 @@ impl fmt::Debug for CurlNoise {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::perceive::Instructions;
+    use crate::perceive::SimdLevel;
     use crate::space::surface::Sphere;
 
     #[test]
@@ -310,7 +314,7 @@ mod tests {
             (0..77).map(|k| Vec3::new(0.31 * k as f32 - 9.0, 400.0 - 7.7 * k as f32, 0.05 * k as f32)).collect();
         let octaves = Octave::turbulence(0.7, 0.4, 1.0, 3).unwrap();
         for potential in [Potential::Plane, Potential::Space, Potential::Crossed] {
-            let wall = Wall::new(Sphere::new(Vec3::new(3.0, 100.0, 2.0), 50.0).unwrap(), 300.0).unwrap();
+            let wall = NoiseWall::new(Sphere::new(Vec3::new(3.0, 100.0, 2.0), 50.0).unwrap(), 300.0).unwrap();
             let noise = CurlNoise::new(potential, &octaves, 5).unwrap().with_wall(wall);
             let with = |level: Level| {
                 let mut out = vec![Vec3::ZERO; places.len()];
@@ -318,7 +322,7 @@ mod tests {
                 out
             };
             let best = with(Level::new());
-            for level in Instructions::ALL.into_iter().filter_map(Instructions::level) {
+            for level in SimdLevel::ALL.into_iter().filter_map(SimdLevel::level) {
                 assert_eq!(with(level), best, "{potential:?}, {level:?}");
             }
         }

@@ -1,4 +1,4 @@
-//! Curl noise: random eddies without sources and sinks, along walls and round what moves.
+//! Curl noise: random eddies without sources and sinks, along walls and around moving bodies.
 
 mod amplitude;
 mod curl;
@@ -9,10 +9,10 @@ mod wall;
 pub use amplitude::{Amplitude, FadeOut};
 pub use curl::{CurlNoise, Potential};
 pub use octave::Octave;
-pub use wall::{Motion, Rigid, Wall};
+pub use wall::{NoiseWall, Rigid, RigidMotion};
 
-/// `15/8 r - 10/8 r^3 + 3/8 r^5`, which goes from -1 to 1 as `r` does and is level at both ends, also in its curvature; and its slope.
-/// Beyond them it stays (Bridson et al. 2007).
+/// Returns the ramp `15/8 r - 10/8 r^3 + 3/8 r^5` and its slope. It goes from -1 to 1 as `r` does, with zero slope and
+/// curvature at both ends, and is constant beyond them (Bridson et al. 2007).
 fn ramp(r: f32) -> (f32, f32) {
     if r.abs() >= 1.0 {
         return (1.0_f32.copysign(r), 0.0);

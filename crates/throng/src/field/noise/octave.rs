@@ -1,27 +1,29 @@
-//! Octaves: noise of one size, and how they belong together in turbulence.
+//! Octaves: noise of one size, and the combination of octaves to turbulence.
 
 use crate::Error;
 
-/// Octaves that a field has at most.
+/// Maximum number of octaves of a field.
 const MOST: usize = 16;
 
-/// Noise of one size: eddies about a length wide that live about a period long.
+/// Noise of one size: eddies about a length wide that last about a period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octave {
-    /// How wide eddies are, metres: velocities farther apart than 1.42 of it have nothing to do with each other. Limit: > 0.
+    /// Width of the eddies, metres: velocities farther apart than 1.42 times the length are independent. Limit: > 0.
     pub length: f32,
-    /// How long they live, seconds: velocities farther apart in time than 1.42 of it have nothing to do with each other. Infinite:
-    /// they stay as they are. Limit: > 0.
+    /// Lifetime of the eddies, seconds: velocities farther apart in time than 1.42 times the period are independent.
+    /// Infinite: the noise does not change. Limit: > 0.
     pub period: f32,
-    /// The root of the mean square of its velocity, m/s, over all places and times. Limit: >= 0.
+    /// Root mean square of the velocity, m/s, over all places and times. Limit: >= 0.
     pub speed: f32,
 }
 
 impl Octave {
-    /// Turbulence: octaves of half the length each, from this length and period on, with this speed, m/s, all together.
+    /// Returns octaves for turbulence: each half as long as the one before, from this length and period on, with this
+    /// total speed, m/s.
     ///
-    /// Speeds are as the lengths to the power of 1/3 and periods to that of 2/3 (Kolmogorov 1941), so that potentials are as lengths to
-    /// that of 4/3: Bridson, Hourihan, Nordenstam, *Curl-noise for procedural fluid flow*, SIGGRAPH 2007.
+    /// Speeds are proportional to the lengths to the power of 1/3 and periods to the power of 2/3 (Kolmogorov 1941), so
+    /// potentials are proportional to the power of 4/3: Bridson, Hourihan, Nordenstam, *Curl-noise for procedural fluid
+    /// flow*, SIGGRAPH 2007.
     ///
     /// ```
     /// use throng::field::Octave;
@@ -33,7 +35,7 @@ impl Octave {
     /// ```
     ///
     /// # Errors
-    /// No octaves or more than 16, or one out of its limits.
+    /// No octaves or more than 16; an octave out of its limits.
     pub fn turbulence(length: f32, period: f32, speed: f32, octaves: usize) -> Result<Vec<Self>, Error> {
         check_count(octaves)?;
         let third = |k: usize| libm::exp2f(-(k as f32) / 3.0);

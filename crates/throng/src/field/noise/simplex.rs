@@ -1,42 +1,44 @@
-//! Simplex noise and its gradient, many places at once, a lane a place.
+//! Simplex noise and its gradient at many places at once, one place in each element of a SIMD vector.
 //!
-//! Perlin, *Noise Hardware*, SIGGRAPH 2001 course notes; Gustavson, *Simplex noise demystified*, 2005. At every corner of a lattice of
-//! simplices sits a random gradient `g`; a corner adds `t^4 (g . d)` with `t = 1/2 - |d|^2`, `d` the offset from it, as far as `t` is
-//! above zero. With this 1/2 a corner reaches exactly as far as the simplices round it do, so that the noise and three derivatives of
-//! it are continuous in any number of dimensions. Gradients are bytes of hashes of the corner: no tables, so lanes need not gather.
+//! Perlin, *Noise Hardware*, SIGGRAPH 2001 course notes; Gustavson, *Simplex noise demystified*, 2005. Every corner of
+//! a lattice of simplices has a random gradient `g`. A corner contributes `t^4 (g . d)` with `t = 1/2 - |d|^2`, where
+//! `d` is the offset from it, where `t` is above zero. With 1/2 a corner reaches exactly as far as the simplices around
+//! it, so the noise and its first three derivatives are continuous in any number of dimensions. The components of
+//! gradients are bytes of the corner's hash: this needs no tables and no SIMD gathers.
 //!
-//! Where a place lies in the lattice is found in `f64`: far from the origin the noise is as smooth as near it. The lattice repeats
-//! after 2^32 cells.
+//! The position in the lattice is computed in `f64`: the noise is as smooth far from the origin as near it. The lattice
+//! repeats after 2^32 cells.
 
 use fearless_simd::prelude::*;
 
-/// Which corner of the lattice: a factor of its own for every axis. Odd.
+/// Odd factors that hash the coordinates of a corner, one for each axis.
 const FACTORS: [u32; 4] = [0x9e37_79b1, 0x85eb_ca77, 0xc2b2_ae3d, 0x27d4_eb2f];
 
-/// What bytes of hashes are about.
+/// The mean of a byte.
 const MIDDLE: f32 = 127.5;
 
 /// The variance of a component of a gradient: that of a byte.
 pub(super) const VARIANCE: f64 = 65_535.0 / 12.0;
 
-/// Numbers in `f64`, of the lower and the upper half of the lanes.
+/// Numbers in `f64`, for the lower and the upper half of a vector.
 pub(super) type Wide<S> = (<S as Simd>::f64s, <S as Simd>::f64s);
 
-/// Noises, each of gradients of its own, and how they change along each axis.
+/// `K` noises with independent gradients, and their derivatives along each axis.
 #[derive(Clone, Copy)]
 pub(super) struct Jets<S: Simd, const D: usize, const K: usize> {
     pub value: [S::f32s; K],
     pub slope: [[S::f32s; D]; K],
 }
 
-/// How much longer the diagonal of a skewed cell is, and a cell that is not.
+/// Returns the factors that skew a place to the lattice and back, for this number of dimensions.
 const fn skews(dimensions: usize) -> (f64, f64) {
-    // of 3 and 4 dimensions: the roots of 4 and 5
+    // the square roots of 4 and 5, for 3 and 4 dimensions
     let root = if dimensions == 3 { 2.0 } else { 2.236_067_977_499_79 };
     ((root - 1.0) / dimensions as f64, (1.0 - 1.0 / root) / dimensions as f64)
 }
 
-/// `K` noises of 3 or 4 dimensions at places given in lengths of the lattice. Gradients are whole numbers from -127.5 to 127.5.
+/// Computes `K` noises of 3 or 4 dimensions at places in units of the length. Components of gradients are from -127.5
+/// to 127.5 in steps of 1.
 #[inline(always)]
 pub(super) fn simplex<S: Simd, const D: usize, const K: usize>(
     simd: S,
@@ -47,7 +49,8 @@ pub(super) fn simplex<S: Simd, const D: usize, const K: usize>(
     let (zero, one) = (splat(0.0), splat(1.0));
     let (_, unskew) = skews(D);
     let (cell, from) = locate(simd, at);
-    // the order in which a walk from the lowest corner of the simplex to the highest takes the axes: the farthest first
+    // the order in which the path from the lowest to the highest corner of the simplex takes the axes: the largest
+    // offset first
     let mut rank = [zero; D];
     for high in 1..D {
         for low in 0..high {
@@ -98,12 +101,12 @@ pub(super) fn simplex<S: Simd, const D: usize, const K: usize>(
     jets
 }
 
-/// In which cell places lie, and their offsets from its lowest corner.
+/// Returns the cells that contain the places, and the offsets from each cell's lowest corner.
 #[inline(always)]
 fn locate<S: Simd, const D: usize>(simd: S, at: [Wide<S>; D]) -> ([S::u32s; D], [S::f32s; D]) {
     let splat = |value: f64| S::f64s::splat(simd, value);
     let (skew, unskew) = skews(D);
-    // whole numbers added to it are the last bits of the sum
+    // added to a whole number, this puts the number into the last bits of the sum
     let whole = splat(1.5 * (1_u64 << 52) as f64);
     let mut sum = (splat(0.0), splat(0.0));
     for axis in &at {
@@ -128,7 +131,7 @@ fn locate<S: Simd, const D: usize>(simd: S, at: [Wide<S>; D]) -> ([S::u32s; D], 
     (cell, from)
 }
 
-/// Bits that depend on all bits.
+/// Returns a hash: every bit depends on all bits of the input.
 #[inline(always)]
 fn mix<S: Simd>(simd: S, mut bits: S::u32s) -> S::u32s {
     bits = (bits ^ (bits >> 16)) * S::u32s::splat(simd, 0x7feb_352d);
@@ -136,7 +139,7 @@ fn mix<S: Simd>(simd: S, mut bits: S::u32s) -> S::u32s {
     bits ^ (bits >> 16)
 }
 
-/// Further bits, from bits that are mixed.
+/// Returns a further hash from a hash.
 #[inline(always)]
 fn mix_again<S: Simd>(simd: S, bits: S::u32s) -> S::u32s {
     let bits = (bits + S::u32s::splat(simd, 0x9e37_79b9)) * S::u32s::splat(simd, 0x21f0_aaad);
@@ -144,9 +147,9 @@ fn mix_again<S: Simd>(simd: S, bits: S::u32s) -> S::u32s {
     bits ^ (bits >> 15)
 }
 
-/// Seeds of individuals, by their numbers.
+/// Returns the seeds of individuals from their numbers.
 #[inline(always)]
 pub(super) fn individual<S: Simd>(simd: S, numbers: S::u32s) -> S::u32s {
-    // of zero the hash is zero, and that is everybody's seed
+    // the hash of zero is zero, which is the seed of noise without individuals
     mix(simd, numbers + S::u32s::splat(simd, 1))
 }

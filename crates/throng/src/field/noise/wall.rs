@@ -1,49 +1,50 @@
-//! Walls: surfaces that noise flows along, at rest or moving.
+//! Walls: surfaces, at rest or moving, that noise flows along.
 
 use super::ramp;
 use crate::Error;
-use crate::lanes::LANES;
+use crate::simd::LANES;
 use crate::space::surface::{Bounds, Moved, Pose, Surface};
 use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 
-/// Where a rigid thing is, and how it moves.
+/// Pose and motion of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigid {
-    /// How it lies in space.
+    /// Pose in space.
     pub pose: Pose,
-    /// The velocity of where its own origin is, m/s.
+    /// Velocity of the body's origin, m/s.
     pub velocity: Vec3,
-    /// Its angular velocity, rad/s about each axis.
+    /// Angular velocity, rad/s about each axis.
     pub spin: Vec3,
 }
 
-/// How a rigid thing moves by and by. Functions of time are such.
-pub trait Motion: Send + Sync {
-    /// Where it is, and how fast it moves, at a time, seconds since the start. Velocity and spin must be those with which the pose
-    /// changes: they are what flows past it is made of.
+/// The motion of a rigid body over time. Functions of time are motions.
+pub trait RigidMotion: Send + Sync {
+    /// Returns pose, velocity and spin at a time, seconds since the start. Velocity and spin must be the derivatives of
+    /// the pose: the flow past the body is computed from them.
     fn at(&self, time: f64) -> Rigid;
 }
 
-impl<F: Fn(f64) -> Rigid + Send + Sync> Motion for F {
+impl<F: Fn(f64) -> Rigid + Send + Sync> RigidMotion for F {
     fn at(&self, time: f64) -> Rigid {
         self(time)
     }
 }
 
-/// A surface that a field flows along, never through, on either side: an obstacle for those outside, a container for those inside.
+/// A surface that a field flows along on both sides, never through: an obstacle for agents outside, a container for
+/// agents inside.
 #[derive(Clone)]
-pub struct Wall {
+pub struct NoiseWall {
     surface: Arc<dyn Surface>,
     width: f32,
-    /// Beyond it is no influence, if the wall is at rest.
+    /// The box outside which a wall at rest has no influence.
     bounds: Bounds,
-    motion: Option<Arc<dyn Motion>>,
+    motion: Option<Arc<dyn RigidMotion>>,
 }
 
-impl Wall {
-    /// A wall at rest, whose influence ends at a distance of `width`, metres: about the length of the noise.
+impl NoiseWall {
+    /// Creates a wall at rest. Its influence ends at a distance of `width`, metres: use about the length of the noise.
     ///
     /// # Errors
     /// A width that is not greater than 0 and finite.
@@ -53,29 +54,34 @@ impl Wall {
         Ok(Self { surface: Arc::new(surface), width, bounds, motion: None })
     }
 
-    /// A rigid wall that moves: its surface lies round its own origin. The field meets its velocity, along its normal, on it.
+    /// Creates a moving rigid wall. The surface is relative to the body's origin. On the wall, the field's velocity
+    /// along the normal equals the wall's.
     ///
     /// ```
     /// use glam::Vec3;
-    /// use throng::field::{Rigid, Wall};
+    /// use throng::field::{Rigid, NoiseWall};
     /// use throng::space::surface::{Pose, Sphere};
     /// let straight_on = |time: f64| {
     ///     let velocity = Vec3::X * 0.5;
     ///     let pose = Pose::at(velocity * time as f32).expect("times are finite");
     ///     Rigid { pose, velocity, spin: Vec3::ZERO }
     /// };
-    /// let ball = Wall::moving(Sphere::new(Vec3::ZERO, 0.3)?, 0.5, straight_on)?;
+    /// let ball = NoiseWall::moving(Sphere::new(Vec3::ZERO, 0.3)?, 0.5, straight_on)?;
     /// # Ok::<(), throng::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn moving(surface: impl Surface + 'static, width: f32, motion: impl Motion + 'static) -> Result<Self, Error> {
+    pub fn moving(
+        surface: impl Surface + 'static,
+        width: f32,
+        motion: impl RigidMotion + 'static,
+    ) -> Result<Self, Error> {
         Ok(Self { motion: Some(Arc::new(motion)), ..Self::new(surface, width)? })
     }
 }
 
-impl fmt::Debug for Wall {
+impl fmt::Debug for NoiseWall {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { surface, width, motion, .. } = self;
         f.debug_struct("Wall")
@@ -86,40 +92,42 @@ impl fmt::Debug for Wall {
     }
 }
 
-/// What walls, and an amplitude, make of a potential at a place: it is multiplied, and something is added to its curl.
+/// The influence of walls and an amplitude on a potential at a place: a factor with its gradient, and a term added to
+/// the curl.
 #[derive(Clone, Copy)]
 pub(super) struct Influence {
     pub factor: f32,
     pub slope: Vec3,
-    /// A velocity.
+    /// The velocity that is added.
     pub more: Vec3,
 }
 
 impl Influence {
     pub const NONE: Self = Self { factor: 1.0, slope: Vec3::ZERO, more: Vec3::ZERO };
 
-    /// With an amplitude too. What walls add stays: they move as they do.
+    /// Multiplies by an amplitude. The velocity that walls add does not change: walls move regardless of it.
     pub fn scale(&mut self, amplitude: (f32, Vec3)) {
         (self.factor, self.slope) = times((self.factor, self.slope), amplitude);
     }
 }
 
-/// What the potentials of rigid motion of several walls come to: the sum of `share_i psi_i` with `share_i = (1 - |a_i|) prod a_j^2` over
-/// all others `j`, so that on each wall only its own has a share. The sum of shares, and the curl, go along.
+/// The sum of the potentials of several walls' rigid motion, `share_i psi_i` with `share_i = (1 - |a_i|) prod a_j^2`
+/// over all other walls `j`, so that on each wall only its own potential has a share. The sum of the shares and the
+/// curl are accumulated too.
 #[derive(Clone, Copy)]
-struct Blend {
-    /// The product of all `a_j^2` so far.
+struct PotentialBlend {
+    /// The product of all `a_j^2` so far, and its gradient.
     others: (f32, Vec3),
     shares: (f32, Vec3),
     potential: Vec3,
     curl: Vec3,
 }
 
-impl Blend {
+impl PotentialBlend {
     const NONE: Self =
         Self { others: (1.0, Vec3::ZERO), shares: (0.0, Vec3::ZERO), potential: Vec3::ZERO, curl: Vec3::ZERO };
 
-    /// Adds a wall with this ramp, and the potential and velocity with which it moves, if it does.
+    /// Adds a wall with this ramp; `rigid` is the potential and the velocity of its motion, if it moves.
     fn add(&mut self, (a, slope): (f32, Vec3), rigid: Option<(Vec3, Vec3)>) {
         let square = (a * a, slope * (2.0 * a));
         self.curl = self.curl * square.0 + square.1.cross(self.potential);
@@ -135,10 +143,11 @@ impl Blend {
         }
     }
 
-    /// The curl of `(1 - |a|)` times what the shares make of the potentials, `a` the product of all ramps.
+    /// Returns the curl of `(1 - |a|)` times the mean of the potentials by their shares, with `a` the product of all
+    /// ramps.
     fn velocity(&self, (a, slope): (f32, Vec3)) -> Vec3 {
         let (shares, shares_slope) = self.shares;
-        // nobody is near, or two walls meet
+        // no wall is near, or two walls meet
         if shares <= f32::MIN_POSITIVE {
             return Vec3::ZERO;
         }
@@ -148,15 +157,15 @@ impl Blend {
     }
 }
 
-/// The product of two factors, and its gradient.
+/// Returns the product of two factors, and its gradient.
 fn times(one: (f32, Vec3), other: (f32, Vec3)) -> (f32, Vec3) {
     (one.0 * other.0, other.1 * one.0 + one.1 * other.0)
 }
 
-/// What walls make of a potential at some places, in space or, if `flat`, in the plane of what lies at their height.
-pub(super) fn influences(walls: &[Wall], places: &[Vec3], time: f64, flat: bool, out: &mut [Influence; LANES]) {
+/// Computes the influence of walls at some places: in space, or with `flat` in the horizontal plane of each place.
+pub(super) fn influences(walls: &[NoiseWall], places: &[Vec3], time: f64, flat: bool, out: &mut [Influence; LANES]) {
     let level = |v: Vec3| if flat { v.with_z(0.0) } else { v };
-    let mut blends = [Blend::NONE; LANES];
+    let mut blends = [PotentialBlend::NONE; LANES];
     for wall in walls {
         let rigid = wall.motion.as_ref().map(|motion| motion.at(time));
         for ((&place, blend), out) in places.iter().zip(&mut blends).zip(&mut *out) {
@@ -175,7 +184,8 @@ pub(super) fn influences(walls: &[Wall], places: &[Vec3], time: f64, flat: bool,
 }
 
 impl Rigid {
-    /// A vector potential of its velocity at a place, and that velocity. In the plane only what moves within it counts.
+    /// Returns a vector potential of the body's velocity at a place, and that velocity. With `flat`, only motion within
+    /// the horizontal plane counts.
     fn potential(&self, place: Vec3, flat: bool) -> (Vec3, Vec3) {
         let from = place - self.pose.position();
         if flat {

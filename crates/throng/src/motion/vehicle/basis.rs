@@ -1,14 +1,14 @@
-//! Which way something faces: Reynolds' local space.
+//! Orientation of a body: Reynolds' local space.
 
 use crate::motion::angle;
 use glam::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 use std::f32::consts::PI;
 
-/// Three unit vectors at right angles: right-handed, so that facing +x upright is the identity.
+/// Three orthogonal unit vectors, right-handed. Upright and facing +x is the identity.
 ///
-/// Reynolds, Steering behaviors for autonomous characters, GDC 1999, "A simple vehicle model". His side points to the
-/// right, ours to the left, as turning does.
+/// Reynolds, Steering behaviors for autonomous characters, GDC 1999, "A simple vehicle model". In the paper the side
+/// vector points to the right. Here it points to the left, so that counter-clockwise turns are positive.
 ///
 /// ```
 /// use glam::Vec3;
@@ -19,11 +19,11 @@ use std::f32::consts::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Basis {
-    /// Ahead.
+    /// Unit vector ahead.
     pub forward: Vec3,
-    /// To the left.
+    /// Unit vector to the left.
     pub side: Vec3,
-    /// Over the head.
+    /// Unit vector upwards.
     pub up: Vec3,
 }
 
@@ -34,14 +34,14 @@ impl Default for Basis {
 }
 
 impl Basis {
-    /// Facing a direction of any length, as upright as that allows. A direction without length faces +x; straight up or
-    /// down the side stays +y.
+    /// Returns the basis that faces a direction of any length, as upright as possible. A direction of length zero faces
+    /// +x. For straight up or down the side is +y.
     pub fn facing(direction: Vec3) -> Self {
         Self::default().turned_to(direction.normalize_or(Vec3::X), Vec3::Z)
     }
 
-    /// The same, turned to a forward of length 1, with its up as near as possible to `up`. Where that says nothing, since
-    /// the two are in line, the side stays as near as possible to what it was.
+    /// Returns this basis turned to a forward vector of length 1, with its up vector as near as possible to `up`. If
+    /// the two are parallel, the side vector stays as near as possible to the present one.
     pub fn turned_to(&self, forward: Vec3, up: Vec3) -> Self {
         let least = 1e-6 * up.length_squared();
         let across = up.cross(forward);
@@ -50,44 +50,46 @@ impl Basis {
         Self { forward, side, up: forward.cross(side) }
     }
 
-    /// How much of a vector is ahead, to the left, and up: its x, y and z for who faces so.
+    /// Returns the components of a vector ahead, to the left, and up.
     pub fn to_local(&self, vector: Vec3) -> Vec3 {
         Vec3::new(vector.dot(self.forward), vector.dot(self.side), vector.dot(self.up))
     }
 
-    /// The vector that is so much ahead, to the left, and up.
+    /// Returns the vector with these components ahead, to the left, and up.
     pub fn to_world(&self, local: Vec3) -> Vec3 {
         self.forward * local.x + self.side * local.y + self.up * local.z
     }
 
-    /// The part of a vector at right angles to forward.
+    /// Returns the part of a vector orthogonal to forward.
     pub fn lateral(&self, vector: Vec3) -> Vec3 {
         vector.reject_from_normalized(self.forward)
     }
 
-    /// The rotation that takes x to forward, y to the side, and z to up.
+    /// Returns the rotation that maps x to forward, y to the side, and z to up.
     pub fn rotation(&self) -> Quat {
         Quat::from_mat3(&Mat3::from_cols(self.forward, self.side, self.up))
     }
 
-    /// Direction of forward along the ground, radians counter-clockwise from +x.
+    /// Returns the horizontal direction of forward, radians counter-clockwise from +x.
     pub fn heading(&self) -> f32 {
         angle(self.forward.truncate())
     }
 }
 
-/// A vector turned about an axis of length 1, counter-clockwise if the axis points at who looks, by radians.
+/// Returns a vector rotated by `angle` radians about an axis of length 1, counter-clockwise as seen from the tip of the
+/// axis.
 pub(crate) fn turned(vector: Vec3, axis: Vec3, angle: f32) -> Vec3 {
     let (sin, cos) = libm::sincosf(angle);
     vector * cos + axis.cross(vector) * sin + axis * (axis.dot(vector) * (1.0 - cos))
 }
 
-/// The angle between two vectors, radians, 0 to pi.
+/// Returns the angle between two vectors, radians, 0 to pi.
 pub(crate) fn angle_between(a: Vec3, b: Vec3) -> f32 {
     libm::atan2f(a.cross(b).length(), a.dot(b))
 }
 
-/// A direction turned towards another by at most so many radians, both of length 1; about `up` if they are opposite.
+/// Returns the direction `from` turned towards `to` by at most `most` radians. Both have length 1. Opposite directions
+/// turn about `up`.
 pub(crate) fn turned_towards(from: Vec3, to: Vec3, most: f32, up: Vec3) -> Vec3 {
     if most >= PI || angle_between(from, to) <= most {
         return to;

@@ -1,13 +1,13 @@
-//! What a vehicle can do of the force that it is steered by.
+//! Limits of the steering force of a vehicle.
 
 use super::{Locomotion, Motion, Vehicle, angle_between, turned_towards};
 use glam::Vec3;
 use std::f32::consts::PI;
 
-/// Part of the top speed that is no speed backwards.
+/// Fraction of the top speed up to which backward motion counts as none.
 const REST: f32 = 1e-4;
 
-/// The force that is left.
+/// Returns the steering force, limited to what the vehicle can do.
 pub(super) fn limited(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
     let force = if vehicle.locomotion == Locomotion::Ground { force.with_z(0.0) } else { force };
     let force = steerable(vehicle, motion, circling(vehicle, motion, force, seconds), seconds);
@@ -20,8 +20,9 @@ pub(super) fn limited(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: 
     force.clamp_length_max(vehicle.max_force)
 }
 
-/// Who cannot stop cannot turn back on the spot, but circles: of a force that would lead back, what its least speed leaves
-/// no brakes for leads aside instead, to the left if it leads straight back.
+/// Redirects a force that leads a vehicle with a least speed backwards. Such a vehicle cannot turn on the spot, so it
+/// circles: it brakes only as far as the least speed allows, and the rest of the force acts sideways, to the left if
+/// the force leads straight back.
 fn circling(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
     let forward = motion.basis.forward;
     let least = (vehicle.min_speed - motion.velocity.dot(forward)).min(0.0) * vehicle.mass / seconds;
@@ -34,8 +35,8 @@ fn circling(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Ve
     forward * least + aside * (force.length_squared() - least * least).max(0.0).sqrt()
 }
 
-/// At low speed a force may lead aside only within a cone about forward, which opens with the speed: OpenSteer's
-/// adjustRawSteeringForce, smooth, and without its fault that who brakes to rest sets out again.
+/// Restricts the force at low speed to a cone about forward that widens with the speed: OpenSteer's
+/// `adjustRawSteeringForce`, but smooth, and without its fault that a vehicle that brakes to a stop sets out again.
 fn steerable(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
     if vehicle.low_speed == 0.0 || force == Vec3::ZERO {
         return force;
@@ -45,7 +46,7 @@ fn steerable(vehicle: &Vehicle, motion: &Motion, force: Vec3, seconds: f32) -> V
         let stops = vehicle.velocity_of(motion, force, seconds).dot(motion.basis.forward) >= -REST * vehicle.max_speed;
         stops && force.dot(motion.basis.forward) < 0.0
     };
-    // at rest there is nothing to brake
+    // a vehicle that stands has nothing to brake
     if part >= 1.0 || part > 0.0 && brakes() {
         return force;
     }

@@ -1,50 +1,50 @@
-//! The vehicle of steering behaviours: what a body makes of the force that it is steered by.
+//! The vehicle of steering behaviours: the motion of a body under a steering force.
 //!
-//! A point mass with a direction, whose force, speed and turning are limited (Reynolds, Steering behaviors for
-//! autonomous characters, GDC 1999, "Locomotion" and "A simple vehicle model"; OpenSteer's SimpleVehicle). All that is
-//! smoothed or delayed is so by time constants in seconds, so that the time step does not show.
+//! A point mass with a direction and with limits of force, speed and turning (Reynolds, Steering behaviors for
+//! autonomous characters, GDC 1999, "Locomotion" and "A simple vehicle model"; OpenSteer's SimpleVehicle). All
+//! smoothing and delays use time constants in seconds, so that results do not depend on the time step.
 
 mod basis;
 mod limit;
 mod state;
 mod steering;
 mod step;
-mod step_lanes;
+mod step_simd;
 
 pub use basis::Basis;
 pub(crate) use basis::{angle_between, turned, turned_towards};
 pub use state::{Attitude, Motion};
 pub use steering::Steering;
-pub(crate) use step_lanes::{Attitudes, Motions, Stepping};
+pub(crate) use step_simd::{Attitudes, Motions, Stepping};
 
 use crate::Error;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// How a vehicle holds itself.
+/// How a vehicle orients itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Locomotion {
-    /// On the ground: it stays at its height, and upright.
+    /// On the ground: it keeps its height and stays upright.
     #[default]
     Ground,
-    /// Flying level: it goes up and down, and rights itself.
+    /// Level flight: it may climb and descend, and levels itself.
     Level,
-    /// Flying with banking: it leans into its turns, as birds and aircraft do, so that up is along the lateral
-    /// acceleration and against gravity together.
+    /// Banked flight: it banks into turns, as birds and aircraft do, so that up is along the sum of the lateral
+    /// acceleration and the upward reaction to gravity.
     Banking,
 }
 
-/// How motion follows from force in a step.
+/// The integration scheme of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Integrator {
-    /// First the velocity, then the place with the new velocity: stable where a spring is.
+    /// The position uses the new velocity: stable for springs.
     #[default]
     SemiImplicit,
-    /// The place with the velocity of the start of the step, as forward Euler has it in textbooks.
+    /// The position uses the velocity at the start of the step, as forward Euler in textbooks.
     Euler,
 }
 
-/// The most force along each axis of the vehicle, newtons; infinite for no limit of its own. Limit: >= 0.
+/// The greatest force along each axis of the vehicle, newtons; infinite for no separate limit. Limit: >= 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Forces {
     /// Forwards.
@@ -63,7 +63,7 @@ impl Default for Forces {
     }
 }
 
-/// What a vehicle can do. The default is a pedestrian of mass 1, so that forces are accelerations.
+/// The parameters of a vehicle. The default is a pedestrian of mass 1, so that forces are accelerations.
 ///
 /// ```
 /// use glam::Vec3;
@@ -77,30 +77,30 @@ impl Default for Forces {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Vehicle {
-    /// Kilograms. Limit: > 0.
+    /// Mass, kilograms. Limit: > 0.
     pub mass: f32,
-    /// The most force in any direction, newtons. Limit: > 0.
+    /// Greatest force in any direction, newtons. Limit: > 0.
     pub max_force: f32,
-    /// The most along each of its axes.
+    /// Greatest force along each axis.
     pub forces: Forces,
-    /// The speed it never exceeds, m/s. Limit: > 0.
+    /// Top speed, m/s. Limit: > 0.
     pub max_speed: f32,
-    /// The speed it never falls below, as of an aircraft, m/s. It circles what lies within its tightest turn, and where
-    /// it would rest. Limit: 0 to `max_speed`.
+    /// Least speed, m/s, for example of an aircraft. The vehicle circles targets within its tightest turn, and places
+    /// where it would stop. Limit: 0 to `max_speed`.
     pub min_speed: f32,
-    /// How fast it turns at most, rad/s; infinite for no limit. Limit: > 0.
+    /// Greatest turn rate, rad/s; infinite for no limit. Limit: > 0.
     pub max_turn_rate: f32,
-    /// Part of the top speed below which it cannot turn freely: at rest only straight ahead, then ever more to the
-    /// side; 0 for one that turns on the spot, 0.2 in OpenSteer. Limit: 0 to 1.
+    /// Fraction of the top speed below which it cannot turn freely: when it stands it can accelerate only straight
+    /// ahead, and then ever more to the side. 0 for a vehicle that turns on the spot, 0.2 in OpenSteer. Limit: 0 to 1.
     pub low_speed: f32,
-    /// Seconds in which it makes up all but a third of the way to a velocity that it wants
-    /// ([`force_towards`](Self::force_towards)). Limit: >= 0.
+    /// Time constant, seconds, with which it approaches a desired velocity ([`force_towards`](Self::force_towards)),
+    /// all but 1/e of the change. Limit: >= 0.
     pub response: f32,
-    /// Seconds over which its acceleration is smoothed; 0 for none. Limit: >= 0.
+    /// Time constant of the smoothing of its acceleration, seconds; 0 for none. Limit: >= 0.
     pub smoothing: f32,
-    /// How it holds itself.
+    /// How it orients itself.
     pub locomotion: Locomotion,
-    /// How motion follows from force.
+    /// The integration scheme.
     pub integrator: Integrator,
 }
 
@@ -123,33 +123,34 @@ impl Default for Vehicle {
 }
 
 impl Vehicle {
-    /// The force that leads to a velocity: of the difference the part that is made up within so many seconds (> 0), so
-    /// that the time step does not show. Reynolds' "desired velocity - velocity" is that of mass 1 and response 1.
+    /// Returns the force that leads towards a desired velocity: of the difference, the fraction that the response makes
+    /// up within `seconds` (> 0), so that results do not depend on the time step. For mass 1, response 1 and short
+    /// steps it is Reynolds' "desired velocity - velocity".
     pub fn force_towards(&self, motion: &Motion, desired: Vec3, seconds: f32) -> Vec3 {
         (desired - motion.velocity) * self.urgency(seconds)
     }
 
-    /// The velocity that a force leads to, in the end: [`force_towards`](Self::force_towards) the other way round.
+    /// Returns the velocity that a constant force leads to: the inverse of [`force_towards`](Self::force_towards).
     pub fn velocity_of(&self, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
         motion.velocity + force / self.urgency(seconds)
     }
 
-    /// Newtons for every m/s to make up.
+    /// Returns the force per difference of velocity, newtons per m/s.
     fn urgency(&self, seconds: f32) -> f32 {
         self.mass * part_in(seconds, self.response) / seconds
     }
 
-    /// The force that brakes: velocity falls to nothing at a rate, 1/s.
+    /// Returns the braking force: the velocity decays at `rate`, 1/s.
     pub fn brake(&self, motion: &Motion, rate: f32, seconds: f32) -> Vec3 {
         motion.velocity * (-self.mass * part_in(seconds, 1.0 / rate) / seconds)
     }
 
-    /// The most it can slow down, m/s².
+    /// Returns the greatest deceleration, m/s².
     pub fn max_braking(&self) -> f32 {
         self.max_force.min(self.forces.brake) / self.mass
     }
 
-    /// What is wrong with the parameters, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
     /// [`Error::Limit`] names the parameter.
@@ -172,7 +173,7 @@ impl Vehicle {
     }
 }
 
-/// The part of a difference that is made up in so many seconds by what has this time constant.
+/// Returns the fraction of a difference that a process with time constant `time` makes up in `seconds`.
 pub(crate) fn part_in(seconds: f32, time: f32) -> f32 {
     if time > 0.0 { 1.0 - libm::expf(-seconds / time) } else { 1.0 }
 }

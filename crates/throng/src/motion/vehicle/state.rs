@@ -1,38 +1,39 @@
-//! How a vehicle moves: the state that a step changes.
+//! The state of motion of a vehicle, which a step changes.
 
 use super::Basis;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// Where a vehicle is and how it moves. Metres, seconds.
+/// The position of a vehicle and its motion. Metres, seconds.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::motion::Motion;
 /// let motion = Motion { velocity: Vec3::X * 2.0, ..Motion::default() };
 /// assert_eq!(motion.position_in(3.0), Vec3::X * 6.0);
-/// // on a circle of one metre, half way round
+/// // half way round a circle of one metre radius
 /// let turning = Motion { curvature: Vec3::Y, ..motion };
 /// assert!(turning.curved_position_in(std::f32::consts::FRAC_PI_2).distance(Vec3::Y * 2.0) < 1e-5);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Motion {
-    /// Where its centre is.
+    /// Position of the centre.
     pub position: Vec3,
-    /// Its velocity; along forward for those who look where they go.
+    /// Velocity. It is along forward for a vehicle that faces its direction of motion.
     pub velocity: Vec3,
-    /// Which way it faces.
+    /// Orientation.
     pub basis: Basis,
-    /// The acceleration it last had, smoothed ([`Vehicle::smoothing`](super::Vehicle::smoothing)).
+    /// The last acceleration, smoothed ([`Vehicle::smoothing`](super::Vehicle::smoothing)).
     pub acceleration: Vec3,
-    /// How its path bends, smoothed: towards the centre of the circle, one over its radius long.
+    /// The curvature of the path, smoothed: a vector towards the centre of the circle, with the inverse radius as its
+    /// length.
     pub curvature: Vec3,
 }
 
-/// How a vehicle holds itself, wherever it is and however fast: what of its [`Motion`] others do not keep.
+/// The part of a vehicle's [`Motion`] besides position and velocity, which are stored elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Attitude {
-    /// Which way it faces.
+    /// Orientation.
     pub basis: Basis,
     /// As [`Motion::acceleration`].
     pub acceleration: Vec3,
@@ -41,7 +42,7 @@ pub struct Attitude {
 }
 
 impl Attitude {
-    /// At a place, with a velocity.
+    /// Returns the motion with this attitude at a position with a velocity.
     pub fn motion(self, position: Vec3, velocity: Vec3) -> Motion {
         let Self { basis, acceleration, curvature } = self;
         Motion { position, velocity, basis, acceleration, curvature }
@@ -56,27 +57,27 @@ impl From<Motion> for Attitude {
 }
 
 impl Motion {
-    /// At rest at a place, facing a direction upright.
+    /// Returns a motion that stands at a position, upright, facing a direction.
     pub fn at_rest(position: Vec3, facing: Vec3) -> Self {
         Self { position, basis: Basis::facing(facing), ..Self::default() }
     }
 
-    /// At a place with a velocity, looking where it goes, upright.
+    /// Returns a motion at a position with a velocity, upright, facing the direction of motion.
     pub fn moving(position: Vec3, velocity: Vec3) -> Self {
         Self { position, velocity, basis: Basis::facing(velocity), ..Self::default() }
     }
 
-    /// How fast it moves, m/s.
+    /// Returns the speed, m/s.
     pub fn speed(&self) -> f32 {
         self.velocity.length()
     }
 
-    /// Where it will be in so many seconds if it keeps its velocity.
+    /// Returns the position after `seconds` at constant velocity.
     pub fn position_in(&self, seconds: f32) -> Vec3 {
         self.position + self.velocity * seconds
     }
 
-    /// Where it will be in so many seconds if it keeps its speed and the curvature of its path.
+    /// Returns the position after `seconds` at constant speed and curvature.
     pub fn curved_position_in(&self, seconds: f32) -> Vec3 {
         let (speed, bend) = (self.speed(), self.curvature.length());
         let angle = bend * speed * seconds;

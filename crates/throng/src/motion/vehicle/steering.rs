@@ -1,8 +1,8 @@
-//! What a vehicle is asked to do.
+//! Steering requests of a vehicle.
 
 use glam::Vec3;
 
-/// What steering asks of a vehicle for a step.
+/// The result of steering for a vehicle in a step.
 ///
 /// ```
 /// use glam::Vec3;
@@ -14,7 +14,7 @@ use glam::Vec3;
 pub struct Steering {
     /// The force, newtons: mass times an acceleration. The vehicle limits it.
     pub force: Vec3,
-    /// A direction to face, of any length; `None`: look where you go.
+    /// A direction to face, of any length; `None` to face the direction of motion.
     pub facing: Option<Vec3>,
 }
 

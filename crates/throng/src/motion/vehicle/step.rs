@@ -1,34 +1,34 @@
-//! One step of a vehicle: force, velocity, place, direction.
+//! One step of a vehicle: force, velocity, position, orientation.
 
 use super::limit::limited;
 use super::{Basis, Integrator, Locomotion, Motion, Steering, Vehicle, part_in, turned_towards};
 use glam::Vec3;
 
-/// Seconds over which the curvature of the path is smoothed (OpenSteer: a rate of 4).
+/// Time constant of the smoothing of the path's curvature, seconds (OpenSteer: a rate of 4).
 pub(super) const CURVATURE_TIME: f32 = 0.25;
-/// Seconds in which one that flies rights itself, or leans (OpenSteer: a rate of 3).
+/// Time constant with which a flying vehicle levels or banks, seconds (OpenSteer: a rate of 3).
 pub(super) const ROLL_TIME: f32 = 1.0 / 3.0;
 /// Gravity, m/s².
 pub(super) const GRAVITY: f32 = 9.81;
-/// Part of the top speed below which the velocity says nothing about the direction.
+/// Fraction of the top speed below which the velocity does not define the direction.
 pub(super) const REST: f32 = 1e-3;
 
 impl Vehicle {
-    /// Moves by a step of so many seconds (> 0), steered by a force (newtons) or a [`Steering`].
+    /// Advances the motion by `seconds` (> 0), under a force (newtons) or a [`Steering`].
     ///
-    /// The force is limited, becomes an acceleration, smoothed; that changes the velocity, whose speed and direction are
-    /// limited; that changes the place. The vehicle then looks where it goes, or turns to what it is told to face, and
-    /// then it may move in any direction.
+    /// The force is limited and becomes an acceleration, which is smoothed. The acceleration changes the velocity, and
+    /// its speed and direction are limited. The velocity changes the position. Then the vehicle turns to its direction
+    /// of motion, or to the requested facing. With a requested facing it may move in any direction.
     pub fn step(&self, motion: &mut Motion, steering: impl Into<Steering>, seconds: f32) {
         let Steering { force, facing } = steering.into();
         let before = *motion;
         let acceleration = limited(self, motion, force, seconds) / self.mass;
         let smoothed = before.acceleration.lerp(acceleration, part_in(seconds, self.smoothing));
-        let wish = before.velocity + smoothed * seconds;
-        let wish = if self.locomotion == Locomotion::Ground { wish.with_z(0.0) } else { wish };
-        let wish = wish.clamp_length_max(self.max_speed);
-        let forward = self.forward(&before, wish, facing, seconds);
-        motion.velocity = self.velocity(wish, forward, facing.is_some());
+        let chosen = before.velocity + smoothed * seconds;
+        let chosen = if self.locomotion == Locomotion::Ground { chosen.with_z(0.0) } else { chosen };
+        let chosen = chosen.clamp_length_max(self.max_speed);
+        let forward = self.forward(&before, chosen, facing, seconds);
+        motion.velocity = self.velocity(chosen, forward, facing.is_some());
         motion.position += seconds
             * match self.integrator {
                 Integrator::SemiImplicit => motion.velocity,
@@ -39,8 +39,8 @@ impl Vehicle {
         motion.curvature = curvature(&before, motion, seconds);
     }
 
-    /// What becomes of the motion that a step wanted if others leave it another velocity: it looks where it goes, unless it
-    /// faces where it was told to.
+    /// Returns the motion `wanted` by a step after avoidance or the guard replaced its velocity. The vehicle faces its
+    /// direction of motion, unless `faces` says that a facing was requested.
     pub fn diverted(&self, before: &Motion, wanted: Motion, faces: bool, velocity: Vec3, seconds: f32) -> Motion {
         let forward = if faces { wanted.basis.forward } else { self.forward(before, velocity, None, seconds) };
         let mut motion = Motion { position: before.position + velocity * seconds, velocity, ..wanted };
@@ -49,23 +49,27 @@ impl Vehicle {
         motion
     }
 
-    /// The direction it will face.
-    fn forward(&self, motion: &Motion, wish: Vec3, facing: Option<Vec3>, seconds: f32) -> Vec3 {
+    /// Returns the direction that the vehicle faces after the step.
+    fn forward(&self, motion: &Motion, chosen: Vec3, facing: Option<Vec3>, seconds: f32) -> Vec3 {
         let before = motion.basis.forward;
         let to = match facing {
             Some(direction) if self.locomotion == Locomotion::Ground => direction.with_z(0.0),
             Some(direction) => direction,
-            None if wish.length() > REST * self.max_speed => wish,
+            None if chosen.length() > REST * self.max_speed => chosen,
             None => return before,
         };
         let Some(to) = to.try_normalize() else { return before };
         turned_towards(before, to, self.max_turn_rate * seconds, motion.basis.up)
     }
 
-    /// What is left of a velocity when it faces so: what leads along, unless it may move in any direction.
-    fn velocity(&self, wish: Vec3, forward: Vec3, any_direction: bool) -> Vec3 {
-        let velocity =
-            if any_direction || self.max_turn_rate.is_infinite() { wish } else { forward * wish.dot(forward).max(0.0) };
+    /// Returns the part of a velocity that the vehicle can have with this forward direction: the component along it,
+    /// unless the vehicle may move in any direction.
+    fn velocity(&self, chosen: Vec3, forward: Vec3, any_direction: bool) -> Vec3 {
+        let velocity = if any_direction || self.max_turn_rate.is_infinite() {
+            chosen
+        } else {
+            forward * chosen.dot(forward).max(0.0)
+        };
         let too_slow = velocity.length() < self.min_speed;
         if too_slow { velocity.normalize_or(forward) * self.min_speed } else { velocity }
     }
@@ -82,8 +86,8 @@ impl Vehicle {
     }
 }
 
-/// The curvature after a step: the change of direction over the length of the way, smoothed. What it was before turns
-/// with the direction, by the least rotation. At rest there is none.
+/// Returns the curvature after a step: the change of direction divided by the path length, smoothed. The previous
+/// curvature is rotated with the direction, by the smallest rotation. It is zero when the vehicle stands.
 fn curvature(before: &Motion, after: &Motion, seconds: f32) -> Vec3 {
     let length = after.position.distance(before.position);
     let (Some(from), Some(to)) = (before.velocity.try_normalize(), after.velocity.try_normalize()) else {

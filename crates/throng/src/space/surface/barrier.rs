@@ -1,73 +1,74 @@
-//! Surfaces as obstacles and containers: from which side they are seen, and what a vehicle sees ahead of it.
+//! Surfaces as obstacles and containers: the side on which agents are, and the first obstacle ahead of a vehicle.
 
 use super::{Surface, SurfaceHit, Sweep};
 use glam::Vec3;
 
-/// From where a surface is seen. Sheets have an outside only.
+/// The side from which a surface is seen. Sheets have an outside only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SeenFrom {
-    /// An obstacle: who is outside stays outside, who is inside wants out.
+    /// An obstacle: agents outside stay outside, agents inside move out.
     #[default]
     Outside,
-    /// A container: who is inside stays inside, who is outside wants in.
+    /// A container: agents inside stay inside, agents outside move in.
     Inside,
-    /// Hollow: everybody stays on the side they are on.
+    /// Hollow: agents stay on the side on which they are.
     Both,
 }
 
-/// A surface that steering keeps to one side of: what OpenSteer calls an obstacle.
+/// A surface with the side on which agents must be: an obstacle in OpenSteer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Barrier<S> {
     /// The surface.
     pub surface: S,
-    /// From where it is seen.
+    /// The side from which it is seen.
     pub seen_from: SeenFrom,
 }
 
-/// How much room there is at a point on the free side of a surface.
+/// The clearance at a point on the free side of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Room {
-    /// Distance from the surface, metres: negative on the wrong side. From one point to another it changes by no more
-    /// than they are apart.
+pub struct BarrierClearance {
+    /// Distance from the surface, metres; negative on the wrong side. Between two points it changes by at most their
+    /// distance.
     pub distance: f32,
-    /// Unit vector along which that grows fastest.
+    /// Unit vector along which the distance grows fastest.
     pub out: Vec3,
 }
 
-/// What a vehicle meets on its forward axis.
+/// The first contact of a vehicle along its forward axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathIntersection {
-    /// How far the vehicle can go until it touches, metres: 0 if it is on the wrong side.
+    /// Distance that the vehicle can move before the contact, metres; 0 if it is on the wrong side.
     pub distance: f32,
-    /// The point of the surface that it touches, or the nearest if it is on the wrong side.
+    /// The point of contact, or the nearest point of the surface if the vehicle is on the wrong side.
     pub point: Vec3,
-    /// Unit normal there, out of the solid; of a sheet, to the vehicle's side.
+    /// Unit normal there, out of the solid; for a sheet, to the vehicle's side.
     pub normal: Vec3,
-    /// Unit vector to steer along: across the forward axis to where there is room; at distance 0, away from the surface
-    /// to the side where it should be.
+    /// Unit vector to steer along: across the forward axis towards free space. At distance 0 it leads away from the
+    /// surface to the side on which the vehicle should be.
     pub steer_hint: Vec3,
     /// Whether the vehicle's centre is outside the solid now.
     pub vehicle_outside: bool,
 }
 
 impl PathIntersection {
-    /// The normal on the vehicle's side of the surface.
+    /// Returns the normal on the vehicle's side of the surface.
     pub fn free(&self) -> Vec3 {
         if self.vehicle_outside { self.normal } else { -self.normal }
     }
 }
 
-/// Sine of the angle to the normal below which a vehicle heads straight at a surface: the normal says no side then.
+/// Sine of the angle between heading and normal below which a vehicle heads straight at a surface: then the normal does
+/// not determine a side.
 const HEAD_ON: f32 = 0.05;
 
 impl<S: Surface> Barrier<S> {
-    /// A surface seen from one side, or both.
+    /// Returns a barrier of a surface seen from one side, or both.
     pub fn new(surface: S, seen_from: SeenFrom) -> Self {
         Self { surface, seen_from }
     }
 
-    /// Whether who is outside, or inside, is on the wrong side.
+    /// Whether an agent outside (or inside) is on the wrong side.
     pub fn forbids(&self, outside: bool) -> bool {
         match self.seen_from {
             SeenFrom::Outside => !outside,
@@ -76,22 +77,23 @@ impl<S: Surface> Barrier<S> {
         }
     }
 
-    /// How much room there is at a point: its distance from the surface, and where that grows.
-    pub fn room(&self, point: Vec3) -> Room {
+    /// Returns the clearance at a point: the distance from the surface, and the direction in which it grows.
+    pub fn room(&self, point: Vec3) -> BarrierClearance {
         let near = self.surface.query(point);
         match self.seen_from {
-            SeenFrom::Outside => Room { distance: near.distance, out: near.normal },
-            SeenFrom::Inside => Room { distance: -near.distance, out: -near.normal },
-            SeenFrom::Both => Room { distance: near.distance.abs(), out: near.free() },
+            SeenFrom::Outside => BarrierClearance { distance: near.distance, out: near.normal },
+            SeenFrom::Inside => BarrierClearance { distance: -near.distance, out: -near.normal },
+            SeenFrom::Both => BarrierClearance { distance: near.distance.abs(), out: near.free() },
         }
     }
 
-    /// What a vehicle meets first within `reach` metres: a ball of this radius, metres, at `position`, that goes along
-    /// `forward`, of any length. Without a direction it meets only what it touches already.
+    /// Returns the first contact within `reach` metres of a vehicle, a ball of this radius, metres, at `position`, that
+    /// moves along `forward`, of any length. If `forward` has length zero, only a contact at the start counts.
     ///
-    /// Reynolds' obstacle avoidance (1999), with the answer of OpenSteer's `PathIntersection`, and these differences:
-    /// the radius counts for every shape, in all directions; who starts on the wrong side gets the way back as a hint;
-    /// who heads straight at a surface is sent round its nearer side, straight at its middle to the right.
+    /// Reynolds' obstacle avoidance (1999), with the result of OpenSteer's `PathIntersection`, and these differences.
+    /// The radius counts for every shape, in all directions. A vehicle that starts on the wrong side gets the way back
+    /// as a hint. A vehicle that heads straight at a surface is directed round its nearer side, or to the right if it
+    /// heads straight at the centre.
     pub fn ahead(&self, position: Vec3, forward: Vec3, radius: f32, reach: f32) -> Option<PathIntersection> {
         let here = self.surface.query(position);
         let vehicle_outside = !here.is_inside();
@@ -117,8 +119,8 @@ impl<S: Surface> Barrier<S> {
         Some(PathIntersection { distance, point, normal, steer_hint, vehicle_outside })
     }
 
-    /// To which side of the forward axis there is room: that of the normal; else away from the middle of an obstacle,
-    /// or to the middle of a container; else to the right.
+    /// Returns the direction across the forward axis towards free space: that of the normal; else away from the centre
+    /// of an obstacle, or to the centre of a container; else to the right.
     fn round(&self, point: Vec3, free: Vec3, forward: Vec3, outside: bool) -> Vec3 {
         let across = |v: Vec3| v - forward * v.dot(forward);
         let right = Vec3::new(forward.y, -forward.x, 0.0).normalize_or(Vec3::X);
@@ -131,7 +133,7 @@ impl<S: Surface> Barrier<S> {
             return right;
         }
         let from_middle = across(point - bounds.center());
-        // a middle within rounding of the axis says nothing
+        // if the centre is within rounding of the axis it does not determine a side
         if from_middle.length() <= 1e-4 * (bounds.high - bounds.low).max_element() {
             return right;
         }

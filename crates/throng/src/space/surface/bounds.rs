@@ -1,9 +1,9 @@
-//! Boxes along the axes that hold surfaces.
+//! Axis-aligned bounding boxes.
 
 use super::Sweep;
 use glam::Vec3;
 
-/// A box along the axes, metres. Infinite where what it holds is.
+/// An axis-aligned bounding box, metres. It is infinite where its contents are.
 ///
 /// ```
 /// use glam::Vec3;
@@ -22,28 +22,28 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Nothing: the neutral element of [`Bounds::union`].
+    /// The empty box: the neutral element of [`Bounds::union`].
     pub const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
 
     /// All of space.
     pub const EVERYWHERE: Self = Self { low: Vec3::NEG_INFINITY, high: Vec3::INFINITY };
 
-    /// The least box that holds these points.
+    /// Returns the smallest box that contains these points.
     pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |b, p| Self { low: b.low.min(p), high: b.high.max(p) })
     }
 
-    /// The least box that holds both.
+    /// Returns the smallest box that contains both boxes.
     pub fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// This box, larger on every side by a margin in metres.
+    /// Returns this box, enlarged on every side by a margin in metres.
     pub fn grown(self, margin: f32) -> Self {
         Self { low: self.low - margin, high: self.high + margin }
     }
 
-    /// Its corners. Of an infinite box some coordinates are infinite.
+    /// Returns the corners. Some coordinates of an infinite box are infinite.
     pub fn corners(&self) -> [Vec3; 8] {
         std::array::from_fn(|i| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
@@ -51,29 +51,29 @@ impl Bounds {
         })
     }
 
-    /// Its middle; of a side without end, that of what lies within 10⁹ m of the origin.
+    /// Returns the centre of the part of the box within 10⁹ m of the origin along each axis.
     pub fn center(&self) -> Vec3 {
         const FAR: f32 = 1e9;
         (self.low.max(Vec3::splat(-FAR)) + self.high.min(Vec3::splat(FAR))) * 0.5
     }
 
-    /// Whether it has an end on every side, and holds something.
+    /// Whether the box is finite on every side and not empty.
     pub fn is_finite(&self) -> bool {
         self.low.is_finite() && self.high.is_finite()
     }
 
-    /// Whether a point is in it; its sides belong to it.
+    /// Whether a point is in the box, sides included.
     pub fn contains(&self, point: Vec3) -> bool {
         self.low.cmple(point).all() && point.cmple(self.high).all()
     }
 
-    /// Distance of a point from it, metres: 0 inside.
+    /// Returns the distance of a point from the box, metres; 0 inside.
     pub fn distance(&self, point: Vec3) -> f32 {
         (self.low - point).max(point - self.high).max(Vec3::ZERO).length()
     }
 
-    /// How far a ball goes, at least, before it may touch what is in the box; none if it never does. The ball is boxed
-    /// in as well, so near corners this is early.
+    /// Returns a lower bound of the distance that a ball moves before it touches what is in the box; `None` if it never
+    /// does. The ball is replaced by its bounding box, so near corners the bound is low.
     pub fn entry(&self, sweep: &Sweep) -> Option<f32> {
         let (mut enter, mut leave) = (0.0f32, sweep.reach);
         let grown = self.grown(sweep.radius);
@@ -90,7 +90,7 @@ impl Bounds {
                 leave = leave.min(far / direction);
             }
         }
-        // a little more, so that rounding loses nothing that is touched at the very side of the box
+        // slightly more, so that rounding does not lose contacts at the very side of the box
         (enter <= leave * (1.0 + 1e-5) + 1e-5).then_some(enter)
     }
 }

@@ -1,39 +1,39 @@
-//! A hierarchy of boxes: what is near a point, or on a way, among many things.
+//! A bounding volume hierarchy: finds the items near a point or on a path.
 //!
-//! Split at the median of the longest side (Ericson, *Real-Time Collision Detection*, 2005, chapter 6). The hierarchy
-//! knows boxes only; those who ask say how far the thing with a number is.
+//! It is split at the median of the longest side (Ericson, *Real-Time Collision Detection*, 2005, chapter 6). The
+//! hierarchy stores boxes only. The caller provides the distance of each item.
 
 use super::{Bounds, SurfaceHit, Sweep};
 
-/// As many things at most in a leaf.
+/// Maximum number of items in a leaf.
 const LEAF: usize = 2;
 
-/// A binary tree of boxes over numbered things.
+/// A binary tree of boxes over numbered items.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bvh {
-    /// The root is the first; it is there even if there are no things.
-    nodes: Vec<Node>,
-    /// Numbers of the things, those of a leaf side by side.
+    /// The nodes. The first is the root, which exists even if there are no items.
+    nodes: Vec<BvhNode>,
+    /// Numbers of the items. Those of a leaf are adjacent.
     items: Vec<u32>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Node {
+struct BvhNode {
     bounds: Bounds,
-    /// First of its items, or the first of its two children, which lie side by side.
+    /// Index of the first item, or of the first of two adjacent child nodes.
     first: u32,
-    /// How many items; 0: it has children.
+    /// Number of items; 0 for a node with children.
     count: u32,
 }
 
 impl Bvh {
-    /// A hierarchy over things with these boxes, numbered in order. There must be at least one.
+    /// Returns a hierarchy over items with these boxes, numbered in order. There must be at least one.
     pub fn new(boxes: &[Bounds]) -> Self {
         let mut bvh = Self { nodes: Vec::new(), items: (0..boxes.len() as u32).collect() };
-        bvh.nodes.push(Node { bounds: Bounds::EMPTY, first: 0, count: boxes.len() as u32 });
+        bvh.nodes.push(BvhNode { bounds: Bounds::EMPTY, first: 0, count: boxes.len() as u32 });
         let mut open = vec![0];
         while let Some(at) = open.pop() {
-            let Node { first, count, .. } = bvh.nodes[at];
+            let BvhNode { first, count, .. } = bvh.nodes[at];
             let items = &mut bvh.items[first as usize..][..count as usize];
             bvh.nodes[at].bounds = items.iter().map(|&i| boxes[i as usize]).fold(Bounds::EMPTY, Bounds::union);
             if items.len() <= LEAF {
@@ -44,26 +44,26 @@ impl Bvh {
             let key = |i: u32| boxes[i as usize].center()[axis];
             let half = items.len() / 2;
             items.select_nth_unstable_by(half, |&a, &b| key(a).total_cmp(&key(b)).then(a.cmp(&b)));
-            // those of a half in a fixed order, whatever the selection did
+            // a fixed order within each half, whatever the selection did
             items[..half].sort_unstable();
             items[half..].sort_unstable();
             let children = bvh.nodes.len();
             for (first, count) in [(first, half as u32), (first + half as u32, count - half as u32)] {
-                bvh.nodes.push(Node { bounds: Bounds::EMPTY, first, count });
+                bvh.nodes.push(BvhNode { bounds: Bounds::EMPTY, first, count });
                 open.push(bvh.nodes.len() - 1);
             }
-            bvh.nodes[at] = Node { first: children as u32, count: 0, ..bvh.nodes[at].clone() };
+            bvh.nodes[at] = BvhNode { first: children as u32, count: 0, ..bvh.nodes[at].clone() };
         }
         bvh
     }
 
-    /// The box round everything.
+    /// Returns the bounding box of all items.
     pub fn bounds(&self) -> Bounds {
         self.nodes[0].bounds
     }
 
-    /// The thing nearest to a point, or what `look` says about it. `look` is given numbers and answers with a distance,
-    /// which must not be less than that of the thing's box, or may be anything if the point is in it.
+    /// Returns the result of `look` for the item nearest to a point. `look` gets the number of an item and returns its
+    /// distance, which must not be less than that of the item's box unless the point is in the box.
     pub fn nearest<T>(&self, point: glam::Vec3, mut look: impl FnMut(u32) -> (f32, T)) -> Option<(f32, T)> {
         let mut best = None;
         self.nearest_in(0, point, &mut look, &mut best);
@@ -77,7 +77,7 @@ impl Bvh {
         look: &mut impl FnMut(u32) -> (f32, T),
         best: &mut Option<(f32, T)>,
     ) {
-        let Node { first, count, .. } = self.nodes[node];
+        let BvhNode { first, count, .. } = self.nodes[node];
         if count > 0 {
             for &item in &self.items[first as usize..][..count as usize] {
                 let found = look(item);
@@ -89,7 +89,7 @@ impl Bvh {
         }
         let far = |child: usize| {
             let bounds = &self.nodes[child].bounds;
-            // inside of it a distance may be negative
+            // inside the box the distance of an item may be negative
             if bounds.contains(point) { f32::NEG_INFINITY } else { bounds.distance(point) }
         };
         let mut children = [first as usize, first as usize + 1].map(|child| (far(child), child));
@@ -103,7 +103,8 @@ impl Bvh {
         }
     }
 
-    /// What a ball touches first. `look` is given numbers, and the ball as far as it matters.
+    /// Returns the first contact of a ball. `look` gets the number of an item, and the sweep with the reach that still
+    /// matters.
     pub fn first_touched(
         &self,
         sweep: &Sweep,
@@ -122,7 +123,7 @@ impl Bvh {
         look: &mut impl FnMut(u32, &Sweep) -> Option<SurfaceHit>,
         best: &mut Option<SurfaceHit>,
     ) {
-        let Node { first, count, .. } = self.nodes[node];
+        let BvhNode { first, count, .. } = self.nodes[node];
         if count > 0 {
             for &item in &self.items[first as usize..][..count as usize] {
                 if let Some(hit) = look(item, sweep).filter(|hit| best.is_none_or(|best| hit.distance < best.distance))

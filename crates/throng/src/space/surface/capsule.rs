@@ -6,7 +6,7 @@ use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::Vec3;
 
-/// A cylinder with round ends, any way up.
+/// A cylinder with round ends, of any orientation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capsule {
     start: Vec3,
@@ -15,7 +15,7 @@ pub struct Capsule {
 }
 
 impl Capsule {
-    /// Everything within `radius` of the segment between two points, metres. The points may be one.
+    /// Returns the points within `radius` of the segment between two points, metres. The points may be equal.
     ///
     /// # Errors
     /// [`Error::Limit`] if a point is not finite, or the radius not greater than 0 and finite.
@@ -26,8 +26,9 @@ impl Capsule {
         Ok(Self { start, end, radius })
     }
 
-    /// How far a point in a capsule of another radius goes until it leaves it: the last of where it leaves the ball at
-    /// the start, that at the end, and the cylinder between them. None if it does not go through it.
+    /// Returns how far a point inside a capsule of another radius moves until it leaves the capsule: the last exit from
+    /// the ball at the start, the ball at the end, and the cylinder between them. Returns `None` if its line misses the
+    /// capsule.
     fn leave(&self, radius: f32, sweep: &Sweep) -> Option<f32> {
         let root = |offset: Vec3, direction: Vec3| {
             let along = offset.dot(direction);
@@ -54,7 +55,7 @@ impl Surface for Capsule {
     fn query(&self, point: Vec3) -> SurfacePoint {
         let axis = self.end - self.start;
         let t = (point - self.start).dot(axis) / axis.length_squared();
-        // a capsule without length has t NaN
+        // for a capsule of length 0, t is NaN
         let nearest = if t > 0.0 { self.start + axis * t.min(1.0) } else { self.start };
         let offset = point - nearest;
         let any = axis.try_normalize().map_or(Vec3::X, |axis| axis.any_orthonormal_vector());
@@ -70,7 +71,7 @@ impl Surface for Capsule {
         let touches = -start.distance <= sweep.radius;
         let distance = match self.leave((self.radius - sweep.radius).max(0.0), sweep) {
             Some(distance) if !touches || start.normal.dot(sweep.direction) <= 0.0 => distance,
-            // it touches already and comes no freer
+            // it touches at the start and does not move away
             _ => 0.0,
         };
         let SurfacePoint { point, normal, .. } = self.query(sweep.at(distance));
@@ -92,7 +93,7 @@ impl Surface for Capsule {
             }
         };
         let mut line: Vec<(f32, f32)> = (0..2 * quarter + 2).map(at).collect();
-        // one without length is a ball
+        // a capsule of length 0 is a ball
         line.dedup_by(|a, b| (a.0 - b.0).abs().max((a.1 - b.1).abs()) <= 1e-6 * self.radius);
         turned(self.start.midpoint(self.end), axis, &line)
     }

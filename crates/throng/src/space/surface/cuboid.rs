@@ -1,12 +1,12 @@
-//! Boxes, and rectangular plates: boxes without thickness.
+//! Boxes, and rectangular plates: boxes of thickness 0.
 
 use super::sweep::touch_convex;
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::{Vec2, Vec3};
 
-/// A solid box, or a rectangular plate with two sides, along the axes round the origin. [`Moved`](super::Moved) puts it
-/// anywhere, turned in any way.
+/// A solid box, or a rectangular plate with two sides, parallel to the axes and centred at the origin.
+/// [`Moved`](super::Moved) gives it a position and orientation.
 ///
 /// ```
 /// use glam::{Quat, Vec2, Vec3};
@@ -22,12 +22,12 @@ use glam::{Vec2, Vec3};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cuboid {
-    /// Half of its extents.
+    /// Half extents.
     half: Vec3,
 }
 
 impl Cuboid {
-    /// A solid box with these full extents, metres.
+    /// Returns a solid box with these full extents, metres.
     ///
     /// # Errors
     /// [`Error::Limit`] if an extent is not greater than 0 and finite.
@@ -36,8 +36,8 @@ impl Cuboid {
         Ok(Self { half: size * 0.5 })
     }
 
-    /// A rectangle without thickness in the plane z = 0 with these full extents along x and y, metres. It has two sides
-    /// and no inside.
+    /// Returns a rectangle of thickness 0 in the plane z = 0 with these full extents along x and y, metres. It has two
+    /// sides and no inside.
     ///
     /// # Errors
     /// [`Error::Limit`] if an extent is not greater than 0 and finite.
@@ -46,12 +46,12 @@ impl Cuboid {
         Ok(Self { half: size.extend(0.0) * 0.5 })
     }
 
-    /// Where a ball inside touches first: of the walls that it moves towards, the first.
+    /// Returns the first contact of a ball inside: with the first of the walls that it moves towards.
     fn sweep_inside(&self, sweep: &Sweep) -> SurfaceHit {
         let room = (self.half - sweep.radius).max(Vec3::ZERO);
         let to_wall = |axis: usize| {
             let (from, speed) = (sweep.origin[axis], sweep.direction[axis]);
-            // along the wall it never gets there
+            // parallel to the wall it never reaches it
             if speed == 0.0 { f32::INFINITY } else { (room[axis] - from * speed.signum()).max(0.0) / speed.abs() }
         };
         let times = Vec3::new(to_wall(0), to_wall(1), to_wall(2));

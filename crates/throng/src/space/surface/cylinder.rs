@@ -7,19 +7,19 @@ use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::Vec3;
 
-/// A solid cylinder with flat ends, any way up.
+/// A solid cylinder with flat ends, of any orientation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cylinder {
     center: Vec3,
     /// Unit vector.
     axis: Vec3,
-    /// Half of its length.
+    /// Half its length.
     half: f32,
     radius: f32,
 }
 
 impl Cylinder {
-    /// The cylinder between the middles of its ends, metres.
+    /// Returns the cylinder between the centres of its ends, metres.
     ///
     /// # Errors
     /// [`Error::Limit`] if an end is not finite, or the radius or the length not greater than 0 and finite.
@@ -32,7 +32,7 @@ impl Cylinder {
         Ok(Self { center: start.midpoint(end), axis: (end - start) / length, half: 0.5 * length, radius })
     }
 
-    /// How far along the axis from the centre a point is, and its offset across.
+    /// Returns the position of a point along the axis from the centre, and its offset across the axis.
     fn split(&self, point: Vec3) -> (f32, Vec3) {
         let offset = point - self.center;
         let along = offset.dot(self.axis);

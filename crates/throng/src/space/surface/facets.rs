@@ -1,13 +1,13 @@
-//! Surfaces as flat polygons, for those who draw them.
+//! Surfaces as flat polygons, for drawing.
 
 use super::Bounds;
 use glam::Vec3;
 
-/// Facets of a round surface on the way round its axis.
+/// Number of facets around the axis of a round surface.
 pub(super) const ROUND: usize = 24;
 
-/// What a line from one pole to the other sweeps as it turns about an axis through the centre: the line is told by
-/// points, how far along the axis and how far from it. Facets are seen counter-clockwise from outside.
+/// Returns the facets of a surface of revolution. `line` is the profile from one pole to the other: points given by the
+/// position along the axis and the distance from it. Facets are counter-clockwise seen from outside.
 pub(super) fn turned(center: Vec3, axis: Vec3, line: &[(f32, f32)]) -> Vec<Vec<Vec3>> {
     let (right, up) = axis.any_orthonormal_pair();
     let at = |(along, out): (f32, f32), k: usize| {
@@ -16,14 +16,14 @@ pub(super) fn turned(center: Vec3, axis: Vec3, line: &[(f32, f32)]) -> Vec<Vec<V
     };
     let ring = |ends: [(f32, f32); 2], k: usize| {
         let mut facet = vec![at(ends[0], k), at(ends[0], k + 1), at(ends[1], k + 1), at(ends[1], k)];
-        // at a pole it is a triangle
+        // at a pole the facet is a triangle
         facet.dedup();
         facet
     };
     line.windows(2).flat_map(|ends| (0..ROUND).map(move |k| ring([ends[0], ends[1]], k))).collect()
 }
 
-/// The part of a polygon that is in a box (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974).
+/// Returns the part of a polygon inside a box (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974).
 pub(super) fn within(mut polygon: Vec<Vec3>, bounds: &Bounds) -> Vec<Vec3> {
     for axis in 0..3 {
         for (sign, limit) in [(1.0, bounds.low[axis]), (-1.0, bounds.high[axis])] {

@@ -1,4 +1,4 @@
-//! Ground with hills: heights on a grid.
+//! Uneven ground: heights on a grid.
 
 use super::sweep::{finite, touch_convex};
 use super::triangle::Triangle;
@@ -6,8 +6,9 @@ use super::{Bounds, Bvh, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::{Vec2, Vec3, Vec3Swizzles};
 
-/// Everything below a ground of given heights. Each cell is two triangles, which meet along its rising diagonal (from
-/// its least x and y to its greatest). Beyond its rim the ground goes on at the height that it has there, for 100 km.
+/// The solid below a ground of given heights. Each cell consists of two triangles that meet along its rising diagonal
+/// (from the least x and y to the greatest). Beyond the edge of the grid the ground continues at the height of the
+/// edge, for 100 km.
 ///
 /// ```
 /// use glam::{Vec2, Vec3};
@@ -21,34 +22,34 @@ use glam::{Vec2, Vec3, Vec3Swizzles};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightField {
-    grid: Grid,
-    /// Over the cells of the grid.
+    grid: HeightGrid,
+    /// A hierarchy over the cells of the grid.
     bvh: Bvh,
 }
 
-/// Heights on a grid, with a ring of cells round it that reach far away.
+/// Heights on a grid, surrounded by a ring of very large cells.
 #[derive(Clone, Debug, PartialEq)]
-struct Grid {
+struct HeightGrid {
     low: Vec2,
     /// Width of a cell.
     cell: f32,
-    /// How many heights side by side along x.
+    /// Number of heights along x.
     columns: usize,
-    /// How many along y.
+    /// Number of heights along y.
     rows: usize,
     heights: Vec<f32>,
 }
 
-/// How far the ground goes on beyond its rim, metres.
+/// Distance that the ground continues beyond the edge of the grid, metres.
 const BEYOND: f32 = 1e5;
 
 impl HeightField {
-    /// A ground with its lower left corner at `low`, square cells of width `cell`, and heights row by row: `columns`
-    /// of them along x, then the next row. All in metres.
+    /// Returns a ground with its lower left corner at `low`, square cells of width `cell`, and heights row by row:
+    /// `columns` of them along x, then the next row. All in metres.
     ///
     /// # Errors
     /// [`Error::Limit`] if the corner or a height is not finite, or the width not greater than 0 and finite;
-    /// [`Error::Shape`] if there are not at least two columns and two rows, all full.
+    /// [`Error::Shape`] if there are not at least two columns and two complete rows.
     pub fn new(low: Vec2, cell: f32, columns: usize, heights: Vec<f32>) -> Result<Self, Error> {
         finite("the corner of a height field", low.extend(0.0))?;
         Error::unless_positive("the width of the cells of a height field", cell)?;
@@ -59,19 +60,19 @@ impl HeightField {
             let why = format!("{count} heights in rows of {columns} are not at least two full rows of at least two");
             return Err(Error::Shape { what: "a height field".into(), why });
         }
-        let grid = Grid { low, cell, columns, rows, heights };
+        let grid = HeightGrid { low, cell, columns, rows, heights };
         let cells = ((columns + 1) * (rows + 1)) as u32;
         let boxes: Vec<Bounds> = (0..cells).map(|cell| Bounds::around(grid.corners(cell))).collect();
         Ok(Self { grid, bvh: Bvh::new(&boxes) })
     }
 
-    /// Height of the ground at a point of the plan, metres.
+    /// Returns the height of the ground at a point of the plan, metres.
     pub fn height(&self, at: Vec2) -> f32 {
         self.grid.height(at)
     }
 }
 
-impl Grid {
+impl HeightGrid {
     fn height(&self, at: Vec2) -> f32 {
         let most = Vec2::new((self.columns - 1) as f32, (self.rows - 1) as f32);
         let place = ((at - self.low) / self.cell).clamp(Vec2::ZERO, most);
@@ -86,11 +87,11 @@ impl Grid {
         }
     }
 
-    /// The corners of a cell of the hierarchy, counter-clockwise from its least x and y.
+    /// Returns the corners of a cell of the hierarchy, counter-clockwise from the least x and y.
     fn corners(&self, cell: u32) -> [Vec3; 4] {
         let across = self.columns + 1;
         let (column, row) = (cell as usize % across, cell as usize / across);
-        // lines of the grid are counted with those far away, on both sides
+        // grid lines are numbered including the outer line of the ring on each side
         let line = |k: usize, low: f32, count: usize| {
             let inner = low + k.clamp(1, count).saturating_sub(1) as f32 * self.cell;
             match k {
@@ -122,7 +123,7 @@ impl Surface for HeightField {
         };
         let sheet = self.bvh.nearest(point, look).map(|found| found.1);
         let sheet = sheet.unwrap_or(SurfacePoint { point, normal: Vec3::Z, distance: 0.0 });
-        // the normals of what is below a graph point up: who sees the surface from below is inside
+        // the normals of a solid below a graph point up: a point that sees the surface from below is inside
         let inside = sheet.normal.z < 0.0 && sheet.distance > 0.0;
         let sign = if inside { -1.0 } else { 1.0 };
         SurfacePoint { normal: sheet.normal * sign, distance: sheet.distance * sign, ..sheet }
@@ -137,8 +138,8 @@ impl Surface for HeightField {
     }
 
     fn facets(&self, _: &Bounds) -> Vec<Vec<Vec3>> {
-        let Grid { columns, rows, .. } = self.grid;
-        // without the ring of cells that reach far away
+        let HeightGrid { columns, rows, .. } = self.grid;
+        // without the ring of large cells
         let cells = (1..rows).flat_map(|row| (1..columns).map(move |column| (row * (columns + 1) + column) as u32));
         let corners = cells.map(|cell| self.grid.corners(cell));
         corners.flat_map(|[a, b, c, d]| [vec![a, b, c], vec![a, c, d]]).collect()

@@ -1,17 +1,17 @@
 //! Triangle meshes.
 
 use super::sweep::{finite, rounding, touch_convex};
-use super::triangle::{Part, Triangle};
+use super::triangle::{Triangle, TriangleFeature};
 use super::{Bounds, Bvh, Surface, SurfaceHit, SurfacePoint, Sweep, topology};
 use crate::error::Error;
 use glam::{DVec3, Vec3};
 
-/// Triangles. If every edge belongs to two of them they are the surface of a solid, whichever way each is turned; else
-/// they are a sheet with two sides.
+/// A mesh of triangles. If every edge belongs to two triangles, the mesh is the surface of a solid, whatever the
+/// orientation of its triangles. Otherwise it is a sheet with two sides.
 ///
-/// Which side of a closed mesh a point is on is told by the normal at the nearest point, which on edges and corners is
-/// the mean of the normals round it, weighted by angles (Baerentzen and Aanaes, *Signed distance computation using the
-/// angle weighted pseudonormal*, IEEE TVCG 11(3), 2005). The triangles should not pass through each other.
+/// The side of a closed mesh on which a point lies follows from the normal at the nearest point. On edges and corners
+/// that is the angle-weighted mean of the normals around it (Baerentzen and Aanaes, *Signed distance computation using
+/// the angle weighted pseudonormal*, IEEE TVCG 11(3), 2005). The triangles must not intersect each other.
 ///
 /// ```
 /// use glam::Vec3;
@@ -28,13 +28,13 @@ pub struct Mesh {
     points: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     bvh: Bvh,
-    /// If the mesh is closed.
-    solid: Option<Solid>,
+    /// Present if the mesh is closed.
+    solid: Option<InsideTest>,
 }
 
-/// What tells inside from outside.
+/// The data that distinguishes inside from outside.
 #[derive(Clone, Debug, PartialEq)]
-struct Solid {
+struct InsideTest {
     /// The triangle across each edge.
     across: Vec<[u32; 3]>,
     /// The normal at each point.
@@ -42,11 +42,11 @@ struct Solid {
 }
 
 impl Mesh {
-    /// A mesh of triangles, each by the indices of its corners among the points, metres. Points at one place are the
-    /// same point; triangles with two corners at one place are left out.
+    /// Returns a mesh of triangles, each given by the indices of its corners among the points, metres. Points at the
+    /// same place are merged. Triangles with two corners at the same place are left out.
     ///
     /// # Errors
-    /// [`Error::Limit`] if a point is not finite; [`Error::Shape`] if a triangle names a point that is not there, or no
+    /// [`Error::Limit`] if a point is not finite; [`Error::Shape`] if a triangle has an index out of range, or no
     /// triangle is left.
     pub fn new(points: &[Vec3], triangles: &[[u32; 3]]) -> Result<Self, Error> {
         let fail = |why: String| Err(Error::Shape { what: "a mesh".into(), why });
@@ -65,21 +65,21 @@ impl Mesh {
         let at = |corners: &[u32; 3]| corners.map(|i| points[i as usize]);
         let boxes: Vec<Bounds> = triangles.iter().map(|corners| Bounds::around(at(corners))).collect();
         let corners = corner_normals(&points, &triangles);
-        let solid = across.filter(|_| closed).map(|across| Solid { across, corners });
+        let solid = across.filter(|_| closed).map(|across| InsideTest { across, corners });
         Ok(Self { bvh: Bvh::new(&boxes), points, triangles, solid })
     }
 
-    /// Whether it is the surface of a solid.
+    /// Whether the mesh is the surface of a solid.
     pub fn is_closed(&self) -> bool {
         self.solid.is_some()
     }
 
-    /// How many triangles it has.
+    /// Returns the number of triangles.
     pub fn len(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Whether it has no triangles, which never happens.
+    /// Whether the mesh has no triangles. Always false.
     pub fn is_empty(&self) -> bool {
         self.triangles.is_empty()
     }
@@ -88,13 +88,13 @@ impl Mesh {
         Triangle::new(self.triangles[index as usize].map(|i| self.points[i as usize]))
     }
 
-    /// Normal of the solid at a part of a triangle.
-    fn normal(&self, solid: &Solid, index: u32, part: Part) -> DVec3 {
+    /// Returns the normal of the solid at a feature of a triangle.
+    fn normal(&self, solid: &InsideTest, index: u32, part: TriangleFeature) -> DVec3 {
         let face = self.triangle(index).normal();
         match part {
-            Part::Face => face,
-            Part::Edge(k) => face + self.triangle(solid.across[index as usize][k]).normal(),
-            Part::Corner(k) => solid.corners[self.triangles[index as usize][k] as usize],
+            TriangleFeature::Face => face,
+            TriangleFeature::Edge(k) => face + self.triangle(solid.across[index as usize][k]).normal(),
+            TriangleFeature::Corner(k) => solid.corners[self.triangles[index as usize][k] as usize],
         }
     }
 }
@@ -109,7 +109,7 @@ impl Surface for Mesh {
         let Some((near, index, part)) = nearest else {
             return SurfacePoint { point, normal: Vec3::Z, distance: 0.0 };
         };
-        let behind = |solid: &Solid| self.normal(solid, index, part).dot(near.normal.as_dvec3()) < 0.0;
+        let behind = |solid: &InsideTest| self.normal(solid, index, part).dot(near.normal.as_dvec3()) < 0.0;
         let sign = if self.solid.as_ref().is_some_and(behind) { -1.0 } else { 1.0 };
         SurfacePoint { normal: near.normal * sign, distance: near.distance * sign, ..near }
     }
@@ -122,8 +122,9 @@ impl Surface for Mesh {
         if !self.is_closed() {
             return Some(hit);
         }
-        // the side is told where it touches, which is found faster: on the surface itself by the way it goes; else what is
-        // nearest may be another part, which it touched before and leaves
+        // the side is determined at the contact, which is faster: on the surface itself by the direction of motion,
+        // else by the sign of the distance, since the nearest part may be one that the ball touched at the start and
+        // leaves
         let there = self.query(sweep.at(hit.distance));
         let towards = there.normal.dot(sweep.direction) <= 0.0;
         let on_surface = hit.distance > 0.0 && there.distance.abs() <= 4.0 * rounding(there.point);
@@ -139,7 +140,7 @@ impl Surface for Mesh {
     }
 }
 
-/// At each point, the sum of the normals of the triangles round it, weighted by their angles there.
+/// Returns, for each point, the angle-weighted sum of the normals of the triangles around it.
 fn corner_normals(points: &[Vec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; points.len()];
     for corners in triangles {

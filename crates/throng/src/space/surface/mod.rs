@@ -1,12 +1,12 @@
-//! Surfaces in space, and what steering asks of them: the nearest point, what is ahead, inside or outside.
+//! Surfaces in space, with the queries of steering: the nearest point, the first obstacle ahead, inside or outside.
 //!
-//! Containment, wall following, obstacle avoidance and hiding see no shapes, only this protocol (Reynolds, *Steering
-//! Behaviors for Autonomous Characters*, GDC 1999, the sections on these behaviours): a [`Surface`] answers with the
-//! nearest point, its normal and the signed distance, and with the first thing that a ball touches on its way. A
-//! [`Barrier`] adds from which side it is seen: the inside of a solid is a container.
+//! Containment, wall following, obstacle avoidance and hiding do not depend on shapes but on this protocol (Reynolds,
+//! *Steering Behaviors for Autonomous Characters*, GDC 1999, the sections on these behaviours). A [`Surface`] returns
+//! the nearest point, its normal and the signed distance, and the first contact of a moving ball. A [`Barrier`] adds
+//! the side on which agents are: the inside of a solid is a container.
 //!
-//! Everything is in metres, in a space with z up; the plane of those on foot is z = 0, and [`Prism::ground`] makes
-//! ground plans of polygons. Coordinates are `f32`, relative to an origin of the caller's choice.
+//! Coordinates are in metres with z up. Pedestrians walk in the plane z = 0, and [`Prism::ground`] turns polygons into
+//! ground plans. Coordinates are `f32`, relative to an origin of the caller's choice.
 //!
 //! ```
 //! use glam::Vec3;
@@ -19,7 +19,7 @@
 //! let seen = Barrier::new(ball, SeenFrom::Outside);
 //! let ahead = seen.ahead(Vec3::ZERO, Vec3::X, 0.5, 20.0).expect("it is in the way");
 //! assert!((ahead.distance - (10.0 - 6.0f32.sqrt())).abs() < 1e-4);
-//! assert!(ahead.steer_hint.y < 0.0, "its middle is on the left: pass on the right");
+//! assert!(ahead.steer_hint.y < 0.0, "its centre is on the left: pass on the right");
 //! # Ok::<(), throng::Error>(())
 //! ```
 
@@ -43,7 +43,7 @@ mod triangle;
 mod union;
 mod upright;
 
-pub use barrier::{Barrier, PathIntersection, Room, SeenFrom};
+pub use barrier::{Barrier, BarrierClearance, PathIntersection, SeenFrom};
 pub use bounds::Bounds;
 pub(crate) use bvh::Bvh;
 pub use capsule::Capsule;
@@ -63,41 +63,42 @@ use glam::Vec3;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// Something with a surface: a solid, or a sheet with two sides and no inside.
+/// A surface: that of a solid, or a sheet with two sides and no inside.
 ///
-/// Points that are not finite get answers without meaning, never a panic.
+/// For points that are not finite the results are meaningless, but no method panics.
 pub trait Surface: Debug + Send + Sync {
-    /// The point of the surface nearest to `point`.
+    /// Returns the point of the surface nearest to `point`.
     fn query(&self, point: Vec3) -> SurfacePoint;
 
-    /// Where a ball first touches the surface from the side on which its centre starts. One that touches at the start
-    /// and moves on into it touches at distance 0. What it touches at the start and moves away from does not count; a
-    /// surface of several parts (walls, triangles, members) tells this part by part.
+    /// Returns the first contact of a moving ball with the surface, on the side on which its centre starts. A ball that
+    /// touches at the start and moves on into the surface has a contact at distance 0. A contact at the start from
+    /// which the ball moves away does not count. A surface of several parts (walls, triangles, members) applies this to
+    /// each part separately.
     fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit>;
 
-    /// A box that holds the surface, and the solid if there is one.
+    /// Returns a bounding box of the surface, and of the solid if there is one.
     fn bounds(&self) -> Bounds;
 
-    /// It as flat polygons, to be drawn: corners go counter-clockwise seen from outside. Of what has no end, the part
-    /// within a box. None where nothing is to be drawn.
+    /// Returns the surface as flat polygons for drawing. Corners are counter-clockwise seen from outside. An infinite
+    /// surface is cut off at the box `within`. The result is empty if there is nothing to draw.
     fn facets(&self, _within: &Bounds) -> Vec<Vec<Vec3>> {
         Vec::new()
     }
 
-    /// Where a ray first crosses the surface, from outside or inside, within `reach` metres. `direction` is a unit
-    /// vector. A start on the surface itself, give or take rounding, counts as either side.
+    /// Returns the first crossing of a ray with the surface, from outside or inside, within `reach` metres. `direction`
+    /// is a unit vector. A start within rounding of the surface counts as either side.
     fn ray(&self, origin: Vec3, direction: Vec3, reach: f32) -> Option<SurfaceHit> {
         self.sweep(&Sweep { origin, direction, radius: 0.0, reach })
     }
 }
 
-/// The point of a surface that is nearest to another, `p`. `p = point + normal * distance`.
+/// The point of a surface nearest to a point `p`. `p = point + normal * distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
-    /// The nearest point of the surface; of several, one of them.
+    /// The nearest point of the surface; if there are several, any of them.
     pub point: Vec3,
-    /// Unit vector out of the solid along which `p` and the nearest point are apart: where the distance grows fastest.
-    /// Of a sheet it points to the side that `p` is on.
+    /// Unit vector out of the solid, along the line between `p` and the nearest point: the direction in which the
+    /// distance grows fastest. For a sheet it points to the side of `p`.
     pub normal: Vec3,
     /// Distance between `p` and the surface, metres: negative inside a solid, never negative for a sheet.
     pub distance: f32,
@@ -109,34 +110,34 @@ impl SurfacePoint {
         self.distance < 0.0
     }
 
-    /// The normal on the side of `p`.
+    /// Returns the normal on the side of `p`.
     pub fn free(&self) -> Vec3 {
         if self.is_inside() { -self.normal } else { self.normal }
     }
 }
 
-/// What a moving ball, or a ray, touches first.
+/// The first contact of a moving ball or a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceHit {
-    /// How far the centre of the ball goes until then, metres.
+    /// Distance that the centre of the ball moves before the contact, metres.
     pub distance: f32,
-    /// The point of the surface that it touches.
+    /// The point of contact on the surface.
     pub point: Vec3,
-    /// Unit normal there, out of the solid; of a sheet, to the side that the ball comes from.
+    /// Unit normal there, out of the solid; for a sheet, to the side from which the ball comes.
     pub normal: Vec3,
     /// Whether the ball comes from outside the solid; true for sheets.
     pub from_outside: bool,
 }
 
 impl SurfaceHit {
-    /// The same touch of a sheet as that of a solid whose boundary the sheet is.
+    /// Returns the contact with a sheet as a contact with the solid that the sheet bounds.
     fn of_solid(self, from_outside: bool) -> Self {
         let normal = if from_outside { self.normal } else { -self.normal };
         Self { normal, from_outside, ..self }
     }
 }
 
-/// What holds a surface is one.
+/// Implements [`Surface`] for references and smart pointers to surfaces.
 macro_rules! holders {
     ($($holder:ty,)*) => { $(
         impl<S: Surface + ?Sized> Surface for $holder {

@@ -1,23 +1,24 @@
-//! Surfaces that were turned and moved.
+//! Surfaces with a position and orientation.
 
 use super::sweep::finite;
 use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::{Mat3, Quat, Vec3};
 
-/// A place and a direction: how something lies in space.
+/// A position and an orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     position: Vec3,
-    /// A matrix, because products with quaternions round differently on different processors.
+    /// A matrix, because products with quaternions are rounded differently on different processors.
     rotation: Mat3,
 }
 
 impl Pose {
-    /// Turned by `rotation`, then moved to `position`, metres. The rotation may have any length.
+    /// Returns the pose that rotates by `rotation`, then moves to `position`, metres. The quaternion may have any
+    /// length.
     ///
     /// # Errors
-    /// [`Error::Limit`] if either is not finite, or the rotation has no length.
+    /// [`Error::Limit`] if either is not finite, or the quaternion has length zero.
     pub fn new(position: Vec3, rotation: Quat) -> Result<Self, Error> {
         finite("a position", position)?;
         let [x, y, z, w] = rotation.to_array();
@@ -29,7 +30,7 @@ impl Pose {
         Ok(Self { position, rotation: Mat3::from_cols(x_axis, y_axis, x_axis.cross(y_axis)) })
     }
 
-    /// At a position, not turned.
+    /// Returns the pose at a position, not rotated.
     ///
     /// # Errors
     /// [`Error::Limit`] if it is not finite.
@@ -37,7 +38,7 @@ impl Pose {
         Self::new(position, Quat::IDENTITY)
     }
 
-    /// At a position and turned about the z axis, `heading` radians counter-clockwise from +x.
+    /// Returns the pose at a position, rotated about the z axis by `heading`, radians counter-clockwise from +x.
     ///
     /// # Errors
     /// [`Error::Limit`] if either is not finite.
@@ -47,7 +48,7 @@ impl Pose {
         Self::new(position, Quat::from_xyzw(0.0, 0.0, sin, cos))
     }
 
-    /// Where its own origin is, metres.
+    /// Returns the position of the local origin, metres.
     pub fn position(self) -> Vec3 {
         self.position
     }
@@ -70,7 +71,7 @@ impl Pose {
     }
 }
 
-/// A surface that was turned and moved. One that moves on gets a new pose for each moment.
+/// A surface with a pose. A surface that moves gets a new pose for each moment.
 ///
 /// ```
 /// use glam::{Vec2, Vec3};
@@ -83,14 +84,14 @@ impl Pose {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved<S> {
-    /// What was moved, as it lies round its own origin.
+    /// The surface in its local coordinates.
     pub surface: S,
-    /// Where to.
+    /// Its pose.
     pub pose: Pose,
 }
 
 impl<S: Surface> Moved<S> {
-    /// This surface, given round its own origin, at this pose.
+    /// Returns the surface, given in local coordinates, at this pose.
     pub fn new(surface: S, pose: Pose) -> Self {
         Self { surface, pose }
     }

@@ -6,7 +6,7 @@ use super::{Bounds, Surface, SurfaceHit, SurfacePoint, Sweep};
 use crate::error::Error;
 use glam::Vec3;
 
-/// Everything behind a plane.
+/// The half-space behind a plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
     through: Vec3,
@@ -14,10 +14,11 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The half-space behind the plane through a point, metres; `normal` points out of it and may have any length.
+    /// Returns the half-space behind the plane through a point, metres. `normal` points out of it and may have any
+    /// length.
     ///
     /// # Errors
-    /// [`Error::Limit`] if the point is not finite, or the normal is not or has no length.
+    /// [`Error::Limit`] if the point is not finite, or the normal is not finite or has length zero.
     pub fn new(through: Vec3, normal: Vec3) -> Result<Self, Error> {
         finite("a point of a plane", through)?;
         let length = normal.length();
@@ -47,7 +48,7 @@ impl Surface for Plane {
 
     fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
         let (right, up) = self.normal.any_orthonormal_pair();
-        // a square larger than the box, from the point nearest to its middle
+        // a square larger than the box, around the point nearest to the box's centre
         let middle = self.query(within.center()).point;
         let reach = within.center().distance(within.high) + self.query(within.center()).distance.abs();
         let corner = |(x, y): (f32, f32)| middle + (right * x + up * y) * reach;
@@ -58,7 +59,7 @@ impl Surface for Plane {
 
     fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::EVERYWHERE;
-        // a plane across an axis bounds it on one side
+        // a plane orthogonal to an axis bounds the half-space on one side
         for axis in 0..3 {
             if self.normal[axis] == 1.0 {
                 bounds.high[axis] = self.through[axis];

@@ -22,16 +22,16 @@ use glam::{Vec2, Vec3, Vec3Swizzles};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prism {
     /// The sides, counter-clockwise.
-    sides: Vec<Side>,
+    sides: Vec<PrismSide>,
     bottom: f32,
     top: f32,
-    /// Over the sides.
+    /// A hierarchy over the sides.
     bvh: Bvh,
 }
 
-/// A wall from one corner to the next.
+/// A side from one corner to the next.
 #[derive(Clone, Debug, PartialEq)]
-struct Side {
+struct PrismSide {
     start: Vec2,
     end: Vec2,
     /// Unit vector from start to end.
@@ -42,8 +42,9 @@ struct Side {
     corners: [Vec2; 2],
 }
 
-impl Side {
-    /// The nearest point of the polygon's boundary on this side to `p`: the signed distance and where it grows.
+impl PrismSide {
+    /// Returns the signed distance of `p` from this side of the polygon's boundary, and the direction in which it
+    /// grows.
     fn query(&self, p: Vec2) -> (f32, Vec2) {
         let t = (p - self.start).dot(self.along);
         let (corner, out) = if t <= 0.0 {
@@ -60,8 +61,8 @@ impl Side {
 }
 
 impl Prism {
-    /// The solid over a polygon, from one height to another, metres. Corners go either way round, the first is not
-    /// repeated. Heights may be infinite.
+    /// Returns the solid over a polygon, from one height to another, metres. Corners may be in either order; the first
+    /// is not repeated. Heights may be infinite.
     ///
     /// # Errors
     /// [`Error::Limit`] if the top is not above the bottom; [`Error::Shape`] if a corner is not finite, or the polygon
@@ -82,20 +83,20 @@ impl Prism {
         }
         let along = |i: usize| (ring[(i + 1) % n] - ring[i % n]).normalize_or_zero();
         let out = |i: usize| -along(i).perp();
-        let side = |i: usize| Side {
+        let side = |i: usize| PrismSide {
             start: ring[i],
             end: ring[(i + 1) % n],
             along: along(i),
             out: out(i),
             corners: [out(i + n - 1) + out(i), out(i) + out(i + 1)],
         };
-        let sides: Vec<Side> = (0..n).map(side).collect();
-        let wall = |side: &Side| Bounds::around([side.start.extend(bottom), side.end.extend(top)]);
+        let sides: Vec<PrismSide> = (0..n).map(side).collect();
+        let wall = |side: &PrismSide| Bounds::around([side.start.extend(bottom), side.end.extend(top)]);
         let bvh = Bvh::new(&sides.iter().map(wall).collect::<Vec<_>>());
         Ok(Self { sides, bottom, top, bvh })
     }
 
-    /// The solid over a polygon without end above and below: a ground plan.
+    /// Returns the solid over a polygon, infinite upwards and downwards: a ground plan.
     ///
     /// # Errors
     /// Those of [`Prism::new`].
@@ -103,9 +104,9 @@ impl Prism {
         Self::new(corners, f32::NEG_INFINITY, f32::INFINITY)
     }
 
-    /// The signed distance from the polygon, and where it grows.
+    /// Returns the signed distance from the polygon, and the direction in which it grows.
     fn across(&self, p: Vec2) -> (f32, Vec2) {
-        // at a height between bottom and top, where boxes are as far away as in the plan
+        // at a height between bottom and top, where the distances of the boxes are those in the plan
         let z = 0.0f32.clamp(self.bottom, self.top);
         let look = |side: u32| {
             let found = self.sides[side as usize].query(p);
@@ -114,8 +115,8 @@ impl Prism {
         self.bvh.nearest(p.extend(z), look).map_or((f32::INFINITY, Vec2::X), |found| found.1)
     }
 
-    /// The nearest point to `p` of a wall, seen as a sheet.
-    fn wall(&self, side: &Side, p: Vec3) -> SurfacePoint {
+    /// Returns the nearest point to `p` of a side, seen as a sheet.
+    fn wall(&self, side: &PrismSide, p: Vec3) -> SurfacePoint {
         let (beside, normal) = side.query(p.xy());
         let beyond = p.z - p.z.clamp(self.bottom, self.top);
         if beyond == 0.0 {
@@ -126,10 +127,10 @@ impl Prism {
         SurfacePoint { point: p - offset, normal: offset.normalize(), distance: offset.length() }
     }
 
-    /// Where a ball touches the floor or the ceiling, of which only what it moves towards can be in its way.
+    /// Returns the contact of a ball with the bottom or the top. Only the one that it moves towards can be in its way.
     fn touch_end(&self, sweep: &Sweep, from_outside: bool) -> Option<SurfaceHit> {
         let up = sweep.direction.z > 0.0;
-        // from outside it comes down on the ceiling, or up to the floor; from inside the other way round
+        // from outside it moves down to the top or up to the bottom; from inside the reverse
         let (end, normal) = if up == from_outside { (self.bottom, -Vec3::Z) } else { (self.top, Vec3::Z) };
         let gap = (end - sweep.origin.z) * sweep.direction.z.signum() - sweep.radius;
         let beyond = (sweep.origin.z - end) * normal.z;
@@ -168,7 +169,7 @@ impl Surface for Prism {
     fn facets(&self, within: &Bounds) -> Vec<Vec<Vec3>> {
         let (bottom, top) = (self.bottom.max(within.low.z), self.top.min(within.high.z));
         let ring = |z: f32| self.sides.iter().map(move |side| side.start.extend(z));
-        let side = |side: &Side| {
+        let side = |side: &PrismSide| {
             let [low, high] = [bottom, top].map(|z| [side.start.extend(z), side.end.extend(z)]);
             vec![low[0], low[1], high[1], high[0]]
         };

@@ -14,7 +14,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A ball round `center`, metres.
+    /// Returns a ball around `center`, metres.
     ///
     /// # Errors
     /// [`Error::Limit`] if the centre is not finite or the radius not greater than 0 and finite.

@@ -1,41 +1,43 @@
-//! Balls that move along a straight line until they touch something.
+//! Contacts of balls that move along a straight line.
 
 use super::{SurfaceHit, SurfacePoint};
 use crate::error::Error;
 use glam::Vec3;
 
-/// A ball that moves along a straight line; without radius, a ray.
+/// A ball that moves along a straight line; with radius 0, a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sweep {
-    /// Where its centre starts, metres.
+    /// Start of the centre, metres.
     pub origin: Vec3,
     /// Unit vector along which it moves.
     pub direction: Vec3,
     /// Its radius, metres. Limit: >= 0.
     pub radius: f32,
-    /// How far it goes, metres. Limit: >= 0; may be infinite.
+    /// Length of the motion, metres. Limit: >= 0; may be infinite.
     pub reach: f32,
 }
 
 impl Sweep {
-    /// Where its centre is after so many metres.
+    /// Returns the position of the centre after `distance` metres.
     pub fn at(&self, distance: f32) -> Vec3 {
         self.origin + self.direction * distance
     }
 
-    /// The same as far as `reach` only.
+    /// Returns the same sweep with another reach.
     pub fn until(self, reach: f32) -> Self {
         Self { reach, ..self }
     }
 }
 
-/// Newton's method needs a handful of steps; where the ball grazes something round it halves the rest with each.
+/// Maximum number of steps of Newton's method. It usually needs a few. Where the ball grazes a round surface each step
+/// halves the remaining distance.
 const STEPS: usize = 64;
 
-/// Where a ball first touches a convex set, given by its signed distance, or by its distance if it has no inside.
+/// Returns the first contact of a ball with a convex set, given by its signed distance, or by its distance if it has no
+/// inside.
 ///
-/// Along a line that distance is a convex function: Newton's method from the start never goes too far, and ends in a
-/// few steps. A ball that touches at the start and moves away never touches again.
+/// Along a line that distance is a convex function, so Newton's method from the start never overshoots and converges in
+/// a few steps. A ball that touches at the start and moves away never touches again.
 pub(super) fn touch_convex(query: impl Fn(Vec3) -> SurfacePoint, sweep: &Sweep) -> Option<SurfaceHit> {
     let mut distance = 0.0;
     for _ in 0..STEPS {
@@ -44,7 +46,7 @@ pub(super) fn touch_convex(query: impl Fn(Vec3) -> SurfacePoint, sweep: &Sweep) 
         let gap = near.distance - sweep.radius;
         let closing = -near.normal.dot(sweep.direction);
         let touches = gap <= rounding(at).max(rounding(sweep.origin));
-        // rounding may have carried it across a sheet, which then shows its other side
+        // rounding may have moved the ball across a sheet, which then has its other side in front
         let crossed = touches && distance > 0.0;
         if closing <= 0.0 && !crossed {
             return None;
@@ -61,13 +63,14 @@ pub(super) fn touch_convex(query: impl Fn(Vec3) -> SurfacePoint, sweep: &Sweep) 
     None
 }
 
-/// How far a computed point may be from where it should be.
+/// Returns an upper bound of the rounding error of a computed point.
 pub(crate) fn rounding(at: Vec3) -> f32 {
     1e-6 * (1.0 + at.abs().max_element())
 }
 
-/// How far a point at `offset` from the centre of a ball of this radius goes along a unit vector until it leaves the
-/// ball. Outside it, 0 if it moves away; if it does not go through the ball, as far as where it moves away.
+/// Returns how far a point at `offset` from the centre of a ball of this radius moves along a unit vector until it
+/// leaves the ball. For a point outside that moves away the result is 0. For a line that misses the ball it is the
+/// distance to the point of the line nearest to the centre.
 pub(super) fn leave_ball(offset: Vec3, direction: Vec3, radius: f32) -> f32 {
     let along = offset.dot(direction);
     let beside = (offset - direction * along).length_squared();

@@ -1,13 +1,13 @@
-//! How the triangles of a mesh hang together: which share corners and edges, and which way is out.
+//! Topology of a mesh: shared corners and edges, connected parts, and orientation.
 
 use super::Bounds;
 use glam::{DVec3, Vec3};
 use std::f64::consts::TAU;
 
-/// Merges points that are equal and leaves out triangles with two equal corners.
+/// Merges equal points and removes triangles with two equal corners.
 pub(super) fn weld(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    // the negative zero is the same place
+    // negative zero is the same place as zero
     let key = |i: u32| (points[i as usize] + 0.0).to_array();
     let compare = |a: u32, b: u32| key(a).iter().zip(key(b)).map(|(a, b)| a.total_cmp(&b)).find(|o| o.is_ne());
     order.sort_by(|&a, &b| compare(a, b).unwrap_or(a.cmp(&b)));
@@ -24,8 +24,8 @@ pub(super) fn weld(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[
     (kept, triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect())
 }
 
-/// The triangle on the other side of each edge, if every edge has two: edge k of a triangle goes from its corner k to
-/// the next.
+/// Returns the triangle on the other side of each edge, if every edge has two triangles. Edge k of a triangle goes from
+/// its corner k to the next.
 pub(super) fn neighbours(triangles: &[[u32; 3]]) -> Option<Vec<[u32; 3]>> {
     let sides = (0..triangles.len()).flat_map(|t| (0..3).map(move |k| (t, k)));
     let mut sides: Vec<_> = sides
@@ -44,9 +44,9 @@ pub(super) fn neighbours(triangles: &[[u32; 3]]) -> Option<Vec<[u32; 3]>> {
     Some(across)
 }
 
-/// Turns the triangles of closed meshes so that all are seen counter-clockwise from outside. What lies within another
-/// mesh is a hollow of it, what lies within that is solid again. False if they have no inside: a surface with one side
-/// only, or without volume.
+/// Orients the triangles of closed meshes to be counter-clockwise seen from outside. A part within another part is a
+/// hollow of it, a part within that is solid again. Returns false if there is no inside: a one-sided surface, or one
+/// without volume.
 pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut [[u32; 3]]) -> bool {
     let Some(part_of) = agree(triangles, across) else { return false };
     let parts = part_of.iter().max().map_or(0, |&last| last as usize + 1);
@@ -68,7 +68,7 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
         }
         let holds = |outer: Bounds| outer.contains(bounds[part].low) && outer.contains(bounds[part].high);
         let seen = |other: usize| members[other].iter().map(|&t| solid_angle(base, corners(t))).sum::<f64>();
-        // a point in a closed mesh sees it all around: 4 pi
+        // the solid angle of a closed mesh seen from inside is 4 pi
         let within = |&other: &usize| other != part && holds(bounds[other]) && seen(other).abs() > TAU;
         let hollow = (0..parts).filter(within).count() % 2 == 1;
         if (volume < 0.0) != hollow {
@@ -81,8 +81,8 @@ pub(super) fn turn_out(points: &[Vec3], triangles: &mut [[u32; 3]], across: &mut
     true
 }
 
-/// Turns triangles so that neighbours agree which side is which. The number of the part that each belongs to, or none
-/// if the surface has one side only.
+/// Orients neighbouring triangles consistently. Returns the number of the connected part of each triangle, or `None`
+/// for a one-sided surface.
 fn agree(triangles: &mut [[u32; 3]], across: &mut [[u32; 3]]) -> Option<Vec<u32>> {
     let mut part_of = vec![u32::MAX; triangles.len()];
     let mut parts = 0;
@@ -96,7 +96,7 @@ fn agree(triangles: &mut [[u32; 3]], across: &mut [[u32; 3]]) -> Option<Vec<u32>
             for k in 0..3 {
                 let (start, end) = (triangles[t][k], triangles[t][(k + 1) % 3]);
                 let next = across[t][k] as usize;
-                // neighbours go along their edge in opposite directions
+                // consistent neighbours traverse their edge in opposite directions
                 let same_way = (0..3).any(|l| (triangles[next][l], triangles[next][(l + 1) % 3]) == (start, end));
                 if part_of[next] == u32::MAX {
                     part_of[next] = parts;
@@ -114,14 +114,14 @@ fn agree(triangles: &mut [[u32; 3]], across: &mut [[u32; 3]]) -> Option<Vec<u32>
     Some(part_of)
 }
 
-/// Turns a triangle over, with its list of neighbours.
+/// Reverses a triangle and its list of neighbours.
 fn turn_over(triangle: &mut [u32; 3], across: &mut [u32; 3]) {
     triangle.swap(1, 2);
     across.swap(0, 2);
 }
 
-/// The solid angle under which a triangle is seen, negative from behind (Van Oosterom and Strackee, IEEE Transactions
-/// on Biomedical Engineering 30(2), 1983).
+/// Returns the solid angle of a triangle as seen from `eye`, negative from behind (Van Oosterom and Strackee, IEEE
+/// Transactions on Biomedical Engineering 30(2), 1983).
 fn solid_angle(eye: DVec3, corners: [DVec3; 3]) -> f64 {
     let [a, b, c] = corners.map(|corner| corner - eye);
     let [x, y, z] = [a, b, c].map(DVec3::length);

@@ -1,4 +1,5 @@
-//! Triangles: the nearest point and the part of the triangle that it is on. In `f64`, because long thin ones are usual.
+//! Triangles: the nearest point, and the feature of the triangle that contains it. In `f64`, because long thin
+//! triangles are common.
 
 use super::SurfacePoint;
 use glam::{DVec3, Vec3};
@@ -7,18 +8,18 @@ use glam::{DVec3, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
     corners: [DVec3; 3],
-    /// Unit vector to the side from which the corners are seen counter-clockwise; zero if it has no area.
+    /// Unit vector to the side from which the corners are counter-clockwise; zero for a triangle without area.
     normal: DVec3,
 }
 
-/// A part of a triangle.
+/// A feature of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Part {
-    /// Within.
+pub(super) enum TriangleFeature {
+    /// The interior.
     Face,
-    /// On the edge from the corner with this index to the next.
+    /// The edge from the corner with this index to the next.
     Edge(usize),
-    /// At the corner with this index.
+    /// The corner with this index.
     Corner(usize),
 }
 
@@ -29,23 +30,23 @@ impl Triangle {
         Self { corners, normal: (b - a).cross(c - a).normalize_or_zero() }
     }
 
-    /// The unit normal, zero without area.
+    /// Returns the unit normal; zero for a triangle without area.
     pub fn normal(&self) -> DVec3 {
         self.normal
     }
 
-    /// The nearest point to `p`, and where on the triangle it is. The normal points to the side of `p`.
-    pub fn query(&self, p: Vec3) -> (SurfacePoint, Part) {
+    /// Returns the nearest point to `p`, and the feature that contains it. The normal points to the side of `p`.
+    pub fn query(&self, p: Vec3) -> (SurfacePoint, TriangleFeature) {
         let p = p.as_dvec3();
         let (point, part) = self.nearest(p);
         let offset = p - point;
         let facing = if offset.dot(self.normal) < 0.0 { -self.normal } else { self.normal };
-        let normal = if part == Part::Face { facing } else { offset.normalize_or(facing) };
+        let normal = if part == TriangleFeature::Face { facing } else { offset.normalize_or(facing) };
         let (point, normal) = (point.as_vec3(), normal.as_vec3());
         (SurfacePoint { point, normal, distance: offset.length() as f32 }, part)
     }
 
-    fn nearest(&self, p: DVec3) -> (DVec3, Part) {
+    fn nearest(&self, p: DVec3) -> (DVec3, TriangleFeature) {
         let edge = |i: usize| (self.corners[i], self.corners[(i + 1) % 3]);
         let beyond = |i: &usize| {
             let (start, end) = edge(*i);
@@ -56,20 +57,20 @@ impl Triangle {
             let along = end - start;
             let t = (p - start).dot(along) / along.length_squared();
             if t >= 1.0 {
-                (end, Part::Corner((i + 1) % 3))
+                (end, TriangleFeature::Corner((i + 1) % 3))
             } else if t > 0.0 {
-                (start + along * t, Part::Edge(i))
+                (start + along * t, TriangleFeature::Edge(i))
             } else {
-                (start, Part::Corner(i))
+                (start, TriangleFeature::Corner(i))
             }
         };
-        let nearer = |a: (DVec3, Part), b: (DVec3, Part)| {
+        let nearer = |a: (DVec3, TriangleFeature), b: (DVec3, TriangleFeature)| {
             if b.0.distance_squared(p) < a.0.distance_squared(p) { b } else { a }
         };
-        // what is beyond no edge is above the triangle, what is beyond some is nearest to one of them
+        // a point beyond no edge is above the interior; otherwise the nearest point is on an edge that `p` is beyond
         (0..3).filter(beyond).map(on_edge).reduce(nearer).unwrap_or_else(|| {
             let above = (p - self.corners[0]).dot(self.normal);
-            (p - self.normal * above, Part::Face)
+            (p - self.normal * above, TriangleFeature::Face)
         })
     }
 }

@@ -1,4 +1,4 @@
-//! Several surfaces as one.
+//! Unions of surfaces.
 
 use super::sweep::rounding;
 use super::{Bounds, Bvh, Surface, SurfaceHit, SurfacePoint, Sweep};
@@ -6,9 +6,10 @@ use crate::error::Error;
 use glam::Vec3;
 use std::sync::Arc;
 
-/// Several surfaces as one: inside is what is inside any of them. Outside and at the surface the distance is exact.
-/// Deep inside several that overlap it is that to the surface of one of them, and the way out may be longer; so a ball
-/// inside gets from one member into the next only where it fits into one of them as a whole. A ray is not held up.
+/// The union of surfaces: a point is inside if it is inside any of them. Outside and at the surface the distance is
+/// exact. Deep inside several members that overlap it is the distance to the surface of one of them, and the way out
+/// may be longer. So a ball inside passes from one member to the next only where one of them contains the whole ball. A
+/// ray is not restricted.
 ///
 /// ```
 /// use glam::Vec3;
@@ -28,7 +29,7 @@ pub struct Union {
 }
 
 impl Union {
-    /// The union of at least one surface.
+    /// Returns the union of at least one surface.
     ///
     /// # Errors
     /// [`Error::Shape`] if there are none.
@@ -40,7 +41,7 @@ impl Union {
         Ok(Self { bvh: Bvh::new(&boxes), members })
     }
 
-    /// The nearest of all members: the deepest that a point is inside of, else the one with the least distance.
+    /// Returns the nearest member: the one that a point is deepest inside of, else the one at the least distance.
     fn nearest(&self, point: Vec3) -> (SurfacePoint, usize) {
         let look = |member: u32| {
             let near = self.members[member as usize].query(point);
@@ -50,8 +51,8 @@ impl Union {
         self.bvh.nearest(point, look).map_or((nowhere, 0), |found| found.1)
     }
 
-    /// Where a ball inside touches the surface of the union: out of one member after the other, until none is left
-    /// that it is in as a whole.
+    /// Returns the contact of a ball inside with the surface of the union: the ball leaves one member after another
+    /// until no member contains the whole ball.
     fn sweep_inside(&self, sweep: &Sweep) -> Option<SurfaceHit> {
         let (mut distance, mut last) = (0.0, None);
         for _ in 0..=4 * self.members.len() {

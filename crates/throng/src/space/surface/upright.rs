@@ -1,4 +1,4 @@
-//! What is solid on the ground, as barriers: obstacles and the edges of walkable ground stand upright without end.
+//! Obstacles and the edges of walkable areas as barriers: upright surfaces without upper or lower end.
 
 use super::{Barrier, Cuboid, Cylinder, Moved, Pose, Prism, SeenFrom, Surface, Union};
 use crate::error::Error;
@@ -6,14 +6,14 @@ use crate::space::{Obstacle, Walkable};
 use glam::{DVec2, Quat, Vec2};
 use std::sync::Arc;
 
-/// How far cylinders and thin walls reach up and down, metres: twice as high as anybody flies.
+/// Half height of cylinders and thin walls, metres: twice the greatest altitude of agents.
 const END: f32 = 4e4;
 
 impl Barrier<Arc<dyn Surface>> {
-    /// An obstacle of the plan. Its coordinates become relative to `origin`.
+    /// Returns an obstacle of the plan as a barrier, with coordinates relative to `origin`.
     ///
     /// # Errors
-    /// [`Error::Limit`] or [`Error::Shape`] if the obstacle is none.
+    /// [`Error::Limit`] or [`Error::Shape`] if the obstacle is not valid.
     ///
     /// ```
     /// use glam::{DVec2, Vec3};
@@ -42,8 +42,9 @@ impl Barrier<Arc<dyn Surface>> {
         Ok(Self::new(surface, SeenFrom::Outside))
     }
 
-    /// The edges of walkable areas that do not overlap: everybody stays on one of them, and out of their holes. None for
-    /// no areas, which is everywhere. Their coordinates become relative to `origin`.
+    /// Returns the edges of walkable areas as barriers, with coordinates relative to `origin`: agents stay inside one
+    /// of the areas and out of the holes. The areas must not overlap. The result is empty if there are no areas, which
+    /// means that agents can walk everywhere.
     ///
     /// # Errors
     /// [`Error::Shape`] if an outline encloses nothing or crosses itself.
@@ -65,14 +66,14 @@ fn ground(corners: &[DVec2], origin: DVec2) -> Result<Prism, Error> {
     Prism::ground(&corners.iter().map(|corner| (*corner - origin).as_vec2()).collect::<Vec<_>>())
 }
 
-/// A thin wall from one point to another.
+/// Returns a thin wall from one point to another.
 fn wall(from: Vec2, to: Vec2) -> Result<Moved<Cuboid>, Error> {
     let along = (to - from).normalize_or_zero();
-    // half of the angle from +x, by its sine and cosine
+    // sine and cosine of half the angle from +x
     let cos = (0.5 * (1.0 + along.x)).max(0.0).sqrt();
     let sin = (0.5 * (1.0 - along.x)).max(0.0).sqrt() * if along.y < 0.0 { -1.0 } else { 1.0 };
     let upright = std::f32::consts::FRAC_1_SQRT_2;
-    // its own y axis goes up, then it is turned about that
+    // the rectangle's y axis is turned upwards, then the rectangle is turned about the vertical
     let turned = Quat::from_xyzw(upright * cos, upright * sin, upright * sin, upright * cos);
     Ok(Moved::new(
         Cuboid::rectangle(Vec2::new(from.distance(to), 2.0 * END))?,
@@ -102,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_solid_for_walkers_is_as_far_for_those_who_steer() {
+    fn barriers_are_as_far_as_walls() {
         let square = |low: f64, high: f64| {
             vec![DVec2::splat(low), DVec2::new(high, low), DVec2::splat(high), DVec2::new(low, high)]
         };

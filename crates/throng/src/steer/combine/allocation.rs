@@ -3,11 +3,11 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, behaviour};
 use glam::Vec3;
 
-/// Forces are granted in order until there is none left: the lengths of all that is granted add up to a budget at most. In
-/// an emergency the first have all of it.
+/// Grants forces in order until the budget is used up: the lengths of the granted forces add up to the budget at most.
+/// In an emergency the first parts take the whole budget.
 ///
 /// ```
 /// use throng::steer::{Allocation, Flocking, Seek, Separation, Target};
@@ -16,10 +16,10 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Allocation {
-    /// How much there is, as a part of the vehicle's top force. Limit: > 0 to 1.
+    /// The budget, as a part of the vehicle's top force. Limit: > 0 to 1.
     pub budget: f32,
     /// The parts, the most important first.
-    pub parts: Vec<Branch>,
+    pub parts: Vec<BoxedBehaviour>,
 }
 
 impl Behaviour for Allocation {
@@ -27,7 +27,7 @@ impl Behaviour for Allocation {
         behaviour::words(&self.parts)
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut budget = Budget(self.budget * view.vehicle.max_force);
         let mut sum = None;
         for (index, part) in self.parts.iter().enumerate() {
@@ -48,14 +48,14 @@ impl Behaviour for Allocation {
     }
 }
 
-/// What there is left to grant.
+/// The rest of the budget.
 pub(in crate::steer) struct Budget(pub f32);
 
 impl Budget {
-    /// As much of a vector as there is left.
-    pub fn grant(&mut self, wish: Vec3) -> Vec3 {
-        let granted = wish.clamp_length_max(self.0.max(0.0));
-        self.0 -= wish.length();
+    /// Returns a vector, shortened to the rest of the budget if it is longer, and reduces the budget.
+    pub fn grant(&mut self, chosen: Vec3) -> Vec3 {
+        let granted = chosen.clamp_length_max(self.0.max(0.0));
+        self.0 -= chosen.length();
         granted
     }
 }

@@ -1,11 +1,12 @@
-//! Thinking every few steps: Reynolds, Big fast crowds on PS3, Sandbox 2006; OpenSteer's "think frequency".
+//! Decisions every few steps: Reynolds, Big fast crowds on PS3, Sandbox 2006; OpenSteer's "think frequency".
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, Reason, View, Why};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Asks a part only every so often, and keeps what it said in between. Agents are spread over time by chance.
+/// Runs a part only at intervals and keeps its steering in between. The first interval of an agent is random, so that
+/// agents do not run in the same steps.
 ///
 /// ```
 /// use throng::steer::{Amortised, Flocking};
@@ -13,36 +14,37 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Amortised {
-    /// Seconds from one time to the next. Limit: > 0.
+    /// Seconds from one run to the next. Limit: > 0.
     pub every: f32,
-    /// What is asked.
-    pub of: Branch,
+    /// The part.
+    pub of: BoxedBehaviour,
 }
 
-/// Words that are its own.
+/// Words of memory without those of the part.
 const OWN: usize = 10;
 
 impl Behaviour for Amortised {
-    /// Seconds since it was asked, and until it is again; what it said: whether force, whether facing, and both.
+    /// Seconds since the last run, and the interval to the next; whether there is a steering, whether it has a facing;
+    /// the force and the facing.
     fn memory(&self) -> usize {
         OWN + self.of.words()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let (own, mut memory) = memory.split_at_mut(OWN);
         let [since, until, says, faces, kept @ ..] = own else { return None };
         *since += view.seconds;
-        // nearest to when it is due
+        // run in the step nearest to the due time
         if *until > 0.0 && *since + 0.5 * view.seconds < *until {
             let facing = (*faces > 0.0).then(|| Vec3::from_slice(&kept[3..]));
             let kept = Vec3::from_slice(kept);
-            why.note(|| Reason::Keeps(kept));
+            why.note(|| SteeringReason::Keeps(kept));
             return (*says > 0.0).then_some(Steering { force: kept, facing });
         }
-        *until = if *until > 0.0 { self.every } else { self.every * view.dice.draw(0) };
+        *until = if *until > 0.0 { self.every } else { self.every * view.rng.draw(0) };
         *since = 0.0;
-        // what it says holds until it is asked again
-        let view = View { seconds: until.max(view.seconds), ..*view };
+        // the steering holds until the next run
+        let view = SteeringInput { seconds: until.max(view.seconds), ..*view };
         let said = self.of.steer_as(0, &view, &mut memory, why);
         *says = if said.is_some() { 1.0 } else { 0.0 };
         let Steering { force, facing } = said.unwrap_or_default();

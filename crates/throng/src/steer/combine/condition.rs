@@ -1,57 +1,57 @@
-//! When a [`Switch`](super::Switch) goes from one state to another.
+//! Conditions of the transitions of a [`Switch`](super::Switch).
 
 use crate::Error;
-use crate::steer::{Neighbourhood, Target, View};
+use crate::steer::{Neighbourhood, SteeringInput, Target};
 
-/// Something that holds or not, for one agent in one step. Limit: numbers >= 0, but those of figures.
+/// A condition on one agent in one step. Limit: numbers >= 0, except those of figures.
 ///
 /// ```
-/// use throng::steer::{Condition, Target, Who};
-/// let safe = Condition::Farther(Target::Nearest(Who::OtherGroups), 8.0);
+/// use throng::steer::{Condition, Target, GroupFilter};
+/// let safe = Condition::Farther(Target::Nearest(GroupFilter::OtherGroups), 8.0);
 /// let rested = Condition::All(vec![safe, Condition::After(5.0)]);
 /// assert!(rested.check().is_ok());
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Condition {
-    /// A target is there, and nearer than so many metres.
+    /// The target exists and is nearer than this, metres.
     Nearer(Target, f32),
-    /// A target is farther than so many metres, or not there.
+    /// The target is farther than this, metres, or does not exist.
     Farther(Target, f32),
-    /// It has been in the state for so many seconds.
+    /// The agent has been in the state for this time, seconds.
     After(f32),
-    /// There are at least so many in a neighbourhood.
+    /// At least this number of agents is in a neighbourhood.
     Crowded(Neighbourhood, usize),
     /// The behaviour of the state had nothing to correct in its last step.
     Done,
-    /// By chance, so many times a second on average.
+    /// Random, with this mean rate, 1/s.
     Chance(f32),
-    /// A [figure](View::figures) of the world's rules, by its index, is from the first number to the second. Limit: the
+    /// A [figure](SteeringInput::figures) of the world's rules, by its index, is from the first number to the second. Limit: the
     /// first is not greater.
     Figure(usize, f64, f64),
-    /// The other does not hold.
+    /// The inner condition does not hold.
     Not(Box<Condition>),
-    /// All hold.
+    /// All conditions hold.
     All(Vec<Condition>),
-    /// One holds at least.
+    /// At least one condition holds.
     Any(Vec<Condition>),
 }
 
-/// How it is with a state.
+/// The situation of the present state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Standing {
-    /// For how many seconds.
+pub(super) struct ConditionInput {
+    /// Seconds in the state.
     pub since: f32,
     /// Whether its behaviour had nothing to correct.
     pub done: bool,
 }
 
 impl Condition {
-    /// Whether it holds. Random numbers are those of its place in the list of exits.
-    pub(super) fn holds(&self, view: &View<'_>, standing: Standing) -> bool {
+    /// Whether the condition holds. The random numbers depend on the position in the list of exits.
+    pub(super) fn holds(&self, view: &SteeringInput<'_>, standing: ConditionInput) -> bool {
         let away = |target: &Target| target.find(view).map(|mark| view.to(mark.position).length());
         let part = |index: usize, condition: &Self| {
-            condition.holds(&View { dice: view.dice.branch(index), ..*view }, standing)
+            condition.holds(&SteeringInput { rng: view.rng.branch(index), ..*view }, standing)
         };
         match self {
             Self::Nearer(target, distance) => away(target).is_some_and(|away| away < *distance),
@@ -59,7 +59,7 @@ impl Condition {
             Self::After(seconds) => standing.since >= *seconds,
             Self::Crowded(near, least) => near.of(view).take(*least).count() == *least,
             Self::Done => standing.done,
-            Self::Chance(rate) => view.dice.draw(0) < 1.0 - libm::expf(-rate * view.seconds),
+            Self::Chance(rate) => view.rng.draw(0) < 1.0 - libm::expf(-rate * view.seconds),
             Self::Figure(index, least, most) => {
                 view.figures.get(*index).is_some_and(|figure| (*least..=*most).contains(figure))
             }
@@ -69,7 +69,7 @@ impl Condition {
         }
     }
 
-    /// What is wrong with the numbers, if anything is.
+    /// Checks the numbers.
     ///
     /// # Errors
     /// [`Error::Limit`] names the number.

@@ -2,10 +2,10 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, behaviour};
 
-/// In order, each part is asked with a probability; what the first says that was asked and has anything to correct. So even
-/// the least important has its turn, at the cost of one part in most steps.
+/// Runs each part with a probability, in order; the first part that runs and has anything to correct sets the steering.
+/// So even the least important part has its turn, at the cost of one part in most steps.
 ///
 /// ```
 /// use throng::steer::{AvoidNeighbours, Dithering, Wander};
@@ -14,10 +14,11 @@ use crate::steer::{Behaviour, Branch, View, Why, behaviour};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Dithering {
-    /// How many seconds what was drawn holds, so that the time step does not show; 0: it is drawn in every step. Limit: >= 0.
+    /// Seconds for which a draw holds, so that the result does not depend on the time step; 0: a draw in every step.
+    /// Limit: >= 0.
     pub every: f32,
     /// Probabilities and parts, the most important first. Limit: probabilities from 0 to 1.
-    pub parts: Vec<(f32, Branch)>,
+    pub parts: Vec<(f32, BoxedBehaviour)>,
 }
 
 impl Behaviour for Dithering {
@@ -25,11 +26,11 @@ impl Behaviour for Dithering {
         behaviour::words(self.parts.iter().map(|(_, part)| part))
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let holds = || (view.time / f64::from(self.every)).floor() as u64;
-        let dice = if self.every > 0.0 { view.dice.at(holds()) } else { view.dice };
+        let rng = if self.every > 0.0 { view.rng.at(holds()) } else { view.rng };
         for (index, (probability, part)) in self.parts.iter().enumerate() {
-            if dice.draw(index as u32) >= *probability {
+            if rng.draw(index as u32) >= *probability {
                 part.take(&mut memory);
             } else if let Some(said) = part.steer_as(index, view, &mut memory, why) {
                 return Some(said);

@@ -1,18 +1,19 @@
-//! Holding an avoidance: the cure for going round and round along an obstacle.
+//! Holding an avoidance: the cure for circling along an obstacle.
 //!
-//! Who has just avoided something turns back at once, since it no longer sees it, and must avoid it again. If the
-//! avoidance lasts for a while, it gets past.
+//! An agent that has just avoided an obstacle turns back at once, since it no longer sees the obstacle, and must avoid
+//! it again. If the avoidance lasts for a while, the agent gets past.
 
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::approach::time_to_touch;
-use crate::steer::{Behaviour, Branch, Reason, View, Why};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Keeps the force of a part for a while after the part has nothing more to correct, fading. A weaker force does not end
-/// what it keeps, a stronger one renews it; it is forgotten where it would lead into somebody who is not in the way as it is.
+/// Keeps the force of a part, fading, for a while after the part has nothing more to correct. A weaker force of the
+/// part does not replace the kept force; a stronger force renews it. The kept force is dropped if it would cause a
+/// collision with a neighbour that is not on a collision course now.
 ///
-/// It knows nothing of walls: [`AvoidObstacles`](crate::steer::AvoidObstacles) keeps to its side of them by itself.
+/// Walls are not considered: [`AvoidObstacles`](crate::steer::AvoidObstacles) keeps to its side of a wall itself.
 ///
 /// ```
 /// use throng::steer::{AvoidNeighbours, Hold};
@@ -20,22 +21,22 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Hold {
-    /// How long, seconds. Limit: > 0.
+    /// Duration, seconds. Limit: > 0.
     pub seconds: f32,
-    /// What is held.
-    pub of: Branch,
+    /// The part.
+    pub of: BoxedBehaviour,
 }
 
-/// Words that are its own.
+/// Words of memory without those of the part.
 const OWN: usize = 4;
 
 impl Behaviour for Hold {
-    /// How many seconds it still keeps a force, and the force.
+    /// The seconds for which a force is still kept, and the force.
     fn memory(&self) -> usize {
         OWN + self.of.words()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let (own, mut memory) = memory.split_at_mut(OWN);
         let [left, force @ ..] = own else { return None };
         let said = self.of.steer_as(0, view, &mut memory, why);
@@ -52,7 +53,7 @@ impl Behaviour for Hold {
                 said
             }
             _ => {
-                why.note(|| Reason::Keeps(kept));
+                why.note(|| SteeringReason::Keeps(kept));
                 Some(Steering { force: kept, facing: said.and_then(|said| said.facing) })
             }
         }
@@ -64,14 +65,15 @@ impl Behaviour for Hold {
     }
 }
 
-/// Whether somebody is touched within so many seconds at the velocity that a force leads to, but not at the present one.
-fn causes_a_hit(view: &View<'_>, force: Vec3, seconds: f32) -> bool {
-    let (wish, velocity) = (view.wish(Some(force.into())), view.velocity());
+/// Whether the velocity that a force leads to touches a neighbour within some seconds and the present velocity does
+/// not.
+fn causes_a_hit(view: &SteeringInput<'_>, force: Vec3, seconds: f32) -> bool {
+    let (chosen, velocity) = (view.chosen(Some(force.into())), view.velocity());
     view.neighbours.iter().any(|other| {
         let touches = |own: Vec3| {
             let time = time_to_touch(other.offset, other.velocity - own, view.radius + other.radius);
             time > 0.0 && time < seconds
         };
-        touches(wish) && !touches(velocity)
+        touches(chosen) && !touches(velocity)
     })
 }

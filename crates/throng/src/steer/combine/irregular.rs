@@ -1,11 +1,11 @@
-//! Irregular motion: the cure for motion like a robot's.
+//! Irregular motion: the cure for robot-like motion.
 
 use crate::Error;
 use crate::motion::{Steering, turned};
-use crate::steer::{Behaviour, Branch, Noise, Reason, View, Why};
+use crate::steer::{Behaviour, BoxedBehaviour, Noise, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Lets direction and speed of what a part would like waver by noise: nobody walks quite straight, or quite evenly. The
-/// place stays where motion leads, so nothing jumps.
+/// Varies the direction and the speed of a part's preferred velocity by noise: people do not walk quite straight or
+/// quite evenly. The position follows from the velocity, so nothing jumps.
 ///
 /// ```
 /// use throng::steer::{Arrive, Irregular, Noise, Target};
@@ -14,15 +14,15 @@ use crate::steer::{Behaviour, Branch, Noise, Reason, View, Why};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Irregular {
-    /// The most that the direction wavers, radians; of those who fly up and down too. 0.1 to 0.25 look natural.
-    /// Limit: 0 to 1.5.
+    /// Greatest change of direction, radians; for flying agents also up and down. 0.1 to 0.25 look natural. Limit: 0 to
+    /// 1.5.
     pub angle: f32,
-    /// The most that the speed wavers, as a part of it. 0.05 to 0.1 look natural. Limit: 0 to 1.
+    /// Greatest change of speed, as a part of it. 0.05 to 0.1 look natural. Limit: 0 to 1.
     pub speed: f32,
-    /// How both waver.
+    /// The noise of both changes.
     pub noise: Noise,
-    /// What wavers.
-    pub of: Branch,
+    /// The part.
+    pub of: BoxedBehaviour,
 }
 
 impl Behaviour for Irregular {
@@ -30,16 +30,16 @@ impl Behaviour for Irregular {
         self.of.words()
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let said = self.of.steer_as(0, view, &mut memory, why);
-        let noise = |k| self.noise.at(view.time, k, view.dice);
+        let noise = |k| self.noise.at(view.time, k, view.rng);
         let basis = &view.motion.basis;
-        let wish = turned(view.wish(said), basis.up, self.angle * noise(0));
-        let wish = if view.is_on_ground() { wish } else { turned(wish, basis.side, self.angle * noise(1)) };
-        let wish = (wish * (1.0 + self.speed * noise(2))).clamp_length_max(view.vehicle.max_speed);
-        why.note(|| Reason::Wishes(wish));
+        let chosen = turned(view.chosen(said), basis.up, self.angle * noise(0));
+        let chosen = if view.is_on_ground() { chosen } else { turned(chosen, basis.side, self.angle * noise(1)) };
+        let chosen = (chosen * (1.0 + self.speed * noise(2))).clamp_length_max(view.vehicle.max_speed);
+        why.note(|| SteeringReason::Wishes(chosen));
         let facing = said.and_then(|said| said.facing);
-        (said.is_some() || wish != view.velocity()).then(|| Steering { facing, ..view.reach(wish) })
+        (said.is_some() || chosen != view.velocity()).then(|| Steering { facing, ..view.reach(chosen) })
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,10 +1,10 @@
-//! Limits of its own for one behaviour (gdx-ai's limiters).
+//! Limits of a single behaviour (gdx-ai's limiters).
 
 use crate::Error;
 use crate::motion::{Steering, Vehicle};
-use crate::steer::{Behaviour, Branch, View, Why};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
 
-/// A part that goes no faster and pushes no harder than these: who may run, but strolls.
+/// A part with lower limits than the vehicle's: for an agent that can run, but strolls.
 ///
 /// ```
 /// use throng::steer::{Limited, Wander};
@@ -12,12 +12,12 @@ use crate::steer::{Behaviour, Branch, View, Why};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Limited {
-    /// The speed that the part takes for the top speed, m/s; that of the vehicle if it is less. Limit: > 0.
+    /// The top speed for the part, m/s; that of the vehicle if it is less. Limit: > 0.
     pub max_speed: f32,
-    /// The most force it has, newtons; that of the vehicle if it is less. Limit: > 0.
+    /// The top force of the part, newtons; that of the vehicle if it is less. Limit: > 0.
     pub max_force: f32,
-    /// What is limited.
-    pub of: Branch,
+    /// The part.
+    pub of: BoxedBehaviour,
 }
 
 impl Behaviour for Limited {
@@ -25,10 +25,10 @@ impl Behaviour for Limited {
         self.of.words()
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let own = view.vehicle;
         let (max_speed, max_force) = (own.max_speed.min(self.max_speed), own.max_force.min(self.max_force));
-        let view = View { vehicle: Vehicle { max_speed, max_force, ..own }, ..*view };
+        let view = SteeringInput { vehicle: Vehicle { max_speed, max_force, ..own }, ..*view };
         let said = self.of.steer_as(0, &view, &mut memory, why)?;
         Some(Steering { force: said.force.clamp_length_max(max_force), ..said })
     }

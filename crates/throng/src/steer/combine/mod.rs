@@ -1,4 +1,4 @@
-//! Ways to combine behaviours, and to cure them; they are behaviours too.
+//! Behaviours that combine other behaviours or cure their defects.
 
 mod allocation;
 mod amortised;
@@ -31,7 +31,7 @@ pub use weighted_sum::WeightedSum;
 
 use crate::motion::Steering;
 
-/// Both together: the forces add up, and what is faced is what the first says.
+/// Returns the sum of the forces, with the facing of the first steering that has one.
 fn add(sum: Option<Steering>, more: Steering) -> Steering {
     match sum {
         Some(sum) => Steering { force: sum.force + more.force, facing: sum.facing.or(more.facing) },

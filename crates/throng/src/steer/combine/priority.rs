@@ -2,21 +2,21 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, behaviour};
 
-/// What the first part says that has anything to correct.
+/// Takes the steering of the first part that has anything to correct.
 ///
 /// ```
-/// use throng::steer::{Flee, Priority, Target, Wander, Who};
-/// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(Who::OtherGroups)) };
+/// use throng::steer::{Flee, Priority, Target, Wander, GroupFilter};
+/// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(GroupFilter::OtherGroups)) };
 /// let deer = Priority { epsilon: 0.01, parts: vec![shy.into(), Wander::default().into()] };
 /// ```
 #[derive(Clone, Debug)]
 pub struct Priority {
-    /// A force no greater than this, newtons, without anything to face is nothing. Limit: >= 0.
+    /// A force no greater than this, newtons, without a facing counts as nothing to correct. Limit: >= 0.
     pub epsilon: f32,
     /// The parts, the most important first.
-    pub parts: Vec<Branch>,
+    pub parts: Vec<BoxedBehaviour>,
 }
 
 impl Behaviour for Priority {
@@ -24,7 +24,7 @@ impl Behaviour for Priority {
         behaviour::words(&self.parts)
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut parts = self.parts.iter().enumerate();
         parts.find_map(|(index, part)| {
             let said = part.steer_as(index, view, &mut memory, why)?;

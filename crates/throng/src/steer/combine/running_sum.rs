@@ -4,10 +4,10 @@ use super::add;
 use super::weighted_sum::check_weights;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, behaviour};
 
-/// Forces are added in order, each times its weight and cut to what the sum still lacks of the vehicle's top force. The
-/// first come first; those after a sum that is full are not asked.
+/// Adds forces in order, each times its weight and shortened to what the sum still lacks of the vehicle's top force.
+/// The first parts come first; parts after a full sum do not run.
 ///
 /// ```
 /// use throng::steer::{RunningSum, Seek, Separation, Target};
@@ -16,7 +16,7 @@ use crate::steer::{Behaviour, Branch, View, Why, behaviour};
 #[derive(Clone, Debug)]
 pub struct RunningSum(
     /// Weights and parts. Limit: weights >= 0.
-    pub Vec<(f32, Branch)>,
+    pub Vec<(f32, BoxedBehaviour)>,
 );
 
 impl Behaviour for RunningSum {
@@ -24,7 +24,7 @@ impl Behaviour for RunningSum {
         behaviour::words(self.0.iter().map(|(_, part)| part))
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut sum: Option<Steering> = None;
         for (index, (weight, part)) in self.0.iter().enumerate() {
             let left = view.vehicle.max_force - sum.map_or(0.0, |sum| sum.force.length());

@@ -1,13 +1,13 @@
-//! Switching from one behaviour to another: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining
-//! behaviors"; a finite state machine.
+//! Switching from one behaviour to another: Reynolds, Steering behaviors for autonomous characters, GDC 1999,
+//! "Combining behaviors"; a finite state machine.
 
 use super::Condition;
-use super::condition::Standing;
+use super::condition::ConditionInput;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, Reason, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, behaviour};
 
-/// One behaviour at a time: a state machine. It begins in the first state.
+/// A state machine of behaviours: one behaviour at a time. The first state is the initial state.
 ///
 /// ```
 /// use throng::steer::{Arrive, Condition, State, Switch, Target, Wander};
@@ -26,27 +26,27 @@ pub struct Switch(
 /// A state of a [`Switch`].
 #[derive(Clone, Debug)]
 pub struct State {
-    /// What is done in it. Whenever the state is entered it begins anew, without memories.
-    pub behaviour: Branch,
-    /// When it is left, and for which state: the first condition that holds. Limit: indices of states.
+    /// The behaviour in this state. Whenever the state is entered the behaviour begins with empty memory.
+    pub behaviour: BoxedBehaviour,
+    /// Conditions and the states that they lead to; the first condition that holds counts. Limit: indices of states.
     pub exits: Vec<(Condition, usize)>,
 }
 
-/// Words that are its own.
+/// Words of memory without those of the states.
 const OWN: usize = 3;
 
 impl Behaviour for Switch {
-    /// The state, for how many seconds, and whether it had nothing to correct.
+    /// The state, the seconds in it, and whether its behaviour had nothing to correct.
     fn memory(&self) -> usize {
         OWN + behaviour::words(self.branches())
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let (own, mut memory) = memory.split_at_mut(OWN);
         let [state, since, done] = own else { return None };
-        let standing = Standing { since: *since, done: *done > 0.0 };
+        let standing = ConditionInput { since: *since, done: *done > 0.0 };
         let holds = |(index, (condition, _)): &(usize, &(Condition, usize))| {
-            condition.holds(&View { dice: view.dice.branch(self.0.len() + index), ..*view }, standing)
+            condition.holds(&SteeringInput { rng: view.rng.branch(self.0.len() + index), ..*view }, standing)
         };
         let next = self.0[*state as usize].exits.iter().enumerate().find(holds).map(|(_, (_, next))| *next);
         let index = next.unwrap_or(*state as usize);
@@ -57,7 +57,7 @@ impl Behaviour for Switch {
             (*state, *since) = (index as f32, 0.0);
             memory[..self.0[index].behaviour.words()].fill(0.0);
         }
-        why.note(|| Reason::State(index));
+        why.note(|| SteeringReason::State(index));
         let said = self.0[index].behaviour.steer_as(index, view, &mut memory, why);
         *since += view.seconds;
         *done = if said.is_none() { 1.0 } else { 0.0 };
@@ -76,7 +76,7 @@ impl Behaviour for Switch {
 }
 
 impl Switch {
-    fn branches(&self) -> impl Iterator<Item = &Branch> {
+    fn branches(&self) -> impl Iterator<Item = &BoxedBehaviour> {
         self.0.iter().map(|state| &state.behaviour)
     }
 }

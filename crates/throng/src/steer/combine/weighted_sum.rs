@@ -3,9 +3,9 @@
 use super::add;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, behaviour};
 
-/// The sum of all forces, each times its weight. Cheap and smooth, but opposite forces cancel out.
+/// Adds all forces, each times its weight. Cheap and smooth, but opposite forces cancel out.
 ///
 /// ```
 /// use throng::steer::{MoveForward, Wander, WeightedSum};
@@ -14,7 +14,7 @@ use crate::steer::{Behaviour, Branch, View, Why, behaviour};
 #[derive(Clone, Debug)]
 pub struct WeightedSum(
     /// Weights and parts. Limit: weights >= 0.
-    pub Vec<(f32, Branch)>,
+    pub Vec<(f32, BoxedBehaviour)>,
 );
 
 impl Behaviour for WeightedSum {
@@ -22,7 +22,7 @@ impl Behaviour for WeightedSum {
         behaviour::words(self.0.iter().map(|(_, part)| part))
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut sum = None;
         for (index, (weight, part)) in self.0.iter().enumerate() {
             if let Some(said) = part.steer_as(index, view, &mut memory, why) {
@@ -37,8 +37,8 @@ impl Behaviour for WeightedSum {
     }
 }
 
-/// What is wrong with weights and parts.
-pub(super) fn check_weights(parts: &[(f32, Branch)]) -> Result<(), Error> {
+/// Checks weights and parts.
+pub(super) fn check_weights(parts: &[(f32, BoxedBehaviour)]) -> Result<(), Error> {
     for &(weight, _) in parts {
         Error::unless(weight >= 0.0 && weight.is_finite(), "weight", weight, "0 or more and finite")?;
     }

@@ -3,11 +3,11 @@
 use super::Neighbourhood;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Turns to where those who are near face: the mean of their forwards less its own. [`MatchVelocity`](super::MatchVelocity)
-/// takes on their speed too.
+/// Turns to the mean forward direction of the neighbours: the force is that mean less the agent's own forward
+/// direction. [`MatchVelocity`](super::MatchVelocity) also matches their speed.
 ///
 /// ```
 /// use throng::steer::{Alignment, Neighbourhood};
@@ -15,22 +15,22 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Alignment {
-    /// With whom.
+    /// The neighbourhood.
     pub near: Neighbourhood,
-    /// How great the difference is, 0 to 2, from which it has all of the force; 0: always all, as OpenSteer has it, and then
-    /// it may tremble. Limit: >= 0.
+    /// Difference of the directions, 0 to 2, from which on the force is the vehicle's top force; 0: always the top
+    /// force, as in OpenSteer, which may cause jitter. Limit: >= 0.
     pub full: f32,
 }
 
 impl Behaviour for Alignment {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         self.near.tell(view, why);
         let (count, sum) = self.near.of(view).fold((0.0, Vec3::ZERO), |(n, sum), other| (n + 1.0, sum + other.forward));
         if count == 0.0 {
             return None;
         }
         let mean = sum * (1.0 / count);
-        why.note(|| Reason::Wishes(mean));
+        why.note(|| SteeringReason::Wishes(mean));
         view.urge(mean - view.forward(), self.full)
     }
 

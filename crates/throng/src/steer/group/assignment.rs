@@ -1,10 +1,11 @@
-//! Who gets which place: the least total cost, by the Hungarian method (Kuhn 1955; Munkres 1957), with shortest augmenting
-//! paths (Jonker and Volgenant 1987).
+//! Assignment of agents to places at the least total cost, by the Hungarian method (Kuhn 1955; Munkres 1957), with
+//! shortest augmenting paths (Jonker and Volgenant 1987).
 
 use glam::Vec3;
 
-/// For each agent the index of its place, so that the sum of squared ways is least; then ways do not cross. Takes time in
-/// proportion to `agents² places`. Deterministic: of equal sums the one that agents in order come to.
+/// Returns the index of the place of each agent, so that the sum of the squared distances is least; then the straight
+/// lines to the places do not cross. The time is proportional to `agents² places`. Deterministic: equal sums are
+/// resolved by the order of the agents.
 ///
 /// # Panics
 /// If there are fewer places than agents.
@@ -17,7 +18,7 @@ use glam::Vec3;
 pub fn assign(agents: &[Vec3], places: &[Vec3]) -> Vec<usize> {
     assert!(agents.len() <= places.len(), "fewer places than agents");
     let cost = |agent: usize, place: usize| f64::from(agents[agent].distance_squared(places[place]));
-    // potentials of agents and places, and whose each place is
+    // potentials of agents and places, and the agent of each place
     let mut agent_price = vec![0.0; agents.len()];
     let mut place_price = vec![0.0; places.len()];
     let mut owner: Vec<Option<usize>> = vec![None; places.len()];

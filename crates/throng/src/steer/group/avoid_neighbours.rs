@@ -1,39 +1,40 @@
-//! Unaligned collision avoidance as OpenSteer has it: steerToAvoidNeighbors.
+//! Unaligned collision avoidance as in OpenSteer: steerToAvoidNeighbors.
 
 use super::CloseAvoidance;
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::approach::nearest_time;
-use crate::steer::{Behaviour, Neighbour, Reason, View, Who, Why};
+use crate::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 use std::f32::consts::FRAC_1_SQRT_2;
 
-/// Turns aside from the first who will come too near, with all of the force; it never changes its speed.
-/// [`UnalignedAvoidance`](super::UnalignedAvoidance) does.
+/// Turns aside, with the whole force, from the first neighbour that will come too near, and keeps the speed.
+/// [`UnalignedAvoidance`](super::UnalignedAvoidance) changes the speed too.
 ///
-/// Those too close already come first ([`CloseAvoidance`]). Who comes, or goes the same way, is passed on the side on which
-/// it is not; of two whose ways cross the faster passes behind the other.
+/// Neighbours that are too close already come first ([`CloseAvoidance`]). The agent passes a neighbour that comes
+/// towards it, or that goes the same way, on the free side. Where two ways cross, the faster agent passes behind the
+/// slower.
 ///
 /// ```
-/// use throng::steer::{AvoidNeighbours, Who};
-/// let walker = AvoidNeighbours { who: Who::Anybody, horizon: 3.0 };
+/// use throng::steer::{AvoidNeighbours, GroupFilter};
+/// let walker = AvoidNeighbours { groups: GroupFilter::All, horizon: 3.0 };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AvoidNeighbours {
-    /// Whom.
-    pub who: Who,
-    /// How many seconds ahead. Limit: > 0.
+    /// The agents to avoid.
+    pub groups: GroupFilter,
+    /// Time horizon, seconds. Limit: > 0.
     pub horizon: f32,
 }
 
 impl Default for AvoidNeighbours {
     fn default() -> Self {
-        Self { who: Who::Anybody, horizon: 3.0 }
+        Self { groups: GroupFilter::All, horizon: 3.0 }
     }
 }
 
 impl Behaviour for AvoidNeighbours {
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let close = CloseAvoidance { who: self.who, gap: 0.0 };
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let close = CloseAvoidance { groups: self.groups, gap: 0.0 };
         close.steer(view, memory, why).or_else(|| self.turn(view, why))
     }
 
@@ -43,8 +44,8 @@ impl Behaviour for AvoidNeighbours {
 }
 
 impl AvoidNeighbours {
-    fn turn(&self, view: &View<'_>, why: &mut Why<'_>) -> Option<Steering> {
-        let (time, threat) = first_threat(view, self.who, self.horizon, 0.0)?;
+    fn turn(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let (time, threat) = first_threat(view, self.groups, self.horizon, 0.0)?;
         note_threat(view, time, threat, why);
         let side = view.motion.basis.side;
         let parallel = view.forward().dot(threat.forward);
@@ -62,12 +63,17 @@ impl AvoidNeighbours {
     }
 }
 
-/// Who comes nearer than touching and a gap first, within so many seconds, if both keep their velocities; and when they are
-/// nearest. Of equal times the nearest now.
-pub(super) fn first_threat<'a>(view: &View<'a>, who: Who, horizon: f32, gap: f32) -> Option<(f32, &'a Neighbour)> {
+/// Returns the first neighbour that will come nearer than `gap` to the agent's body within the horizon, seconds, if
+/// both keep their velocities, and the time of the closest approach. Of neighbours at equal times the nearest counts.
+pub(super) fn first_threat<'a>(
+    view: &SteeringInput<'a>,
+    groups: GroupFilter,
+    horizon: f32,
+    gap: f32,
+) -> Option<(f32, &'a SteeringNeighbour)> {
     let mut first = None;
     let mut least = horizon;
-    for other in view.neighbours.iter().filter(|other| who.counts(view, other)) {
+    for other in view.neighbours.iter().filter(|other| groups.counts(view, other)) {
         let velocity = other.velocity - view.velocity();
         let time = nearest_time(other.offset, velocity);
         let near = (other.offset + velocity * time).length() < view.radius + other.radius + gap;
@@ -78,9 +84,14 @@ pub(super) fn first_threat<'a>(view: &View<'a>, who: Who, horizon: f32, gap: f32
     first
 }
 
-/// Tells where the two will be.
-pub(super) fn note_threat(view: &View<'_>, seconds: f32, other: &Neighbour, why: &mut Why<'_>) {
-    why.note(|| Reason::Threat {
+/// Records where the two agents will be.
+pub(super) fn note_threat(
+    view: &SteeringInput<'_>,
+    seconds: f32,
+    other: &SteeringNeighbour,
+    why: &mut TraceRecorder<'_>,
+) {
+    why.note(|| SteeringReason::Threat {
         number: other.number,
         seconds,
         own: view.motion.position_in(seconds),

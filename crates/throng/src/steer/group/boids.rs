@@ -1,15 +1,16 @@
 //! Boids: Reynolds, Flocks, herds, and schools: a distributed behavioral model, SIGGRAPH 1987.
 //!
-//! The paper has no formulas; MODELS 4.1 says what is known of them. Three urges in strict order, collision avoidance, velocity
-//! matching, flock centering, and then migration. Each is a wish for acceleration of length 0 to 1; they share out the
-//! acceleration that there is, the first first.
+//! The paper has no formulas. It gives three urges in strict order: collision avoidance, velocity matching and flock
+//! centering; migration comes last. Each urge is an acceleration of length 0 to 1, and an urge gets what the urges
+//! before it have left of the acceleration budget. The inverse square of the distance as the weight, and more weight
+//! ahead, are from the paper's text; the formulas are this crate's.
 
 use super::Neighbourhood;
 use super::separation::aside;
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::combine::Budget;
-use crate::steer::{Behaviour, Reason, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 
 /// The flock of 1987.
@@ -20,15 +21,16 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boids {
-    /// Whom it sees.
+    /// The neighbourhood.
     pub near: Neighbourhood,
-    /// How much more it minds those ahead, at its top speed. Limit: >= 0.
+    /// Extra weight of a neighbour straight ahead at the top speed. Limit: >= 0.
     pub forward: f32,
-    /// How near another is, metres, when the urge to avoid it is 1; it falls off by the square of the distance. Limit: > 0.
+    /// Distance at which the urge to avoid a neighbour is 1, metres; the urge falls off by the square of the distance.
+    /// Limit: > 0.
     pub avoidance: f32,
-    /// The most of the three urges of the flock, and of migration. Limit: 0 to 1.
+    /// Upper bounds of the three urges of the flock and of migration. Limit: 0 to 1.
     pub strengths: [f32; 4],
-    /// Where it migrates, if anywhere.
+    /// The target of migration, if any.
     pub migration: Option<Target>,
 }
 
@@ -45,7 +47,7 @@ impl Default for Boids {
 }
 
 impl Behaviour for Boids {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         self.near.tell(view, why);
         let urges = self.urges(view);
         if urges.iter().all(|urge| *urge == Vec3::ZERO) {
@@ -55,7 +57,7 @@ impl Behaviour for Boids {
         let mut sum = Vec3::ZERO;
         for (urge, strength) in urges.into_iter().zip(self.strengths) {
             let granted = budget.grant(view.passable(urge).clamp_length_max(1.0) * strength);
-            why.note(|| Reason::Wishes(granted));
+            why.note(|| SteeringReason::Wishes(granted));
             sum += granted;
         }
         Some((sum * view.vehicle.max_force).into())
@@ -73,8 +75,8 @@ impl Behaviour for Boids {
 }
 
 impl Boids {
-    /// To avoid, to match, to centre, to migrate: 1 is as much as can be.
-    fn urges(&self, view: &View<'_>) -> [Vec3; 4] {
+    /// Returns the urges to avoid, to match, to centre and to migrate; 1 is the most.
+    fn urges(&self, view: &SteeringInput<'_>) -> [Vec3; 4] {
         let (mut avoid, mut matching, mut center, mut weights) = (Vec3::ZERO, Vec3::ZERO, Vec3::ZERO, 0.0);
         let speed = view.motion.speed() / view.vehicle.max_speed;
         for other in self.near.of(view) {

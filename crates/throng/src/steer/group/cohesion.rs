@@ -3,10 +3,10 @@
 use super::Neighbourhood;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Goes to the middle of those who are near.
+/// Steers to the mean position of the neighbours.
 ///
 /// ```
 /// use throng::steer::{Cohesion, Neighbourhood};
@@ -14,22 +14,22 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cohesion {
-    /// Of whom.
+    /// The neighbourhood.
     pub near: Neighbourhood,
-    /// How far off the middle is, metres, from where it has all of the force; 0: always all, as OpenSteer has it, and then it
-    /// may tremble. Limit: >= 0.
+    /// Distance of the mean position, metres, from which on the force is the vehicle's top force; 0: always the top
+    /// force, as in OpenSteer, which may cause jitter. Limit: >= 0.
     pub full: f32,
 }
 
 impl Behaviour for Cohesion {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         self.near.tell(view, why);
         let (count, sum) = self.near.of(view).fold((0.0, Vec3::ZERO), |(n, sum), other| (n + 1.0, sum + other.offset));
         if count == 0.0 {
             return None;
         }
         let middle = sum * (1.0 / count);
-        why.note(|| Reason::Aim(view.position() + middle));
+        why.note(|| SteeringReason::Aim(view.position() + middle));
         view.urge(middle, self.full)
     }
 

@@ -3,24 +3,24 @@
 use super::{Alignment, Cohesion, Falloff, Neighbourhood, Separation};
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Who, Why};
+use crate::steer::{Behaviour, GroupFilter, SteeringInput, TraceRecorder};
 use glam::Vec3;
 
 /// One of the three rules of a flock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
-    /// Its force, as a part of the vehicle's top force. Limit: >= 0.
+    /// Force, as a part of the vehicle's top force. Limit: >= 0.
     pub weight: f32,
-    /// How far it reaches, metres. Limit: > 0.
+    /// Range, metres. Limit: > 0.
     pub distance: f32,
-    /// How far to either side of ahead, radians. Limit: 0 to pi.
+    /// Angle to either side of the forward direction, radians. Limit: 0 to pi.
     pub angle: f32,
 }
 
-/// Separation, alignment and cohesion together, by nine numbers. The defaults are those of OpenSteer's boids, which have a
-/// top speed of 9 m/s, a top force of 27 N and a radius of 0.5 m.
+/// Separation, alignment and cohesion together, by nine numbers. The defaults are those of OpenSteer's boids, which
+/// have a top speed of 9 m/s, a top force of 27 N and a radius of 0.5 m.
 ///
-/// As in OpenSteer each rule has all of its force however little there is to correct; for softer ones take a
+/// As in OpenSteer each rule has its full force however small the correction is. For a gradual force use a
 /// [`WeightedSum`](crate::steer::WeightedSum) of [`Separation`], [`Alignment`] and [`Cohesion`].
 ///
 /// ```
@@ -30,16 +30,16 @@ pub struct Rule {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flocking {
-    /// Away from those who are near.
+    /// Away from the neighbours.
     pub separation: Rule,
-    /// To where they face.
+    /// To the mean forward direction of the neighbours.
     pub alignment: Rule,
-    /// To their middle.
+    /// To the mean position of the neighbours.
     pub cohesion: Rule,
-    /// Within so many times its own radius everybody counts, at any angle. Limit: >= 0.
+    /// A neighbour within this multiple of the agent's radius counts at any angle. Limit: >= 0.
     pub always: f32,
-    /// Who is of the flock.
-    pub who: Who,
+    /// The agents of the flock.
+    pub groups: GroupFilter,
 }
 
 impl Default for Flocking {
@@ -49,13 +49,13 @@ impl Default for Flocking {
             alignment: Rule { weight: 8.0 / 27.0, distance: 7.5, angle: 0.795 },
             cohesion: Rule { weight: 8.0 / 27.0, distance: 9.0, angle: 1.721 },
             always: 3.0,
-            who: Who::OwnGroup,
+            groups: GroupFilter::OwnGroup,
         }
     }
 }
 
 impl Behaviour for Flocking {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [separation, alignment, cohesion] = self.near();
         let separation =
             Separation { near: separation, falloff: Falloff::Inverse, full: 0.0 }.steer(view, &mut [], why);
@@ -83,13 +83,13 @@ impl Behaviour for Flocking {
 }
 
 impl Flocking {
-    /// The neighbourhoods of the three rules.
+    /// Returns the neighbourhoods of the three rules.
     pub(super) fn near(&self) -> [Neighbourhood; 3] {
         [self.separation, self.alignment, self.cohesion].map(|Rule { distance, angle, .. }| Neighbourhood {
             distance,
             angle,
             always: self.always,
-            who: self.who,
+            groups: self.groups,
             ..Neighbourhood::default()
         })
     }

@@ -4,11 +4,13 @@ use super::{Neighbourhood, Separation};
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::single::keep;
-use crate::steer::{Behaviour, Mark, Neighbour, Reason, Target, View, Who, Why};
+use crate::steer::{
+    Behaviour, GroupFilter, Kinematics, SteeringInput, SteeringNeighbour, SteeringReason, Target, TraceRecorder,
+};
 use glam::Vec3;
 
-/// Goes behind a leader, out of the way of whoever leads, apart from other followers and the leader; in a bunch, or in single
-/// file.
+/// Follows behind a leader, keeps out of the leader's way, and keeps its distance from other followers and from the
+/// leader; in a bunch, or in single file.
 ///
 /// ```
 /// use throng::steer::{FollowLeader, Target};
@@ -16,20 +18,20 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FollowLeader {
-    /// Whom.
+    /// The leader.
     pub leader: Target,
-    /// Everybody behind the next of the group in the order of numbers, that is the one with the greatest number below its
-    /// own that it sees; the first behind the leader.
+    /// Whether followers go in single file, in the order of their numbers: each agent follows the agent of its group
+    /// with the greatest number below its own among its neighbours, and the leader if there is none.
     pub single_file: bool,
-    /// How far behind, metres. Limit: >= 0.
+    /// Distance behind the leader, metres. Limit: >= 0.
     pub gap: f32,
-    /// How far ahead of the leader its way is to be free, metres. Limit: >= 0.
+    /// Length of the zone ahead of the leader that followers leave, metres. Limit: >= 0.
     pub free: f32,
-    /// How far to either side of it, metres. Limit: >= 0.
+    /// Extent of that zone to either side, metres. Limit: >= 0.
     pub width: f32,
-    /// How far away it begins to slow down, metres. Limit: >= 0.
+    /// Distance at which a follower begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
-    /// How far apart followers are, metres. Limit: > 0.
+    /// Distance between followers, metres. Limit: > 0.
     pub spacing: f32,
 }
 
@@ -39,22 +41,23 @@ impl From<Target> for FollowLeader {
     }
 }
 
-/// How many others at the spacing push with all of the force.
+/// Number of neighbours at the spacing that together push with the whole force.
 const FULL: f32 = 2.0;
 
 impl Behaviour for FollowLeader {
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
         if let Some(aside) = self.out_of_the_way(view, &leader) {
-            why.note(|| Reason::Aim(view.position() + aside));
+            why.note(|| SteeringReason::Aim(view.position() + aside));
             return view.go(aside);
         }
         let next = if self.single_file { next_in_file(view).unwrap_or(leader) } else { leader };
         let follow = keep(view, &next, Vec3::NEG_X * self.gap, self.slowing_distance, why);
-        let near = Neighbourhood { distance: self.spacing, who: Who::OwnGroup, ..Neighbourhood::default() };
+        let near = Neighbourhood { distance: self.spacing, groups: GroupFilter::OwnGroup, ..Neighbourhood::default() };
         let full = FULL / self.spacing;
         let apart = Separation { near, full, ..Separation::default() }.steer(view, memory, why);
-        // others push into the leader whoever is next to it, whatever group that is of
+        // other followers push the agent next to the leader into the leader, so the leader pushes it away, whatever its
+        // group
         let offset = view.to(leader.position);
         let distance = offset.length();
         let off = if distance < self.spacing { view.urge(-offset / (distance * distance), full) } else { None };
@@ -77,22 +80,23 @@ impl Behaviour for FollowLeader {
 }
 
 impl FollowLeader {
-    /// The way to the nearer side of the leader's way, for who is on it.
-    fn out_of_the_way(&self, view: &View<'_>, leader: &Mark) -> Option<Vec3> {
+    /// Returns the direction to the nearer side of the leader's way if the agent is in that way.
+    fn out_of_the_way(&self, view: &SteeringInput<'_>, leader: &Kinematics) -> Option<Vec3> {
         let from = view.passable(view.position() - leader.position);
         let ahead = from.dot(leader.basis.forward);
         let beside = view.passable(leader.basis.lateral(from));
         if ahead <= 0.0 || ahead > self.free || beside.length() > self.width {
             return None;
         }
-        // in the middle half of them go left
-        let side = if view.dice.number.is_multiple_of(2) { leader.basis.side } else { -leader.basis.side };
+        // in the middle, agents with even numbers go left, the rest right
+        let side = if view.rng.number.is_multiple_of(2) { leader.basis.side } else { -leader.basis.side };
         Some(if beside == Vec3::ZERO { side } else { beside })
     }
 }
 
-fn next_in_file(view: &View<'_>) -> Option<Mark> {
-    let before = |other: &&Neighbour| Who::OwnGroup.counts(view, other) && other.number < view.dice.number;
+fn next_in_file(view: &SteeringInput<'_>) -> Option<Kinematics> {
+    let before =
+        |other: &&SteeringNeighbour| GroupFilter::OwnGroup.counts(view, other) && other.number < view.rng.number;
     let next = view.neighbours.iter().filter(before).max_by_key(|other| other.number)?;
-    Some(Mark::of(view, next))
+    Some(Kinematics::of(view, next))
 }

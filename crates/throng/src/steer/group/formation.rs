@@ -3,16 +3,16 @@
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::single::keep;
-use crate::steer::{Behaviour, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
 
-/// How the places of a formation lie. The leader is at the origin and faces x; its left is y.
+/// The arrangement of the places of a formation. The leader is at the origin and faces x; y points to its left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pattern {
     /// Abreast: left, right, left, ever farther out.
     Line,
-    /// One behind the other.
+    /// One place behind the other.
     Column,
     /// A wedge: left, right, left, each pair farther out and back.
     Wedge,
@@ -23,7 +23,7 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// Where the `index`-th of `count` places is, metres, with neighbouring places so far apart.
+    /// Returns the `index`-th of `count` places, metres; neighbouring places are `spacing` apart.
     ///
     /// ```
     /// use glam::Vec3;
@@ -52,8 +52,8 @@ impl Pattern {
     }
 }
 
-/// Keeps the agent's [own place](View::slot) in a formation that moves with a leader. Who has which place is for
-/// [`assign`](super::assign) to say.
+/// Keeps the agent's [slot](SteeringInput::slot) in a formation that moves with a leader. [`assign`](super::assign) assigns
+/// agents to slots.
 ///
 /// ```
 /// use throng::steer::{KeepFormation, Pattern, Target};
@@ -63,20 +63,20 @@ impl Pattern {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeepFormation {
-    /// Whom they move with.
+    /// The leader.
     pub leader: Target,
-    /// How the places lie.
+    /// The arrangement of the places.
     pub pattern: Pattern,
-    /// How many places there are. Limit: >= 1.
+    /// Number of places. Limit: >= 1.
     pub count: usize,
-    /// How far neighbouring places are apart, metres. Limit: > 0.
+    /// Distance between neighbouring places, metres. Limit: > 0.
     pub spacing: f32,
-    /// How far from its place it begins to slow down, metres. Limit: >= 0.
+    /// Distance from its place at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
 }
 
 impl Behaviour for KeepFormation {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
         let place = self.pattern.place(view.slot, self.count, self.spacing);
         Some(keep(view, &leader, place, self.slowing_distance, why))

@@ -3,10 +3,10 @@
 use super::Neighbourhood;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Goes as those who are near do: takes on the mean of their velocities.
+/// Steers to the mean velocity of the neighbours.
 ///
 /// ```
 /// use throng::steer::{MatchVelocity, Neighbourhood};
@@ -14,12 +14,12 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MatchVelocity {
-    /// Whose.
+    /// The neighbourhood.
     pub near: Neighbourhood,
 }
 
 impl Behaviour for MatchVelocity {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         self.near.tell(view, why);
         let (count, sum) =
             self.near.of(view).fold((0.0, Vec3::ZERO), |(n, sum), other| (n + 1.0, sum + other.velocity));
@@ -27,7 +27,7 @@ impl Behaviour for MatchVelocity {
             return None;
         }
         let mean = view.passable(sum / count);
-        why.note(|| Reason::Wishes(mean));
+        why.note(|| SteeringReason::Wishes(mean));
         Some(view.reach(mean))
     }
 

@@ -1,4 +1,4 @@
-//! Behaviours among others: flocks, queues, followers, formations.
+//! Behaviours with respect to other agents: flocks, queues, followers, formations.
 
 mod alignment;
 mod assignment;
@@ -7,7 +7,7 @@ mod boids;
 mod close_avoidance;
 mod cohesion;
 mod flocking;
-mod flocking_lanes;
+mod flocking_simd;
 mod follow_leader;
 mod formation;
 mod match_velocity;
@@ -23,7 +23,7 @@ pub use boids::Boids;
 pub use close_avoidance::CloseAvoidance;
 pub use cohesion::Cohesion;
 pub use flocking::{Flocking, Rule};
-pub(crate) use flocking_lanes::{Bird, Birds, Flock, Pack};
+pub(crate) use flocking_simd::{Bird, Birds, Flock, FlockTileScratch};
 pub use follow_leader::FollowLeader;
 pub use formation::{KeepFormation, Pattern};
 pub use match_velocity::MatchVelocity;

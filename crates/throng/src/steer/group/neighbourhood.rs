@@ -1,13 +1,13 @@
-//! Who belongs to the neighbourhood that an agent flocks with.
+//! The neighbourhood of an agent in a flock.
 
 use crate::Error;
-use crate::steer::{Neighbour, Reason, View, Who, Why};
+use crate::steer::{GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 use std::f32::consts::PI;
 
-/// Whom a behaviour takes into account: those near enough and ahead enough, or the nearest few.
+/// The neighbours that a behaviour takes into account: the agents within a range and an angle, or the nearest few.
 ///
-/// Metric (Reynolds 1987 and 1999; OpenSteer's inBoidNeighborhood): a distance and an angle. Topological (Ballerini et al.,
-/// PNAS 105, 2008): the six or seven nearest, however far; flocks then do not break when they are stretched.
+/// Metric (Reynolds 1987 and 1999; OpenSteer's inBoidNeighborhood): a distance and an angle. Topological (Ballerini et
+/// al., PNAS 105, 2008): the six or seven nearest, at any distance; such flocks do not break when they are stretched.
 ///
 /// ```
 /// use throng::steer::Neighbourhood;
@@ -16,55 +16,55 @@ use std::f32::consts::PI;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbourhood {
-    /// How far it reaches, metres between centres; infinite for as far as the agent sees. Limit: > 0.
+    /// Range between centres, metres; infinite for the agent's whole perception range. Limit: > 0.
     pub distance: f32,
-    /// How far to either side of ahead, radians; pi for all round. Limit: 0 to pi.
+    /// Angle to either side of the forward direction, radians; pi for all round. Limit: 0 to pi.
     pub angle: f32,
-    /// Within so many times its own radius everybody belongs to it, at any angle. Limit: >= 0.
+    /// A neighbour within this multiple of the agent's radius belongs to it at any angle. Limit: >= 0.
     pub always: f32,
-    /// How many at most, the nearest. Limit: >= 1.
+    /// Greatest number of neighbours; the nearest count. Limit: >= 1.
     pub most: usize,
-    /// Who at all.
-    pub who: Who,
+    /// The groups that count.
+    pub groups: GroupFilter,
 }
 
 impl Default for Neighbourhood {
     fn default() -> Self {
-        Self { distance: f32::INFINITY, angle: PI, always: 0.0, most: usize::MAX, who: Who::Anybody }
+        Self { distance: f32::INFINITY, angle: PI, always: 0.0, most: usize::MAX, groups: GroupFilter::All }
     }
 }
 
 impl Neighbourhood {
-    /// Those who belong to it, nearest first.
-    pub fn of<'v, 'a>(&'v self, view: &'v View<'a>) -> impl Iterator<Item = &'a Neighbour> + 'v {
+    /// Returns the neighbours that belong to it, nearest first.
+    pub fn of<'v, 'a>(&'v self, view: &'v SteeringInput<'a>) -> impl Iterator<Item = &'a SteeringNeighbour> + 'v {
         let (sight, most) = (self.sight(view.radius), self.most);
-        let belongs = move |other: &&Neighbour| {
+        let belongs = move |other: &&SteeringNeighbour| {
             let ahead = view.forward().dot(other.offset);
-            self.who.counts(view, other) && sight.reaches(other.offset.length_squared(), ahead)
+            self.groups.counts(view, other) && sight.reaches(other.offset.length_squared(), ahead)
         };
         view.neighbours.iter().filter(belongs).take(most)
     }
 
-    /// What one of this radius sees of it.
-    pub(super) fn sight(&self, radius: f32) -> Sight {
+    /// Returns the bounds for an agent with this radius.
+    pub(super) fn sight(&self, radius: f32) -> SquaredBounds {
         let cosine = libm::cosf(self.angle);
         let always = self.always * radius;
-        Sight {
+        SquaredBounds {
             range_squared: self.distance * self.distance,
             always_squared: always * always,
             cosine: if self.angle < PI { cosine * cosine.abs() } else { -2.0 },
         }
     }
 
-    /// Tells who belongs to it.
-    pub(super) fn tell(&self, view: &View<'_>, why: &mut Why<'_>) {
-        if why.is_asked() {
-            why.note(|| Reason::Looks { distance: self.distance, angle: self.angle });
-            self.of(view).for_each(|other| why.note(|| Reason::Regards(other.number)));
+    /// Records the neighbourhood and the neighbours that belong to it.
+    pub(super) fn tell(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) {
+        if why.is_requested() {
+            why.note(|| SteeringReason::Looks { distance: self.distance, angle: self.angle });
+            self.of(view).for_each(|other| why.note(|| SteeringReason::Regards(other.number)));
         }
     }
 
-    /// What is wrong with the numbers, if anything is.
+    /// Checks the numbers.
     ///
     /// # Errors
     /// [`Error::Limit`] names the number.
@@ -76,19 +76,19 @@ impl Neighbourhood {
     }
 }
 
-/// Whom a neighbourhood reaches, as squares: so it takes no root.
+/// The bounds of a neighbourhood, squared, so that no square root is needed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sight {
-    /// Square of its distance.
+pub(super) struct SquaredBounds {
+    /// Square of the range.
     pub range_squared: f32,
-    /// Square of the distance within which everybody belongs to it.
+    /// Square of the distance within which all agents belong to it.
     pub always_squared: f32,
-    /// Square of the cosine of its angle, with the sign of the cosine.
+    /// Square of the cosine of the angle, with the sign of the cosine.
     pub cosine: f32,
 }
 
-impl Sight {
-    /// Whether it reaches somebody so far off, squared, and so far ahead.
+impl SquaredBounds {
+    /// Whether a neighbour is within the bounds, by the square of its distance and its distance ahead.
     fn reaches(&self, distance_squared: f32, ahead: f32) -> bool {
         let in_sight = distance_squared <= self.range_squared && ahead * ahead.abs() >= self.cosine * distance_squared;
         distance_squared < self.always_squared || in_sight

@@ -3,13 +3,16 @@
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::single::settling_time;
-use crate::steer::{Behaviour, Branch, Neighbour, Reason, View, Who, Why};
+use crate::steer::{
+    Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder,
+};
 
-/// Lets a part go no faster than those right ahead who go the same way, or stand, allow: nobody pushes.
+/// Limits the speed of a part by the agents right ahead that go the same way or stand: the agent does not push.
 ///
-/// They allow half of their speed, and more in proportion to the room between. With the whole of their speed it would come
-/// nearer than the gap when they brake, since it follows with delay; with half of it never, however suddenly they stop, and
-/// it goes behind them by half the headway in time.
+/// The limit is half of the speed of the agent ahead, and more in proportion to the distance between the bodies. With
+/// the whole of that speed the agent would come nearer than the gap when the agent ahead brakes, since it follows with
+/// a delay. With half of it the agent never does, however suddenly the agent ahead stops, and it follows by half the
+/// headway in time.
 ///
 /// ```
 /// use throng::steer::{Queue, Seek, Target};
@@ -17,25 +20,25 @@ use crate::steer::{Behaviour, Branch, Neighbour, Reason, View, Who, Why};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Queue {
-    /// Behind whom.
-    pub who: Who,
+    /// The agents to queue behind.
+    pub groups: GroupFilter,
     /// How far ahead it looks, metres between centres. Limit: > 0.
     pub distance: f32,
-    /// How much wider than the two bodies its lane is, metres. Limit: >= 0.
+    /// How much wider than the two bodies the checked strip is, metres. Limit: >= 0.
     pub width: f32,
-    /// How far bodies should be apart at rest, metres. Limit: >= 0.
+    /// Least distance between standing bodies, metres. Limit: >= 0.
     pub gap: f32,
-    /// Seconds in which it closes all but a third of a greater gap, and twice those by which it goes behind others; more, if
-    /// the vehicle follows too slowly. Limit: > 0.
+    /// Seconds in which the agent closes all but a third of a greater gap, and twice the time by which it follows;
+    /// longer if the vehicle responds too slowly. Limit: > 0.
     pub headway: f32,
-    /// What it would do.
-    pub of: Branch,
+    /// The part.
+    pub of: BoxedBehaviour,
 }
 
 impl Queue {
-    /// Behind anybody within 2 m, with a gap of 0.1 m.
-    pub fn new(of: impl Into<Branch>) -> Self {
-        Self { who: Who::Anybody, distance: 2.0, width: 0.0, gap: 0.1, headway: 0.5, of: of.into() }
+    /// Returns a queue behind all agents within 2 m, with a gap of 0.1 m.
+    pub fn new(of: impl Into<BoxedBehaviour>) -> Self {
+        Self { groups: GroupFilter::All, distance: 2.0, width: 0.0, gap: 0.1, headway: 0.5, of: of.into() }
     }
 }
 
@@ -44,18 +47,18 @@ impl Behaviour for Queue {
         self.of.words()
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let said = self.of.steer_as(0, view, &mut memory, why);
-        let wish = view.wish(said);
-        let speed = wish.dot(view.forward());
-        let counting = view.neighbours.iter().filter(|other| self.who.counts(view, other));
+        let chosen = view.chosen(said);
+        let speed = chosen.dot(view.forward());
+        let counting = view.neighbours.iter().filter(|other| self.groups.counts(view, other));
         let limits = counting.map(|other| (self.allowed(view, other), other));
         let Some((allowed, other)) = limits.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|limit| limit.0 < speed) else {
             return said;
         };
-        why.note(|| Reason::Regards(other.number));
+        why.note(|| SteeringReason::Regards(other.number));
         let facing = said.and_then(|said| said.facing);
-        Some(Steering { facing, ..view.reach(wish + view.forward() * (allowed - speed)) })
+        Some(Steering { facing, ..view.reach(chosen + view.forward() * (allowed - speed)) })
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -67,13 +70,13 @@ impl Behaviour for Queue {
     }
 }
 
-/// Part of their speed that others allow. Gap and velocity are a linear system, whose gap is positive for all that others
-/// may do up to a half: then its zero is no farther out than its slower pole.
+/// Part of the speed of the agent ahead in the limit. Gap and velocity are a linear system. Up to a half, the gap stays
+/// positive for every motion of the agent ahead: then the zero of the system is no farther out than its slower pole.
 const THEIRS: f32 = 0.5;
 
 impl Queue {
-    /// How fast another lets it go ahead.
-    fn allowed(&self, view: &View<'_>, other: &Neighbour) -> f32 {
+    /// Returns the speed that an agent ahead permits.
+    fn allowed(&self, view: &SteeringInput<'_>, other: &SteeringNeighbour) -> f32 {
         let radii = view.radius + other.radius;
         let ahead = other.offset.dot(view.forward());
         let beside = view.motion.basis.lateral(other.offset).length();

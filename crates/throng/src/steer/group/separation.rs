@@ -1,12 +1,13 @@
-//! Separation: Reynolds, Steering behaviors for autonomous characters, GDC 1999; Flocks, herds, and schools, SIGGRAPH 1987.
+//! Separation: Reynolds, Steering behaviors for autonomous characters, GDC 1999; Flocks, herds, and schools, SIGGRAPH
+//! 1987.
 
 use super::Neighbourhood;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Neighbour, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringNeighbour, TraceRecorder};
 use glam::Vec3;
 
-/// How the push of a neighbour falls off with its distance.
+/// How the repulsion by a neighbour decreases with the distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Falloff {
     /// By the distance (Reynolds 1999, OpenSteer).
@@ -16,7 +17,7 @@ pub enum Falloff {
     InverseSquare,
 }
 
-/// Keeps away from those who are near: away from each, the more the nearer it is.
+/// Steers away from each neighbour, the more the nearer the neighbour is.
 ///
 /// ```
 /// use throng::steer::{Neighbourhood, Separation};
@@ -25,12 +26,12 @@ pub enum Falloff {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation {
-    /// From whom.
+    /// The neighbourhood.
     pub near: Neighbourhood,
-    /// How their push falls off.
+    /// How the repulsion decreases.
     pub falloff: Falloff,
-    /// How long the sum of pushes is, 1/m (or 1/m²), from which it has all of the force; 0: always all, as OpenSteer has it,
-    /// and then it may tremble. One neighbour at 1 m is 1. Limit: >= 0.
+    /// Length of the sum of repulsions, 1/m (or 1/m²), from which on the force is the vehicle's top force; 0: always
+    /// the top force, as in OpenSteer, which may cause jitter. One neighbour at 1 m gives 1. Limit: >= 0.
     pub full: f32,
 }
 
@@ -45,9 +46,9 @@ impl Default for Separation {
 }
 
 impl Behaviour for Separation {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         self.near.tell(view, why);
-        let push = |other: &Neighbour| {
+        let push = |other: &SteeringNeighbour| {
             let distance_squared = other.offset.length_squared();
             match self.falloff {
                 _ if distance_squared == 0.0 => aside(view, other),
@@ -64,7 +65,8 @@ impl Behaviour for Separation {
     }
 }
 
-/// A way out for two in exactly one place: one goes left, the other right.
-pub(super) fn aside(view: &View<'_>, other: &Neighbour) -> Vec3 {
-    if view.dice.number < other.number { view.motion.basis.side } else { -view.motion.basis.side }
+/// Returns opposite sides for two agents at exactly the same position: left for the agent with the smaller number,
+/// right for the other agent.
+pub(super) fn aside(view: &SteeringInput<'_>, other: &SteeringNeighbour) -> Vec3 {
+    if view.rng.number < other.number { view.motion.basis.side } else { -view.motion.basis.side }
 }

@@ -1,11 +1,11 @@
-//! What is in the way, all of it.
+//! A list of obstacles and containers.
 
 use crate::space::surface::{Barrier, PathIntersection, SeenFrom, Surface, SurfacePoint};
 use glam::Vec3;
 use std::sync::Arc;
 
-/// The obstacles and containers that a behaviour asks, metres in the coordinates of its [`View`](crate::steer::View);
-/// clones share the surfaces.
+/// The obstacles and containers that a behaviour queries, metres in the coordinates of its
+/// [`SteeringInput`](crate::steer::SteeringInput); clones share the surfaces.
 ///
 /// ```
 /// use glam::Vec3;
@@ -22,22 +22,23 @@ use std::sync::Arc;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Barriers(
-    /// All of them; memories name them by their index.
+    /// The barriers; behaviours remember a barrier by its index.
     pub Vec<Barrier<Arc<dyn Surface>>>,
 );
 
 impl Barriers {
-    /// With one more surface, seen from one side, or both.
+    /// Returns the list with one more surface, seen from one side or from both.
     pub fn with(mut self, surface: impl Surface + 'static, seen_from: SeenFrom) -> Self {
         self.0.push(Barrier::new(Arc::new(surface), seen_from));
         self
     }
 
-    /// The first that a vehicle meets, by index, and how: [`Barrier::ahead`] of all.
+    /// Returns the first barrier that a vehicle meets, by index, and the intersection: [`Barrier::ahead`] of all
+    /// barriers.
     pub fn ahead(&self, position: Vec3, forward: Vec3, radius: f32, reach: f32) -> Option<(usize, PathIntersection)> {
         let mut first: Option<(usize, PathIntersection)> = None;
         for (index, barrier) in self.0.iter().enumerate() {
-            // what is farther than the first so far is not looked for
+            // look no farther than the first intersection so far
             let reach = first.map_or(reach, |(_, hit)| hit.distance);
             match barrier.ahead(position, forward, radius, reach) {
                 Some(hit) if hit.distance < reach || first.is_none() => first = Some((index, hit)),
@@ -47,7 +48,7 @@ impl Barriers {
         first
     }
 
-    /// The nearest point of all surfaces.
+    /// Returns the nearest point of all surfaces.
     pub(super) fn nearest(&self, position: Vec3) -> Option<SurfacePoint> {
         let near = self.0.iter().map(|barrier| barrier.surface.query(position));
         near.min_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()))

@@ -1,34 +1,34 @@
-//! Where an agent is going, and how it is kept from going through what is in the way.
+//! The course of an agent, and the braking that keeps the agent from going through surfaces.
 
 use crate::motion::{Basis, Steering};
-use crate::steer::View;
+use crate::steer::SteeringInput;
 use crate::steer::single::settling_time;
 use glam::Vec3;
 
-/// The way ahead of an agent: a cylinder about its velocity, or about where it faces at rest.
+/// The way ahead of an agent: a cylinder about its velocity, or about its forward direction at speed 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Course<'a> {
-    view: &'a View<'a>,
-    /// Ahead is where it goes.
+    view: &'a SteeringInput<'a>,
+    /// Forward is the direction of motion.
     pub basis: Basis,
-    /// Radius of its body and the gap that it keeps.
+    /// Body radius and gap together.
     pub radius: f32,
-    /// How far it looks.
+    /// Length of the cylinder, metres.
     pub reach: f32,
 }
 
-/// Part of its brakes that an agent counts on: the rest is for turns.
+/// Part of the braking force that an agent counts on: the rest is for turns.
 const BRAKES: f32 = 0.5;
-/// It looks so many times farther than it goes until it has turned by a radian.
+/// The reach is at least this multiple of the distance covered while the agent turns by one radian.
 const TURNS: f32 = 2.0;
 
 impl<'a> Course<'a> {
-    /// Of one who keeps a gap and looks so many seconds ahead, or more if it turns slowly.
-    pub fn new(view: &'a View<'a>, gap: f32, seconds: f32) -> Self {
+    /// Returns the course of an agent that keeps a gap and looks some seconds ahead, or farther if it turns slowly.
+    pub fn new(view: &'a SteeringInput<'a>, gap: f32, seconds: f32) -> Self {
         let basis = view.motion.basis;
         let direction = view.velocity().try_normalize().unwrap_or(basis.forward);
         let vehicle = &view.vehicle;
-        // as fast as it may be after the step
+        // the highest speed that is possible after the step
         let speed = (view.motion.speed() + vehicle.max_force / vehicle.mass * view.seconds).min(vehicle.max_speed);
         let turning = speed * vehicle.mass / vehicle.max_force.min(vehicle.forces.side);
         let turning = turning.max(1.0 / vehicle.max_turn_rate) + vehicle.smoothing + view.seconds;
@@ -36,18 +36,19 @@ impl<'a> Course<'a> {
         Self { view, basis: basis.turned_to(direction, basis.up), radius: view.radius + gap, reach }
     }
 
-    /// The part of a force's direction that turns the course, of length 1; to the right if it has none.
+    /// Returns the component of a direction that turns the course, of length 1; to the right if that component is 0.
     pub fn aside(&self, direction: Vec3) -> Vec3 {
         let across = self.view.passable(self.basis.lateral(direction));
         if across.length() > HEAD_ON { across.normalize() } else { -self.basis.side }
     }
 
-    /// A force, and what must be added to it, or put in its place, so that the agent comes nearer to surfaces no faster
-    /// than it can brake. Each is told by a point of it and the normal there, on the agent's side.
+    /// Returns a force with the corrections that keep the agent from approaching surfaces faster than it can brake. The
+    /// corrections come first: the force keeps what is left of the force limit. Each surface is a point and the normal
+    /// there, on the agent's side.
     pub fn held_off(&self, force: Vec3, surfaces: impl IntoIterator<Item = (Vec3, Vec3)>) -> Steering {
         let (view, vehicle) = (self.view, &self.view.vehicle);
-        let wish = view.velocity() + force * (view.seconds / vehicle.mass);
-        let mut velocity = wish;
+        let chosen = view.velocity() + force * (view.seconds / vehicle.mass);
+        let mut velocity = chosen;
         for (point, free) in surfaces {
             let closing = -velocity.dot(free);
             let room = (view.position() - point).dot(free) - self.radius - closing * vehicle.smoothing;
@@ -57,11 +58,11 @@ impl<'a> Course<'a> {
                 velocity += push * (excess / push.length_squared());
             }
         }
-        let brakes = (velocity - wish) * (vehicle.mass / view.seconds);
+        let brakes = (velocity - chosen) * (vehicle.mass / view.seconds);
         (brakes + force.clamp_length_max((vehicle.max_force - brakes.length()).max(0.0))).into()
     }
 
-    /// How fast it may come nearer to what has so much room before it: it brakes from the next step on.
+    /// Returns the highest speed towards a surface at this distance; braking starts in the next step.
     fn closing_speed(&self, room: f32) -> f32 {
         if room < 0.0 {
             return (room / settling_time(self.view, 0.0)).max(-self.view.vehicle.max_speed);
@@ -72,5 +73,5 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Sine of the angle below which a direction has no side.
+/// Sine of the angle below which a direction counts as head-on and has no side.
 const HEAD_ON: f32 = 0.01;

@@ -1,16 +1,17 @@
-//! Crowds on a path and at a door: behaviours put together, as in the demos of Reynolds, Steering behaviors for autonomous
+//! Crowds on a path and at a door: combined behaviours, as in the demos of Reynolds, Steering behaviors for autonomous
 //! characters, GDC 1999.
 
 use super::{AvoidObstacles, Barriers, FollowPath};
 use crate::steer::{
-    Arrive, Branch, CloseAvoidance, Condition, MoveForward, Neighbourhood, Priority, Queue, Separation, State, Switch,
-    Target, UnalignedAvoidance, WeightedSum, Who,
+    Arrive, BoxedBehaviour, CloseAvoidance, Condition, GroupFilter, MoveForward, Neighbourhood, Priority, Queue,
+    Separation, State, Switch, Target, UnalignedAvoidance, WeightedSum,
 };
 
-/// How near others are from whom those in a crowd keep away, metres.
+/// Range of the separation in a crowd, metres.
 const SPACING: f32 = 1.0;
 
-/// Walks along a path with others: keeps to the path, apart from who is near, and pushes nobody.
+/// Returns a behaviour that walks along a path in a crowd: the agent stays on the path, keeps its distance from
+/// neighbours, and pushes no other agent.
 ///
 /// ```
 /// use glam::Vec3;
@@ -20,12 +21,13 @@ const SPACING: f32 = 1.0;
 /// let crowd = crowd_path(FollowPath::from(path));
 /// # Ok::<(), throng::Error>(())
 /// ```
-pub fn crowd_path(follow: FollowPath) -> Branch {
+pub fn crowd_path(follow: FollowPath) -> BoxedBehaviour {
     let onward = Priority { epsilon: 0.0, parts: vec![follow.into(), MoveForward { part: 0.3 }.into()] };
     among_others(onward)
 }
 
-/// Goes to a goal through a door in walls, in a queue: apart from who is near, off the walls, and pushes nobody.
+/// Returns a behaviour that goes to a goal through a door in walls, in a queue: the agent keeps its distance from
+/// neighbours and walls, and pushes no other agent.
 ///
 /// ```
 /// use glam::Vec3;
@@ -36,8 +38,8 @@ pub fn crowd_path(follow: FollowPath) -> Branch {
 /// let leave = queue_at_door(Target::Goal, Target::Point(Vec3::ZERO), walls);
 /// # Ok::<(), throng::Error>(())
 /// ```
-pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> Branch {
-    let go = |to: Target| -> Branch {
+pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> BoxedBehaviour {
+    let go = |to: Target| -> BoxedBehaviour {
         let avoid = AvoidObstacles { towards: to, gap: 0.05, seconds: 1.0, ..AvoidObstacles::from(walls.clone()) };
         Priority {
             epsilon: 0.0,
@@ -48,15 +50,15 @@ pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> Branch {
     let through = Condition::Nearer(door, 0.5);
     let states =
         vec![State { behaviour: go(door), exits: vec![(through, 1)] }, State { behaviour: go(goal), exits: vec![] }];
-    // who is sent along the wall meets others head on
+    // agents that walk along the wall meet other agents head-on
     let apart = UnalignedAvoidance { horizon: 1.0, ..UnalignedAvoidance::default() };
     among_others(WeightedSum(vec![(1.0, Switch(states).into()), (1.0, apart.into())]))
 }
 
-/// The same apart from who is near, and no faster than who is right ahead.
-fn among_others(of: impl Into<Branch>) -> Branch {
+/// Returns the behaviour with separation from neighbours, no faster than the agent right ahead.
+fn among_others(of: impl Into<BoxedBehaviour>) -> BoxedBehaviour {
     let near = Neighbourhood { distance: SPACING, ..Neighbourhood::default() };
     let apart = Separation { near, full: 6.0 / SPACING, ..Separation::default() };
-    let close = CloseAvoidance { who: Who::Anybody, gap: 0.0 };
+    let close = CloseAvoidance { groups: GroupFilter::All, gap: 0.0 };
     Queue::new(WeightedSum(vec![(1.0, of.into()), (1.0, apart.into()), (1.0, close.into())])).into()
 }

@@ -2,42 +2,45 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::space::{OnPath, Pathway, Segment, Way};
+use crate::space::{OnPath, PathDirection, Pathway, Segment};
 use crate::steer::single::{approach, settling_time};
-use crate::steer::{Arrive, Behaviour, Reason, Target, View, Why};
+use crate::steer::{Arrive, Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 use std::sync::Arc;
 
-/// Goes along a path, either way, and rests at the end of an open one. Nothing to correct while it goes the right way and
-/// will still be on the path: what it does there, slowly or in haste, other behaviours say
-/// ([`MoveForward`](crate::steer::MoveForward), say).
+/// Goes along a path, in either direction, and stops at the end of an open path. Nothing to correct while the agent
+/// moves in the right direction and will still be on the path: other behaviours, such as
+/// [`MoveForward`](crate::steer::MoveForward), set the speed there.
 ///
-/// It remembers how far along it is, and looks for itself near there only: where a path crosses itself it stays on its arm.
+/// The behaviour remembers the agent's distance along the path and searches the nearest point only near that distance:
+/// where a path crosses itself the agent stays on its arm.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::space::{Pathway, Way};
-/// use throng::steer::{Behaviour, FollowPath, View, Why};
+/// use throng::space::{PathDirection, Pathway};
+/// use throng::steer::{Behaviour, FollowPath, SteeringInput, TraceRecorder};
 ///
 /// let path = Pathway::new(&[Vec3::Y * -5.0, Vec3::ZERO, Vec3::X * 9.0], 1.0, false)?;
-/// let steer = |follow: FollowPath| follow.steer(&View::default(), &mut [0.0; 3], &mut Why::default());
+/// let steer = |follow: FollowPath| follow.steer(&SteeringInput::default(), &mut [0.0; 3], &mut TraceRecorder::default());
 /// assert!(steer(FollowPath::from(path.clone())).expect("it stands").force.x > 0.0);
-/// let back = FollowPath { way: Way::Backward, ..FollowPath::from(path) };
+/// let back = FollowPath { way: PathDirection::Backward, ..FollowPath::from(path) };
 /// assert!(steer(back).expect("it stands").force.y < 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct FollowPath {
-    /// Which path, metres in the coordinates of the [`View`].
+    /// The path, metres in the coordinates of the [`SteeringInput`].
     pub path: Arc<Pathway>,
-    /// In which direction.
-    pub way: Way,
-    /// How far ahead it looks, and how far along the path the point is that it seeks, seconds at its speed. Limit: > 0.
+    /// The direction along the path.
+    pub way: PathDirection,
+    /// How far ahead the agent's position is predicted, and how far along the path the agent aims, seconds at its
+    /// speed. Limit: > 0.
     pub seconds: f32,
-    /// How far from the end of an open path it begins to slow down, metres. Limit: >= 0.
+    /// Distance from the end of an open path at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
-    /// Part of the radius within which who is about to leave the path is led back. 1: it is left alone as soon as it stays on
-    /// the path, and so keeps to the edge that bends lead it to, as in the paper; less: it comes farther in. Limit: 0 to 1.
+    /// Part of the radius to which an agent that would leave the path is led back. 1: the correction ends as soon as
+    /// the agent will stay on the path, so it keeps to the edge that bends lead it to, as in the paper. Less than 1:
+    /// the agent is led farther in. Limit: 0 to 1.
     pub inner: f32,
 }
 
@@ -49,20 +52,20 @@ impl From<Pathway> for FollowPath {
 
 impl From<Arc<Pathway>> for FollowPath {
     fn from(path: Arc<Pathway>) -> Self {
-        Self { path, way: Way::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
+        Self { path, way: PathDirection::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
     }
 }
 
-/// Part of the top speed at least by which it tells how far ahead the point is that it seeks.
+/// Least speed for the distance of the aim, as a part of the top speed.
 const SLOW: f32 = 0.5;
 
 impl Behaviour for FollowPath {
-    /// Whether it knows how far along the path it is, and how far, metres; whether it is being led back.
+    /// Whether the distance along the path is known; that distance, metres; whether the agent is being led back.
     fn memory(&self) -> usize {
         3
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [known, along, led_back] = memory else { return None };
         let path = &*self.path;
         let reach = view.vehicle.max_speed * self.seconds;
@@ -70,8 +73,8 @@ impl Behaviour for FollowPath {
         let now = self.find(view.position(), known_along, reach);
         (*known, *along) = (1.0, now.along);
         let left = match self.way {
-            Way::Forward => path.length() - now.along,
-            Way::Backward => now.along,
+            PathDirection::Forward => path.length() - now.along,
+            PathDirection::Backward => now.along,
         };
         let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.seconds;
         let aim = path.at(now.along + ahead * self.way.sign());
@@ -81,10 +84,10 @@ impl Behaviour for FollowPath {
             return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
         }
         let future = view.motion.position_in(self.seconds);
-        why.note(|| Reason::Expects(future));
+        why.note(|| SteeringReason::Expects(future));
         let slows = self.slowing_distance.max(view.vehicle.max_speed * settling_time(view, 0.0));
         if !path.is_cyclic() && left < slows {
-            why.note(|| Reason::Aim(aim));
+            why.note(|| SteeringReason::Aim(aim));
             let offset = view.to(aim).normalize_or_zero() * left;
             return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));
         }
@@ -95,7 +98,7 @@ impl Behaviour for FollowPath {
         match self.walked(now.along, then.along) > 0.0 {
             _ if leaves => view.seek(aim, why),
             true => None,
-            // who stands, or goes the other way, goes along it from where it is
+            // an agent that stands or moves the wrong way goes along the path from its position
             false => view.seek(aim + (view.position() - now.point), why),
         }
     }
@@ -108,15 +111,15 @@ impl Behaviour for FollowPath {
 }
 
 impl FollowPath {
-    /// Where on the path an agent is that was at a distance along it, if that is known and still near.
+    /// Returns the agent's point on the path. `known` is its last distance along the path, used while it is still near.
     fn find(&self, position: Vec3, known: Option<f32>, reach: f32) -> OnPath {
         let near = known.map(|along| self.path.nearest_near(position, along, reach));
         near.filter(|near| near.outside <= reach).unwrap_or_else(|| self.path.nearest(position))
     }
 
-    /// Says which part of the path it follows: from where it is beside it, as far as it looks.
-    fn tell(&self, now: OnPath, ahead: f32, why: &mut Why<'_>) {
-        if !why.is_asked() {
+    /// Records the stretch of the path ahead, from the agent's point on the path to the end of the look-ahead.
+    fn tell(&self, now: OnPath, ahead: f32, why: &mut TraceRecorder<'_>) {
+        if !why.is_requested() {
             return;
         }
         let (path, sign) = (&*self.path, self.way.sign());
@@ -129,10 +132,11 @@ impl FollowPath {
         corners.sort_by(|a, b| a.0.total_cmp(&b.0));
         let ends = [now.point, path.at(now.along + ahead * sign)];
         let way = ends[..1].iter().copied().chain(corners.into_iter().map(|corner| corner.1)).chain([ends[1]]);
-        way.for_each(|corner| why.note(|| Reason::Via(corner)));
+        way.for_each(|corner| why.note(|| SteeringReason::Via(corner)));
     }
 
-    /// How far it is from one distance along the path to another in its direction; on a ring, the shorter way round.
+    /// Returns the distance in the path's direction from one distance along the path to another; on a ring, the shorter
+    /// way round.
     fn walked(&self, from: f32, to: f32) -> f32 {
         let (length, walked) = (self.path.length(), to - from);
         let half = 0.5 * length;

@@ -3,55 +3,57 @@
 use super::{AvoidObstacles, Barriers};
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Arrive, Behaviour, Mark, Reason, Target, View, Why};
+use crate::steer::{Arrive, Behaviour, Kinematics, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 
-/// Hides from somebody behind the nearest obstacle, and goes on hiding there until another is nearer by a fifth. Nothing
-/// to correct if nobody is there to hide from, or nothing to hide behind, or once it is there.
+/// Hides from an agent or a place behind the nearest obstacle, and stays with that obstacle until another is nearer by
+/// a fifth. Nothing to correct if the target does not exist, if there is nothing to hide behind, or once the agent is
+/// hidden.
 ///
-/// It goes there round the obstacles. Those without end, as planes, hide nobody.
+/// The agent steers round obstacles on its way. Surfaces without end, such as planes, hide no agent.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::space::surface::{SeenFrom, Sphere};
-/// use throng::steer::{Barriers, Behaviour, Hide, Reason, Target, Told, View, Why};
+/// use throng::steer::{Barriers, Behaviour, Hide, SteeringReason, Target, TraceEntry, SteeringInput, TraceRecorder};
 ///
 /// let tree = Sphere::new(Vec3::X * 3.0, 1.0)?;
 /// let hide = Hide { gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0), Barriers::default().with(tree, SeenFrom::Outside)) };
 /// let mut told = Vec::new();
-/// hide.steer(&View::default(), &mut [0.0; 5], &mut Why::asked(&mut told)).expect("it is elsewhere");
-/// let aims = |told: &Told| if let Reason::Aim(place) = told.reason { Some(place) } else { None };
+/// hide.steer(&SteeringInput::default(), &mut [0.0; 5], &mut TraceRecorder::requested(&mut told)).expect("it is elsewhere");
+/// let aims = |told: &TraceEntry| if let SteeringReason::Aim(place) = told.reason { Some(place) } else { None };
 /// let place = told.iter().find_map(aims).expect("it says where");
 /// assert!(place.distance(Vec3::X * 1.5) < 1e-4);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Hide {
-    /// From whom.
+    /// The target to hide from.
     pub from: Target,
-    /// Behind what, and how it goes round that; where to does not matter.
+    /// The obstacles to hide behind, and how the agent steers round them; `towards` has no effect.
     pub avoid: AvoidObstacles,
-    /// How far its body stays from the obstacle that it hides behind, metres. Limit: >= 0, more than in passing.
+    /// Distance between the body and the obstacle that the agent hides behind, metres. Limit: >= 0, more than in
+    /// passing.
     pub gap: f32,
-    /// Who is farther away than this is nobody to hide from, metres. Limit: > 0.
+    /// Farthest distance of a target that the agent hides from, metres. Limit: > 0.
     pub range: f32,
-    /// How far from its place it begins to slow down, metres. Limit: >= 0.
+    /// Distance from the hiding place at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
 }
 
 impl Hide {
-    /// From somebody, at any distance.
+    /// Returns the behaviour that hides from a target at any distance.
     pub fn new(from: Target, barriers: Barriers) -> Self {
         let avoid = AvoidObstacles { gap: 0.1, ..AvoidObstacles::from(barriers) };
         Self { from, avoid, gap: 0.2, range: f32::INFINITY, slowing_distance: 1.0 }
     }
 
-    /// The place behind an obstacle that its middle hides, on the line from the eyes of the other.
-    fn behind(&self, index: usize, from: &Mark, view: &View<'_>) -> Option<Vec3> {
+    /// Returns the place behind an obstacle, on the line from the target through the obstacle's centre.
+    fn behind(&self, index: usize, from: &Kinematics, view: &SteeringInput<'_>) -> Option<Vec3> {
         let surface = &self.avoid.barriers.0[index].surface;
         let mut bounds = surface.bounds();
         if view.is_on_ground() {
-            // what stands upright without end hides who walks
+            // an upright obstacle without end hides an agent on the ground
             (bounds.low.z, bounds.high.z) = (view.position().z, view.position().z);
         }
         if !bounds.is_finite() {
@@ -59,23 +61,23 @@ impl Hide {
         }
         let away = view.passable(bounds.center() - from.position).try_normalize()?;
         let middle = from.position + away * away.dot(bounds.center() - from.position);
-        // from beyond it back to its far side
+        // cast a ray from beyond the obstacle back to its far side
         let beyond = bounds.low.distance(bounds.high);
         let hit = surface.ray(middle + away * beyond, -away, beyond)?;
         Some(hit.point + away * (view.radius + self.gap))
     }
 }
 
-/// How much nearer the place is taken to be where it already hides.
+/// Factor on the distance of the place where the agent already hides.
 const KEPT: f32 = 0.8;
 
 impl Behaviour for Hide {
-    /// Behind which obstacle it hides, counted from 1; 0 for none. What it must remember of what it goes round.
+    /// The obstacle that the agent hides behind, counted from 1, or 0 for none; then the memory of the avoidance.
     fn memory(&self) -> usize {
         1 + self.avoid.memory()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [which, memory @ ..] = memory else { return None };
         let from = self.from.find(view).filter(|from| view.to(from.position).length() <= self.range);
         let places = from.iter().flat_map(|from| {
@@ -93,7 +95,7 @@ impl Behaviour for Hide {
         let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(place)) };
         let round = self.avoid.avoid(Some(view.to(place)), view, memory, why);
         let said = round.or_else(|| arrive.steer(view, &mut [], why));
-        from.iter().for_each(|from| why.note(|| Reason::Expects(from.position)));
+        from.iter().for_each(|from| why.note(|| SteeringReason::Expects(from.position)));
         said
     }
 

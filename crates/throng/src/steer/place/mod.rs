@@ -1,4 +1,4 @@
-//! Behaviours that ask the world's geometry: obstacles, containers, walls, paths.
+//! Behaviours that query the world's geometry: obstacles, containers, walls, paths.
 
 mod avoid_map;
 mod avoid_obstacles;

@@ -1,41 +1,41 @@
-//! Staying on a path, whichever way one goes: OpenSteer's steerToStayOnPath.
+//! Staying on a path without a direction along it: OpenSteer's steerToStayOnPath.
 
 use crate::Error;
 use crate::motion::Steering;
 use crate::space::Pathway;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use std::sync::Arc;
 
-/// Comes back to a path that it is about to leave, or has left. Nothing to correct while it will be on the path, in any
-/// direction, be it round a corner.
+/// Comes back to a path that the agent is about to leave, or has left. Nothing to correct while the predicted position
+/// is on the path, in any direction, even round a corner.
 ///
 /// ```
 /// use glam::Vec3;
 /// use std::sync::Arc;
 /// use throng::space::Pathway;
-/// use throng::steer::{Behaviour, StayOnPath, View, Why};
+/// use throng::steer::{Behaviour, StayOnPath, SteeringInput, TraceRecorder};
 ///
 /// let path = Pathway::new(&[Vec3::Y * 5.0, Vec3::new(9.0, 5.0, 0.0)], 1.0, false)?;
-/// let steering = StayOnPath { path: Arc::new(path), seconds: 1.0 }.steer(&View::default(), &mut [], &mut Why::default());
+/// let steering = StayOnPath { path: Arc::new(path), seconds: 1.0 }.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert!(steering.expect("it is off the path").force.y > 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct StayOnPath {
-    /// Which path, metres in the coordinates of the [`View`].
+    /// The path, metres in the coordinates of the [`SteeringInput`].
     pub path: Arc<Pathway>,
-    /// How far ahead it looks, seconds. Limit: >= 0.
+    /// How far ahead the position is predicted, seconds. Limit: >= 0.
     pub seconds: f32,
 }
 
 impl Behaviour for StayOnPath {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let future = view.motion.position_in(self.seconds);
         let on_path = self.path.nearest(future);
         if on_path.outside <= 0.0 {
             return None;
         }
-        why.note(|| Reason::Expects(future));
+        why.note(|| SteeringReason::Expects(future));
         view.seek(on_path.point, why)
     }
 

@@ -1,16 +1,16 @@
-//! A force that is always the same: OpenSteer's "low speed turn" and "one turning away".
+//! A constant force: OpenSteer's "low speed turn" and "one turning away".
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Why};
+use crate::steer::{Behaviour, SteeringInput, TraceRecorder};
 use glam::Vec3;
 
-/// Presses in a direction, whatever it does: in the end it goes there. The vehicle makes of it what it can.
+/// Applies a constant force; in the end the agent moves in its direction. The vehicle limits the force.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, ConstantForce, View, Why};
-/// let said = ConstantForce(Vec3::Y).steer(&View::default(), &mut [], &mut Why::default());
+/// use throng::steer::{Behaviour, ConstantForce, SteeringInput, TraceRecorder};
+/// let said = ConstantForce(Vec3::Y).steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert_eq!(said.map(|steering| steering.force), Some(Vec3::Y));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct ConstantForce(
 );
 
 impl Behaviour for ConstantForce {
-    fn steer(&self, _: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, _: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         Some(self.0.into())
     }
 

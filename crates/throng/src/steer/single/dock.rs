@@ -1,59 +1,60 @@
-//! Docking: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Arrival": at a place, in a direction, at a
-//! speed, and at a time.
+//! Docking: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Arrival": at a place, in a direction, at
+//! a speed, and at a time.
 
 use super::approach;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Comes to a place in a direction, as ships and lifts do: to rest there, or through it at a speed; at a time, or when it
-/// can.
+/// Reaches a place in a direction, as ships and lifts do: the agent stops there or passes through at a speed, at a
+/// given time or as soon as it can.
 ///
-/// The way is the polynomial of time of least degree that begins with the present place and velocity and ends with those
-/// wanted, braking along the direction; it is found anew in every step.
+/// The trajectory is the polynomial of time of least degree that starts with the present place and velocity and ends
+/// with the required place, velocity and deceleration. It is computed anew in every step.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Dock, View, Why};
+/// use throng::steer::{Behaviour, Dock, SteeringInput, TraceRecorder};
 /// let berth = Dock { place: Vec3::new(9.0, 4.0, 0.0), direction: Vec3::Y, speed: 0.0, time: None };
-/// assert!(berth.steer(&View::default(), &mut [0.0; 2], &mut Why::default()).is_some());
+/// assert!(berth.steer(&SteeringInput::default(), &mut [0.0; 2], &mut TraceRecorder::default()).is_some());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dock {
-    /// Where, metres.
+    /// The place, metres.
     pub place: Vec3,
-    /// In which direction, of any length but 0.
+    /// The direction, of any length except 0.
     pub direction: Vec3,
-    /// How fast it goes there, m/s; 0: it stays. Limit: >= 0.
+    /// The speed at the place, m/s; 0: the agent stays there. Limit: >= 0.
     pub speed: f32,
-    /// When, seconds since the start; `None`: as soon as it can.
+    /// The time of arrival, seconds since the start; `None`: as soon as possible.
     pub time: Option<f64>,
 }
 
-/// Part of its brakes that a vehicle uses at the end.
+/// Part of the braking force that a vehicle uses at the end.
 const BRAKES: f32 = 0.3;
-/// How far behind the place the last of the way begins, as a part of the distance at first.
+/// Distance behind the place at which the final approach begins, as a part of the initial distance.
 const BEHIND: f32 = 1.0;
-/// Part of its force, and of its top speed, that plans use: the rest is for what comes between.
+/// Part of the top force, and of the top speed, that plans use; the rest is in reserve.
 const PLANNED: f32 = 0.8;
-/// How many steps are too few for a plan.
+/// Number of remaining steps below which no plan is computed.
 const LAST_STEPS: f32 = 3.5;
-/// So many seconds before it rests it faces as it will: its velocity hardly has a direction then.
+/// Seconds before the stop at which the agent turns to its final direction: from then on its velocity hardly has a
+/// direction.
 const SETTLING: f32 = 0.5;
-/// Once it is over by this many metres, at rest: else it tries again.
+/// Greatest distance of the stopped agent from the place, metres; beyond it the agent tries again.
 const TOLERANCE: f32 = 0.1;
-/// How plans for when to be there grow, until one is good.
+/// Factor from one trial duration of a plan to the next, until a plan is feasible.
 const LONGER: f32 = 1.05;
 const PLANS: usize = 160;
 
 impl Behaviour for Dock {
-    /// Seconds until it is there: 0 before there is a plan, negative once it is there. How hard it brakes at the end.
+    /// Seconds until arrival: 0 before there is a plan, negative after arrival. Then the deceleration at the end.
     fn memory(&self) -> usize {
         2
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [left, braking] = memory else { return None };
         let due = self.time.map(|time| (time - view.time) as f32);
         if *left == 0.0 || self.missed(view, *left) {
@@ -62,9 +63,9 @@ impl Behaviour for Dock {
         }
         let (now, end) = (due.unwrap_or(*left), self.end(view, *braking));
         *left = now - view.seconds;
-        why.note(|| Reason::Aim(self.place));
+        why.note(|| SteeringReason::Aim(self.place));
         if now > 0.5 * view.seconds {
-            // in the last steps there is no time for more than the velocity
+            // in the last steps there is only time to reach the final velocity
             let acceleration = if now > LAST_STEPS * view.seconds {
                 end.acceleration_at(end.powers(view, now), now)
             } else {
@@ -90,31 +91,31 @@ impl Behaviour for Dock {
 }
 
 impl Dock {
-    /// Whether it should be at rest there, but is not.
-    fn missed(&self, view: &View<'_>, left: f32) -> bool {
+    /// Whether the agent should stand at the place but does not.
+    fn missed(&self, view: &SteeringInput<'_>, left: f32) -> bool {
         left < -view.seconds && self.speed == 0.0 && view.to(self.place).length() > TOLERANCE.max(view.radius)
     }
 
-    /// The way's end, with braking.
-    fn end(&self, view: &View<'_>, braking: f32) -> End {
+    /// Returns the end of the trajectory, with this deceleration.
+    fn end(&self, view: &SteeringInput<'_>, braking: f32) -> End {
         let direction = view.passable(self.direction).normalize_or(view.forward());
         End { offset: view.to(self.place), velocity: direction * self.speed, acceleration: direction * -braking }
     }
 
-    /// How hard to brake at the end of a way that takes so long; not at all if it goes on.
-    fn braking(&self, view: &View<'_>, time: f32) -> f32 {
+    /// Returns the deceleration at the end of a trajectory of this duration; 0 if the agent does not stop at the place.
+    fn braking(&self, view: &SteeringInput<'_>, time: f32) -> f32 {
         if self.speed > 0.0 {
             return 0.0;
         }
         (2.0 * BEHIND * view.to(self.place).length() / (time * time)).min(BRAKES * view.vehicle.max_braking())
     }
 
-    /// The least of some times in which the vehicle can do it.
-    fn soonest(&self, view: &View<'_>) -> f32 {
+    /// Returns the shortest of the trial durations that is feasible for the vehicle.
+    fn soonest(&self, view: &SteeringInput<'_>) -> f32 {
         let vehicle = &view.vehicle;
         let most = PLANNED * vehicle.max_force / vehicle.mass;
-        // where it ends faster it may be as fast as it can be between: to be held to the speed of the end, or little more, makes
-        // long loops; where it starts faster, as fast as that
+        // A trajectory that ends faster may use the top speed in between: limited to its end speed, or little more, it
+        // would make long loops. A trajectory that starts faster may use its start speed.
         let top = if self.speed > PLANNED * vehicle.max_speed { 1.0 } else { PLANNED };
         let fastest = 1.001 * (top * vehicle.max_speed).max(view.motion.speed()).max(self.speed);
         let can = |time: &f32| {
@@ -131,7 +132,7 @@ impl Dock {
     }
 }
 
-/// How the way ends: where, from the agent, and with what velocity and acceleration.
+/// The end of the trajectory: its offset from the agent, velocity and acceleration.
 #[derive(Clone, Copy)]
 struct End {
     offset: Vec3,
@@ -140,9 +141,10 @@ struct End {
 }
 
 impl End {
-    /// Coefficients of the third and fourth power of the time that is left: with `s` that time, the way is
-    /// `offset - velocity s + acceleration s²/2 + c s³ + d s⁴`, which is here, with the present velocity, at `time`.
-    fn powers(&self, view: &View<'_>, time: f32) -> (Vec3, Vec3) {
+    /// Returns the coefficients of the third and fourth power of the remaining time. With the remaining time `s` the
+    /// trajectory is `offset - velocity s + acceleration s²/2 + c s³ + d s⁴`; at `s = time` it has the agent's present
+    /// position and velocity.
+    fn powers(&self, view: &SteeringInput<'_>, time: f32) -> (Vec3, Vec3) {
         let place = (self.velocity * time - self.offset - self.acceleration * (0.5 * time * time)) / time;
         let slope = self.velocity - self.acceleration * time - view.velocity();
         ((place * 4.0 - slope) / (time * time), (slope - place * 3.0) / (time * time * time))

@@ -3,22 +3,22 @@
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::approach::nearest_time;
-use crate::steer::{Behaviour, Prediction, Target, View, Why};
+use crate::steer::{Behaviour, Prediction, SteeringInput, Target, TraceRecorder};
 
-/// Goes away from where a menace will be. It looks at most half as far ahead as the menace is nearest: away from a place
-/// beyond would be into its arms. One that goes away is where it is.
+/// Flees from the predicted position of a menace. The prediction is at most half of the time until the closest
+/// approach: beyond that place the agent would flee towards the menace. A menace that moves away is not predicted.
 ///
 /// ```
-/// use throng::steer::{Evade, Target, Who};
-/// let prey = Evade { panic_distance: 6.0, ..Evade::from(Target::Nearest(Who::OtherGroups)) };
+/// use throng::steer::{Evade, Target, GroupFilter};
+/// let prey = Evade { panic_distance: 6.0, ..Evade::from(Target::Nearest(GroupFilter::OtherGroups)) };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evade {
-    /// From whom.
+    /// The menace.
     pub menace: Target,
-    /// How far ahead of it to look.
+    /// How far ahead its position is predicted.
     pub prediction: Prediction,
-    /// How near the menace must be, metres; infinite: however far. Limit: > 0.
+    /// Distance of the menace within which the agent flees, metres; infinite: at any distance. Limit: > 0.
     pub panic_distance: f32,
 }
 
@@ -29,7 +29,7 @@ impl From<Target> for Evade {
 }
 
 impl Behaviour for Evade {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let menace = self.menace.find(view)?;
         let offset = view.to(menace.position);
         if offset.length() > self.panic_distance {

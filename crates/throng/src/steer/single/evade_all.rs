@@ -1,58 +1,61 @@
-//! Evasion of many: steerToEvadeAllDefenders of OpenSteer's capture the flag.
+//! Evasion of several agents: steerToEvadeAllDefenders of OpenSteer's capture the flag.
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Neighbour, Reason, View, Who, Why};
+use crate::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Goes away from where all of them will be, the more the nearer they are, and less from who is left behind. Nothing to
-/// correct while it sees none.
+/// Flees from the predicted positions of all perceived agents, the more the nearer they are, and less from agents that
+/// are left behind. Nothing to correct while no such agent is perceived.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, EvadeAll, Neighbour, View, Why};
-/// let other = |y: f32| Neighbour {
+/// use throng::steer::{Behaviour, EvadeAll, SteeringNeighbour, SteeringInput, TraceRecorder};
+/// let other = |y: f32| SteeringNeighbour {
 ///     offset: Vec3::new(3.0, y, 0.0), velocity: Vec3::ZERO, forward: Vec3::X, radius: 0.2, number: 1, group: 1,
 /// };
-/// let view = View { neighbours: &[other(1.0), other(2.0)], ..View::default() };
-/// let steering = EvadeAll::default().steer(&view, &mut [], &mut Why::default()).expect("there are two");
+/// let view = SteeringInput { neighbours: &[other(1.0), other(2.0)], ..SteeringInput::default() };
+/// let steering = EvadeAll::default().steer(&view, &mut [], &mut TraceRecorder::default()).expect("there are two");
 /// assert!(steering.force.x < 0.0 && steering.force.y < 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvadeAll {
-    /// Who they are.
-    pub who: Who,
-    /// How far ahead it looks: a part of the time in which it would be there itself. Limit: >= 0.
+    /// The agents to evade.
+    pub groups: GroupFilter,
+    /// How far ahead positions are predicted: a part of the time in which the evading agent would reach them. Limit: >=
+    /// 0.
     pub ahead: f32,
-    /// How near another is, metres, from whom it goes away with all of the force. Limit: > 0.
+    /// Distance at which a single agent causes the whole force, metres. Limit: > 0.
     pub near: f32,
-    /// How much those count whom it has left behind, 0 to 1.
+    /// Weight of agents that are left behind, 0 to 1.
     pub behind: f32,
 }
 
 impl Default for EvadeAll {
-    /// OpenSteer's numbers.
+    /// Returns OpenSteer's numbers.
     fn default() -> Self {
-        Self { who: Who::OtherGroups, ahead: 0.5, near: 4.0, behind: 0.5 }
+        Self { groups: GroupFilter::OtherGroups, ahead: 0.5, near: 4.0, behind: 0.5 }
     }
 }
 
-/// Part of the top speed at least by which it tells when it would be somewhere.
+/// Least speed in the prediction, as a part of the top speed.
 const SLOW: f32 = 0.2;
 
-/// Where another will be, from the agent, after a part of the time in which the agent would be where the other is now.
-pub(super) fn expected(view: &View<'_>, other: &Neighbour, part: f32) -> Vec3 {
+/// Returns the predicted position of a neighbour, relative to the agent, after a part of the time in which the agent
+/// would reach the neighbour's present position.
+pub(super) fn expected(view: &SteeringInput<'_>, other: &SteeringNeighbour, part: f32) -> Vec3 {
     let speed = view.motion.speed().max(SLOW * view.vehicle.max_speed);
     view.passable(other.offset + other.velocity * (part * other.offset.length() / speed))
 }
 
 impl EvadeAll {
-    /// Away from all of them; as long as that matters, 1 is one who is [`near`](Self::near).
-    pub(super) fn away(&self, view: &View<'_>, why: &mut Why<'_>) -> Vec3 {
+    /// Returns the direction away from all of the agents. Its length is the urgency: 1 for one agent at the distance
+    /// [`near`](Self::near).
+    pub(super) fn away(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) -> Vec3 {
         let mut sum = Vec3::ZERO;
-        for other in view.neighbours.iter().filter(|other| self.who.counts(view, other)) {
+        for other in view.neighbours.iter().filter(|other| self.groups.counts(view, other)) {
             let then = expected(view, other, self.ahead);
-            why.note(|| Reason::Expects(view.position() + then));
+            why.note(|| SteeringReason::Expects(view.position() + then));
             let left_behind = view.forward().dot(other.offset) < -2.0 * view.radius;
             let weight =
                 self.near / other.offset.length().max(view.radius) * if left_behind { self.behind } else { 1.0 };
@@ -63,7 +66,7 @@ impl EvadeAll {
 }
 
 impl Behaviour for EvadeAll {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         view.urge(self.away(view, why), 1.0)
     }
 

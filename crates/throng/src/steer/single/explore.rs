@@ -2,13 +2,14 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Why};
+use crate::steer::{Behaviour, SteeringInput, TraceRecorder};
 use glam::{USizeVec3, Vec3};
 
-/// Sweeps a region: goes to where it has been least.
+/// Sweeps a region: goes to the place that it has visited least.
 ///
-/// The region is divided into cells, and how many seconds it was in each is remembered. It goes to the least visited, the
-/// nearest of those; and gives up on one that it does not reach in four times the time that the way should take.
+/// The region is divided into cells. The behaviour remembers for how many seconds the agent was in each cell. It seeks
+/// the least visited cell, the nearest of several, and gives up a cell that it does not reach in four times the
+/// expected time.
 ///
 /// ```
 /// use glam::{USizeVec3, Vec3};
@@ -18,31 +19,31 @@ use glam::{USizeVec3, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Explore {
-    /// The least corner of the region, metres.
+    /// The corner of the region with the least coordinates, metres.
     pub low: Vec3,
-    /// The greatest corner. Limit: not below the least.
+    /// The corner with the greatest coordinates, metres. Limit: not below the least.
     pub high: Vec3,
-    /// How many cells along each axis. Limit: 1 to 4096 cells in all.
+    /// Number of cells along each axis. Limit: 1 to 4096 cells in all.
     pub cells: USizeVec3,
 }
 
-/// How much longer than at the top speed it tries.
+/// Factor on the time at the top speed after which a cell is given up.
 const PATIENCE: f32 = 4.0;
 
 impl Behaviour for Explore {
-    /// The cell it goes to, from 1; how many more seconds it tries; seconds in each cell.
+    /// The cell that is sought, counted from 1; the seconds until it is given up; the seconds in each cell.
     fn memory(&self) -> usize {
         2 + self.cells.element_product()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [aim, left, visits @ ..] = memory else { return None };
         let here = self.cell(view.position());
         visits[here] += view.seconds;
         *left -= view.seconds;
         if *aim == 0.0 || *aim == (here + 1) as f32 || *left < 0.0 {
             if *aim > 0.0 && *left < 0.0 {
-                // as if it had been there as long as it tried
+                // counts as if the agent had been there as long as it tried
                 visits[*aim as usize - 1] += PATIENCE;
             }
             let distance = |cell: usize| view.to(self.center(cell)).length();
@@ -65,7 +66,7 @@ impl Behaviour for Explore {
 }
 
 impl Explore {
-    /// The cell that a place is in; of one outside, the nearest.
+    /// Returns the cell of a place; the nearest cell if the place is outside.
     fn cell(&self, place: Vec3) -> usize {
         let part = (place - self.low) / (self.high - self.low).max(Vec3::splat(f32::MIN_POSITIVE));
         let at = (part * self.cells.as_vec3()).max(Vec3::ZERO).as_usizevec3().min(self.cells - 1);

@@ -1,63 +1,64 @@
-//! Facing: a direction of the body that does not depend on where it goes (gdx-ai's Face and LookWhereYouAreGoing).
+//! Facing: a direction of the body that does not depend on the direction of motion (gdx-ai's Face and
+//! LookWhereYouAreGoing).
 
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 
-/// Turns to a target, and leaves it to others where to go: as a part of a sum, for who walks sideways.
+/// Turns to a target and has no force: as a part of a sum, for agents that walk sideways.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Face, Target, View, Why};
+/// use throng::steer::{Behaviour, Face, Target, SteeringInput, TraceRecorder};
 /// let face = Face { target: Target::Point(Vec3::Y * 3.0) };
-/// let steering = face.steer(&View::default(), &mut [], &mut Why::default()).expect("it is elsewhere");
+/// let steering = face.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it is elsewhere");
 /// assert_eq!((steering.force, steering.facing), (Vec3::ZERO, Some(Vec3::Y * 3.0)));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
-    /// Whom or what.
+    /// The target.
     pub target: Target,
 }
 
 impl Behaviour for Face {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let place = self.target.find(view)?.position;
-        why.note(|| Reason::Aim(place));
+        why.note(|| SteeringReason::Aim(place));
         facing(view.to(place))
     }
 }
 
-/// Turns to where it goes, as vehicles do that are not told what to face: for the first place in a sum, before other
+/// Turns to the direction of motion, as vehicles do without a facing: for the first place in a sum, before other
 /// facings.
 ///
 /// ```
-/// use throng::steer::{Behaviour, LookWhereYouGo, View, Why};
-/// assert_eq!(LookWhereYouGo.steer(&View::default(), &mut [], &mut Why::default()), None, "it stands");
+/// use throng::steer::{Behaviour, LookWhereYouGo, SteeringInput, TraceRecorder};
+/// assert_eq!(LookWhereYouGo.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "it stands");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LookWhereYouGo;
 
 impl Behaviour for LookWhereYouGo {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         facing(view.velocity())
     }
 }
 
-/// Faces as somebody else does, wherever that is: gdx-ai's ReachOrientation.
+/// Faces in the same direction as another agent, wherever that agent is: gdx-ai's ReachOrientation.
 ///
 /// ```
-/// use throng::steer::{Behaviour, MatchOrientation, Target, View, Why};
+/// use throng::steer::{Behaviour, MatchOrientation, Target, SteeringInput, TraceRecorder};
 /// let drill = MatchOrientation { with: Target::Agent(0) };
-/// assert_eq!(drill.steer(&View::default(), &mut [], &mut Why::default()), None, "nobody is there");
+/// assert_eq!(drill.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "there is no such agent");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchOrientation {
-    /// As whom.
+    /// The other agent.
     pub with: Target,
 }
 
 impl Behaviour for MatchOrientation {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         facing(view.passable(self.with.find(view)?.basis.forward))
     }
 }

@@ -1,39 +1,39 @@
-//! Fear: running from what happened, until it is forgotten (UnitySteer's SteerForFear).
+//! Fear: fleeing from an event until it is forgotten (UnitySteer's SteerForFear).
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Goes away from events near it; the less the longer ago and the farther off they are.
+/// Flees from recent events nearby; less from events that are older or farther away.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Event, Fear, View, Why};
-/// let bang = [Event { position: Vec3::X, time: 0.0 }];
+/// use throng::steer::{Behaviour, Stimulus, Fear, SteeringInput, TraceRecorder};
+/// let bang = [Stimulus { position: Vec3::X, time: 0.0 }];
 /// let force = |time| {
-///     let view = View { events: &bang, time, ..View::default() };
-///     Fear { range: 10.0, fades: 4.0 }.steer(&view, &mut [], &mut Why::default()).map(|steering| steering.force.x)
+///     let view = SteeringInput { stimuli: &bang, time, ..SteeringInput::default() };
+///     Fear { range: 10.0, fades: 4.0 }.steer(&view, &mut [], &mut TraceRecorder::default()).map(|steering| steering.force.x)
 /// };
 /// assert!(force(0.0) < force(2.0) && force(5.0).is_none());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fear {
-    /// How far off events frighten, metres; ever less up to there. Limit: > 0.
+    /// Distance up to which events frighten, metres; the effect decreases to 0 there. Limit: > 0.
     pub range: f32,
-    /// Seconds until an event is forgotten; it frightens ever less up to then. Limit: > 0.
+    /// Seconds until an event is forgotten; the effect decreases to 0 until then. Limit: > 0.
     pub fades: f32,
 }
 
 impl Behaviour for Fear {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut away = Vec3::ZERO;
-        for event in view.events {
+        for event in view.stimuli {
             let offset = view.to(event.position);
             let fresh = 1.0 - (view.time - event.time) as f32 / self.fades;
             let fright = fresh * (1.0 - offset.length() / self.range);
             if (0.0..=1.0).contains(&fresh) && fright > 0.0 {
-                why.note(|| Reason::Expects(event.position));
+                why.note(|| SteeringReason::Expects(event.position));
                 away -= offset.normalize_or(-view.forward()) * fright;
             }
         }

@@ -2,21 +2,21 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Goes straight away from a target at the top speed.
+/// Moves straight away from a target at the top speed.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Flee, Target, View, Why};
+/// use throng::steer::{Behaviour, Flee, Target, SteeringInput, TraceRecorder};
 /// let flee = Flee { panic_distance: 3.0, ..Flee::from(Target::Point(Vec3::Y * 4.0)) };
-/// assert_eq!(flee.steer(&View::default(), &mut [], &mut Why::default()), None);
+/// assert_eq!(flee.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flee {
-    /// From whom or what.
+    /// The target.
     pub target: Target,
-    /// How near it must be, metres; infinite: however far. Limit: > 0.
+    /// Distance within which the agent flees, metres; infinite: at any distance. Limit: > 0.
     pub panic_distance: f32,
 }
 
@@ -27,7 +27,7 @@ impl From<Target> for Flee {
 }
 
 impl Behaviour for Flee {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let place = self.target.find(view)?.position;
         if view.to(place).length() > self.panic_distance { None } else { view.flee(place, why) }
     }

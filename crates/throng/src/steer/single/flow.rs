@@ -3,30 +3,31 @@
 use crate::Error;
 use crate::field::Field;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 
-/// Goes with a flow: takes on the velocity of a field where it will be. Nothing to correct where the field says nothing.
+/// Moves with a flow: matches the velocity of a field at the predicted position. Nothing to correct where the field is
+/// 0.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, FollowFlow, View, Why};
+/// use throng::steer::{Behaviour, FollowFlow, SteeringInput, TraceRecorder};
 /// // round the origin, all at 1 m/s
 /// let whirl = FollowFlow::new(|place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero(), 0.5);
-/// assert_eq!(whirl.steer(&View::default(), &mut [], &mut Why::default()), None, "in its middle");
+/// assert_eq!(whirl.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "in its middle");
 /// ```
 #[derive(Clone)]
 pub struct FollowFlow {
     /// The field.
     pub field: Arc<dyn Field>,
-    /// How many seconds ahead. Limit: >= 0.
+    /// Seconds of the prediction. Limit: >= 0.
     pub prediction: f32,
 }
 
 impl FollowFlow {
-    /// Follows a field, so many seconds ahead.
+    /// Returns the behaviour for a field and the seconds of the prediction.
     pub fn new(field: impl Field + 'static, prediction: f32) -> Self {
         Self { field: Arc::new(field), prediction }
     }
@@ -39,11 +40,11 @@ impl fmt::Debug for FollowFlow {
 }
 
 impl Behaviour for FollowFlow {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let place = view.motion.position_in(self.prediction);
         let flow = view.passable(self.field.velocity(place, view.time));
-        why.note(|| Reason::Expects(place));
-        why.note(|| Reason::Wishes(flow));
+        why.note(|| SteeringReason::Expects(place));
+        why.note(|| SteeringReason::Wishes(flow));
         (flow != Vec3::ZERO).then(|| view.reach(flow.clamp_length_max(view.vehicle.max_speed)))
     }
 

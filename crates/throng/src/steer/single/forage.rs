@@ -2,22 +2,22 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Branch, Target, View, Why, behaviour};
+use crate::steer::{Behaviour, BoxedBehaviour, SteeringInput, Target, TraceRecorder, behaviour};
 
-/// Looks for food: wanders until it sees some, then goes there.
+/// Looks for food: wanders until it perceives food, then goes there.
 ///
 /// ```
-/// use throng::steer::{Forage, Target, Wander, Who};
-/// let bird = Forage { food: Target::Nearest(Who::Group(2)), range: 8.0, wander: Wander::default().into() };
+/// use throng::steer::{Forage, Target, Wander, GroupFilter};
+/// let bird = Forage { food: Target::Nearest(GroupFilter::Group(2)), range: 8.0, wander: Wander::default().into() };
 /// ```
 #[derive(Clone, Debug)]
 pub struct Forage {
-    /// What it looks for.
+    /// The food.
     pub food: Target,
-    /// How near it must be to see it, metres. Limit: > 0.
+    /// Distance at which the agent perceives food, metres. Limit: > 0.
     pub range: f32,
-    /// What it does until then.
-    pub wander: Branch,
+    /// The behaviour until then.
+    pub wander: BoxedBehaviour,
 }
 
 impl Behaviour for Forage {
@@ -25,7 +25,7 @@ impl Behaviour for Forage {
         self.wander.words()
     }
 
-    fn steer(&self, view: &View<'_>, mut memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let food = self.food.find(view).filter(|food| view.to(food.position).length() <= self.range);
         match food {
             Some(food) => view.seek(food.position, why),

@@ -1,14 +1,14 @@
-//! Forward: the constant urge ahead on which OpenSteer's demos put everything else.
+//! Forward: the constant forward force to which OpenSteer's demos add all other forces.
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Why};
+use crate::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Presses ahead with part of its force.
+/// Pushes forward with a part of the top force.
 ///
 /// ```
-/// use throng::steer::{Behaviour, MoveForward, View, Why};
-/// let steering = MoveForward { part: 0.5 }.steer(&View::default(), &mut [], &mut Why::default());
+/// use throng::steer::{Behaviour, MoveForward, SteeringInput, TraceRecorder};
+/// let steering = MoveForward { part: 0.5 }.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert_eq!(steering.map(|steering| steering.force), Some(glam::Vec3::X * 2.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct MoveForward {
 }
 
 impl Behaviour for MoveForward {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         Some((view.forward() * (self.part * view.vehicle.max_force)).into())
     }
 

@@ -1,11 +1,12 @@
-//! Wandering by noise: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Wander" (its other way).
+//! Wandering by noise: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Wander" (the second way of
+//! its text).
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Noise, Reason, View, Why};
+use crate::steer::{Behaviour, Noise, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Strolls about: the angle at which it turns aside is noise of time (Perlin 1985).
+/// Wanders: the angle by which the agent turns aside is noise over time (Perlin 1985).
 ///
 /// ```
 /// use throng::steer::{FractalWander, Noise};
@@ -13,9 +14,9 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FractalWander {
-    /// The most it turns aside, radians; of those who fly up and down too. Limit: 0 to 1.5.
+    /// Greatest angle aside, radians; for flying agents also up and down. Limit: 0 to 1.5.
     pub angle: f32,
-    /// How the angle changes.
+    /// The noise of the angle.
     pub noise: Noise,
 }
 
@@ -26,11 +27,11 @@ impl Default for FractalWander {
 }
 
 impl Behaviour for FractalWander {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
-        let angle = |k| libm::sincosf(self.angle * self.noise.at(view.time, k, view.dice));
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let angle = |k| libm::sincosf(self.angle * self.noise.at(view.time, k, view.rng));
         let ((aside, ahead), (up, level)) = (angle(0), if view.is_on_ground() { (0.0, 1.0) } else { angle(1) });
         let direction = view.motion.basis.to_world(Vec3::new(ahead * level, aside * level, up));
-        why.note(|| Reason::Aim(view.position() + direction));
+        why.note(|| SteeringReason::Aim(view.position() + direction));
         view.turn(direction)
     }
 

@@ -2,30 +2,31 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 
-/// Turns to a direction, and leaves it to others how fast it goes. Nothing to correct once it faces there.
+/// Turns to a direction and leaves the speed to other behaviours. Nothing to correct once the agent faces there.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, HeadFor, View, Why};
+/// use throng::steer::{Behaviour, HeadFor, SteeringInput, TraceRecorder};
 /// let north = HeadFor { direction: Vec3::Y, full: 0.2 };
-/// let steering = north.steer(&View::default(), &mut [], &mut Why::default()).expect("it faces east");
+/// let steering = north.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it faces east");
 /// assert!(steering.force.y > 0.0 && steering.force.x < 0.0, "the turn brakes");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeadFor {
-    /// Where to; of any length but 0.
+    /// The direction, of any length except 0.
     pub direction: Vec3,
-    /// How great the difference of the two directions is, 0 to 2, from which it has all of the force; OpenSteer: 0. Limit: >= 0.
+    /// Difference of the two directions, 0 to 2, from which on the force is the vehicle's top force; OpenSteer: 0.
+    /// Limit: >= 0.
     pub full: f32,
 }
 
 impl Behaviour for HeadFor {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let direction = view.passable(self.direction).try_normalize()?;
-        why.note(|| Reason::Wishes(direction * view.motion.speed()));
+        why.note(|| SteeringReason::Wishes(direction * view.motion.speed()));
         view.urge(direction - view.forward(), self.full)
     }
 

@@ -3,9 +3,10 @@
 use super::approach;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Goes between two others, as a bodyguard does: to a place on the line between where both will be when it gets there.
+/// Moves between two targets, as a bodyguard does: to a point on the line between their predicted positions at the time
+/// of arrival.
 ///
 /// ```
 /// use throng::steer::{Interpose, Target};
@@ -13,22 +14,22 @@ use crate::steer::{Behaviour, Reason, Target, View, Why};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interpose {
-    /// The two.
+    /// The two targets.
     pub between: [Target; 2],
-    /// Where on the line: 0 at the first, 1 at the second. Limit: 0 to 1.
+    /// Point on the line: 0 at the first target, 1 at the second. Limit: 0 to 1.
     pub ratio: f32,
-    /// How far away it begins to slow down, metres. Limit: >= 0.
+    /// Distance at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
 }
 
 impl Behaviour for Interpose {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [first, second] = self.between.map(|target| target.find(view));
         let (first, second) = (first?, second?);
         let between = |seconds| first.position_in(seconds).lerp(second.position_in(seconds), self.ratio);
         let velocity = first.velocity.lerp(second.velocity, self.ratio);
         let place = between(view.to(between(0.0)).length() / view.vehicle.max_speed);
-        why.note(|| Reason::Aim(place));
+        why.note(|| SteeringReason::Aim(place));
         Some(view.reach(approach(view, view.to(place), velocity, self.slowing_distance)))
     }
 

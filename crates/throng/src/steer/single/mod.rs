@@ -1,4 +1,4 @@
-//! Behaviours of one agent, or of one towards another.
+//! Behaviours of a single agent, or of an agent with respect to a target.
 
 mod arrive;
 mod constant_force;

@@ -2,14 +2,14 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Prediction, Reason, Target, View, Why};
+use crate::steer::{Behaviour, Prediction, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 
 /// Passes a quarry at a distance, as in a strafing run, or to look at it.
 ///
-/// It aims at the distance beside where the quarry will be, to the side to which it goes already; who comes straight at it
-/// passes on the right.
-/// Once past it there is nothing to correct, until it is some distances away: then it comes back for another pass.
+/// The agent aims at a point beside the predicted position of the quarry, at the distance, on the side to which it
+/// already moves. An agent on a head-on course passes on the right. Once past, there is nothing to correct until the
+/// agent is several distances away: then it comes back for another pass.
 ///
 /// ```
 /// use throng::steer::{OffsetPursuit, Prediction, Target};
@@ -17,30 +17,30 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OffsetPursuit {
-    /// Whom.
+    /// The quarry.
     pub quarry: Target,
-    /// How far ahead of it to aim.
+    /// How far ahead the position of the quarry is predicted.
     pub prediction: Prediction,
-    /// How far beside it to pass, metres. Limit: >= 0.
+    /// Distance in passing, metres. Limit: >= 0.
     pub distance: f32,
 }
 
-/// From this many distances on it comes for another pass.
+/// Number of distances from which on the agent comes back for another pass.
 const AWAY: f32 = 4.0;
-/// Within this many distances of where the quarry will be it is past it once it gets no nearer.
+/// Number of distances from the predicted position within which the agent counts as past once it gets no nearer.
 const BESIDE: f32 = 2.0;
 
 impl Behaviour for OffsetPursuit {
-    /// Whether it is past the quarry, and not yet on its way back.
+    /// Whether the agent is past the quarry, and not yet on its way back.
     fn memory(&self) -> usize {
         1
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [past] = memory else { return None };
         let quarry = self.quarry.find(view)?;
         let future = quarry.position_in(self.prediction.of_quarry(view, &quarry));
-        why.note(|| Reason::Expects(future));
+        why.note(|| SteeringReason::Expects(future));
         let offset = view.to(future);
         let distance = offset.length();
         let towards = offset / distance.max(f32::MIN_POSITIVE);
@@ -48,7 +48,7 @@ impl Behaviour for OffsetPursuit {
         let side = view.passable(across(view.forward()));
         let side = if side.length() > 1e-3 { side } else { view.passable(across(-view.motion.basis.side)) };
         let beside = side.normalize_or_zero();
-        // along the tangent of the sphere of that radius
+        // along the tangent of the sphere with that radius
         let sine = (self.distance / distance.max(f32::MIN_POSITIVE)).min(1.0);
         let left = (distance * distance - self.distance * self.distance).max(0.0).sqrt();
         let aim = view.position() + (towards * (1.0 - sine * sine).sqrt() + beside * sine) * left.max(self.distance);
@@ -60,7 +60,7 @@ impl Behaviour for OffsetPursuit {
         if *past > 0.0 {
             return None;
         }
-        why.note(|| Reason::Aim(aim));
+        why.note(|| SteeringReason::Aim(aim));
         view.turn(view.to(aim))
     }
 

@@ -2,19 +2,19 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Prediction, Target, View, Why};
+use crate::steer::{Behaviour, Prediction, SteeringInput, Target, TraceRecorder};
 
-/// Goes to where a quarry will be.
+/// Goes to the predicted position of a quarry.
 ///
 /// ```
-/// use throng::steer::{Prediction, Pursue, Target, Who};
-/// let predator = Pursue { prediction: Prediction::Constant(1.0), ..Pursue::from(Target::Nearest(Who::Group(1))) };
+/// use throng::steer::{Prediction, Pursue, Target, GroupFilter};
+/// let predator = Pursue { prediction: Prediction::Constant(1.0), ..Pursue::from(Target::Nearest(GroupFilter::Group(1))) };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pursue {
-    /// Whom.
+    /// The quarry.
     pub quarry: Target,
-    /// How far ahead of it to aim.
+    /// How far ahead the position of the quarry is predicted.
     pub prediction: Prediction,
 }
 
@@ -25,7 +25,7 @@ impl From<Target> for Pursue {
 }
 
 impl Behaviour for Pursue {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let quarry = self.quarry.find(view)?;
         view.seek(quarry.position_in(self.prediction.of_quarry(view, &quarry)), why)
     }

@@ -1,25 +1,25 @@
 //! Seek: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Goes to a target at the top speed, and past it. Nothing to correct if it is not there.
+/// Goes to a target at the top speed, and past it. Nothing to correct if the target does not exist.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Seek, Target, View, Why};
+/// use throng::steer::{Behaviour, Seek, Target, SteeringInput, TraceRecorder};
 /// let seek = Seek { target: Target::Point(Vec3::Y) };
-/// let steering = seek.steer(&View::default(), &mut [], &mut Why::default()).expect("it is elsewhere");
+/// let steering = seek.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it is elsewhere");
 /// assert!(steering.force.x == 0.0 && steering.force.y > 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seek {
-    /// Whom or what.
+    /// The target.
     pub target: Target,
 }
 
 impl Behaviour for Seek {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         view.seek(self.target.find(view)?.position, why)
     }
 }

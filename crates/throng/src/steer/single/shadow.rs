@@ -3,9 +3,9 @@
 use super::approach;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Comes up to a quarry, then goes as it goes: with its velocity, facing as it does.
+/// Approaches a quarry, then matches its velocity and orientation.
 ///
 /// ```
 /// use throng::steer::{Shadow, Target};
@@ -13,18 +13,18 @@ use crate::steer::{Behaviour, Reason, Target, View, Why};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
-    /// Whom.
+    /// The quarry.
     pub quarry: Target,
-    /// How near it comes, metres. Limit: >= 0.
+    /// Distance to the quarry, metres. Limit: >= 0.
     pub distance: f32,
-    /// How far from there it begins to slow down, metres. Limit: >= 0.
+    /// Distance from there at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
 }
 
 impl Behaviour for Shadow {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let quarry = self.quarry.find(view)?;
-        why.note(|| Reason::Expects(quarry.position));
+        why.note(|| SteeringReason::Expects(quarry.position));
         let offset = view.to(quarry.position);
         let gap = offset.length() - self.distance;
         let nearing = offset.normalize_or_zero() * gap.max(0.0);

@@ -1,12 +1,13 @@
-//! Station keeping: a place in the frame of a leader, as wingmen have.
+//! Station keeping: a place in the frame of a leader, as for wingmen.
 
 use super::approach;
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Mark, Reason, Target, View, Why};
+use crate::steer::{Behaviour, Kinematics, SteeringInput, SteeringReason, Target, TraceRecorder};
 use glam::Vec3;
 
-/// Keeps a place beside a leader: offset pursuit in the leader's frame (yuka), with the leader's velocity once there.
+/// Keeps a place relative to a leader: offset pursuit in the leader's frame (yuka), with the leader's velocity once
+/// there.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,16 +16,16 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeepStation {
-    /// Whom.
+    /// The leader.
     pub leader: Target,
-    /// Where: ahead of the leader, to its left, and above, metres.
+    /// The place: ahead of the leader, to its left, and above, metres.
     pub offset: Vec3,
-    /// How far away it begins to slow down, metres. Limit: >= 0.
+    /// Distance at which the agent begins to slow down, metres. Limit: >= 0.
     pub slowing_distance: f32,
 }
 
 impl Behaviour for KeepStation {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
         Some(keep(view, &leader, self.offset, self.slowing_distance, why))
     }
@@ -36,13 +37,13 @@ impl Behaviour for KeepStation {
 
 /// Steers to a place in the frame of a leader.
 pub(in crate::steer) fn keep(
-    view: &View<'_>,
-    leader: &Mark,
+    view: &SteeringInput<'_>,
+    leader: &Kinematics,
     offset: Vec3,
     slowing: f32,
-    why: &mut Why<'_>,
+    why: &mut TraceRecorder<'_>,
 ) -> Steering {
     let place = leader.position + leader.basis.to_world(offset);
-    why.note(|| Reason::Aim(place));
+    why.note(|| SteeringReason::Aim(place));
     view.reach(approach(view, view.to(place), leader.velocity, slowing))
 }

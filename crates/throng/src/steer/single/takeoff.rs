@@ -2,12 +2,12 @@
 
 use glam::Vec3;
 
-/// The velocity with which to take off so as to land a way off: `leap` leads from the takeoff to the landing, metres, z up;
-/// upwards at `rise` m/s, against gravity (> 0, m/s²). `None` if it does not rise as high as the landing is, or would have
-/// to go faster along the ground than `most` m/s.
+/// Returns the velocity at takeoff for a jump. `leap` leads from the takeoff to the landing, metres, z up; `rise` is
+/// the vertical velocity, m/s; `gravity` is > 0, m/s². `None` if the jump does not rise to the height of the landing,
+/// or would need a horizontal speed above `most` m/s.
 ///
-/// A [`Dock`](super::Dock) at the takeoff, with the direction and the speed of its level part, runs up to it; in the air
-/// nobody steers.
+/// A [`Dock`](super::Dock) at the takeoff, with the direction and the speed of the horizontal part, is the run-up; an
+/// agent in the air does not steer.
 ///
 /// ```
 /// use glam::Vec3;
@@ -16,7 +16,7 @@ use glam::Vec3;
 /// assert!(velocity.distance(Vec3::new(3.0, 0.0, 5.0)) < 1e-5);
 /// ```
 pub fn takeoff(leap: Vec3, rise: f32, gravity: f32, most: f32) -> Option<Vec3> {
-    // of the two times at which it is as high as the landing, the later: it comes from above
+    // the later of the two times at the landing's height: the agent lands from above
     let square = rise * rise - 2.0 * gravity * leap.z;
     let time = (rise + square.max(0.0).sqrt()) / gravity;
     if square < 0.0 || time <= 0.0 {

@@ -2,14 +2,14 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, View, Why};
+use crate::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Goes at a speed, wherever it goes: only ahead or back. Nothing to correct at that speed.
+/// Keeps a speed, with a force forward or backward only. Nothing to correct at that speed.
 ///
 /// ```
-/// use throng::steer::{Behaviour, TargetSpeed, View, Why};
+/// use throng::steer::{Behaviour, TargetSpeed, SteeringInput, TraceRecorder};
 /// let stroll = TargetSpeed { speed: 0.7 };
-/// let steering = stroll.steer(&View::default(), &mut [], &mut Why::default()).expect("it stands");
+/// let steering = stroll.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it stands");
 /// assert!(steering.force.x > 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,11 +18,11 @@ pub struct TargetSpeed {
     pub speed: f32,
 }
 
-/// Part of the top speed that does not matter.
+/// Difference of speeds that is tolerated, as a part of the top speed.
 const NEAR: f32 = 1e-3;
 
 impl Behaviour for TargetSpeed {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], _: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         let short = self.speed - view.velocity().dot(view.forward());
         let steering = || view.reach(view.velocity() + view.forward() * short);
         (short.abs() > NEAR * view.vehicle.max_speed).then(steering)

@@ -1,26 +1,26 @@
-//! Tether: what keeps a wanderer near a place (UnitySteer's SteerForTether).
+//! Tether: keeps a wandering agent near a place (UnitySteer's SteerForTether).
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Target, View, Why};
+use crate::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Comes back when it is too far from a place, or from somebody. Nothing to correct within the length of the tether.
+/// Comes back when the agent is too far from a target. Nothing to correct within the length of the tether.
 ///
 /// ```
-/// use throng::steer::{Behaviour, Target, Tether, View, Why};
+/// use throng::steer::{Behaviour, Target, Tether, SteeringInput, TraceRecorder};
 /// let dog = Tether { to: Target::Point(glam::Vec3::X), length: 2.0 };
-/// assert_eq!(dog.steer(&View::default(), &mut [], &mut Why::default()), None);
+/// assert_eq!(dog.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tether {
-    /// Whom or what it keeps near to.
+    /// The target.
     pub to: Target,
-    /// How far it may go, metres. Limit: >= 0.
+    /// Greatest distance from it, metres. Limit: >= 0.
     pub length: f32,
 }
 
 impl Behaviour for Tether {
-    fn steer(&self, view: &View<'_>, _: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let center = self.to.find(view)?.position;
         if view.to(center).length() > self.length { view.seek(center, why) } else { None }
     }

@@ -2,26 +2,27 @@
 
 use crate::Error;
 use crate::motion::Steering;
-use crate::steer::{Behaviour, Reason, View, Why};
+use crate::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 use glam::Vec3;
 use std::f32::consts::{SQRT_2, TAU};
 
-/// Strolls about: turns now to this, now to that side, without jerks.
+/// Wanders: turns to one side and the other, without jerks.
 ///
-/// It goes to a point on a sphere ahead of it (a circle, on the ground), that walks about the sphere by chance. The walk
-/// is a Brownian motion, so its statistics do not depend on the time step; Reynolds' displacement in each frame does.
+/// The agent goes to a point on a sphere ahead of it (a circle, on the ground); the point moves on the sphere at
+/// random. The motion of the point is Brownian, so its statistics do not depend on the time step; those of Reynolds'
+/// displacement in each frame do.
 ///
 /// ```
-/// use throng::steer::{Behaviour, View, Wander, Why};
+/// use throng::steer::{Behaviour, SteeringInput, Wander, TraceRecorder};
 /// let wander = Wander { strength: 0.5, rate: 2.0 };
 /// let mut memory = vec![0.0; wander.memory()];
-/// assert!(wander.steer(&View::default(), &mut memory, &mut Why::default()).is_some());
+/// assert!(wander.steer(&SteeringInput::default(), &mut memory, &mut TraceRecorder::default()).is_some());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wander {
-    /// Radius of the sphere; its centre is the square root of 2 ahead, so that 1 leads at most 45° aside. Limit: 0 to 1.4.
+    /// Radius of the sphere. Its centre is the square root of 2 ahead, so 1 turns at most 45° aside. Limit: 0 to 1.4.
     pub strength: f32,
-    /// How fast the point walks, radians per square root of a second: the standard deviation after a second. Limit: >= 0.
+    /// Speed of the point, radians per square root of a second: the standard deviation after a second. Limit: >= 0.
     pub rate: f32,
 }
 
@@ -37,11 +38,11 @@ impl Behaviour for Wander {
         3
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let point = self.walk(view, Vec3::from_slice(memory));
         memory.copy_from_slice(&point.to_array());
         let direction = view.passable(view.motion.basis.to_world(Vec3::X * SQRT_2 + point * self.strength));
-        why.note(|| Reason::Aim(view.position() + direction));
+        why.note(|| SteeringReason::Aim(view.position() + direction));
         view.turn(direction)
     }
 
@@ -52,19 +53,19 @@ impl Behaviour for Wander {
 }
 
 impl Wander {
-    /// The point after the step; anywhere on the sphere if there was none.
-    fn walk(&self, view: &View<'_>, point: Vec3) -> Vec3 {
+    /// Returns the point after the step; a random point of the sphere if there was none.
+    fn walk(&self, view: &SteeringInput<'_>, point: Vec3) -> Vec3 {
         let spread = self.rate * view.seconds.sqrt();
-        let dice = view.dice;
+        let rng = view.rng;
         if view.is_on_ground() {
             let angle = match point {
-                Vec3::ZERO => TAU * dice.draw(9),
-                _ => libm::atan2f(point.y, point.x) + dice.normal(0) * spread,
+                Vec3::ZERO => TAU * rng.draw(9),
+                _ => libm::atan2f(point.y, point.x) + rng.normal(0) * spread,
             };
             let (sin, cos) = libm::sincosf(angle);
             return Vec3::new(cos, sin, 0.0);
         }
-        let any = Vec3::new(dice.normal(0), dice.normal(1), dice.normal(2));
+        let any = Vec3::new(rng.normal(0), rng.normal(1), rng.normal(2));
         if point == Vec3::ZERO {
             return any.normalize_or(Vec3::X);
         }

@@ -1,17 +1,18 @@
-//! Aggregation: a swarm stays together over a marker.
+//! Aggregation: a swarm stays above a marker.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
-use crate::steer::{Target, View};
+use crate::steer::{SteeringInput, Target};
 
-/// Is drawn to a marker, the more the farther it is from it: midges over a stone. Strong noise spreads them about it.
+/// Attracts insects to a marker, the more the farther they are from it: midges over a stone. Strong noise spreads them
+/// about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aggregate {
-    /// What they gather at.
+    /// The marker.
     pub marker: Target,
-    /// How fast they are for every metre that they are too far off, 1/s. Limit: >= 0.
+    /// Speed per metre of excess distance, 1/s. Limit: >= 0.
     pub rate: f32,
-    /// Within this distance of it, metres, nothing draws them. Limit: >= 0.
+    /// Distance within which the marker does not attract, metres. Limit: >= 0.
     pub beyond: f32,
 }
 
@@ -22,12 +23,12 @@ impl From<Target> for Aggregate {
 }
 
 impl Guide for Aggregate {
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
         let Some(marker) = self.marker.find(view) else { return };
         let offset = view.to(marker.position);
         let distance = offset.length();
         if distance > self.beyond {
-            wish.velocity += offset * (self.rate * (distance - self.beyond) / distance);
+            chosen.velocity += offset * (self.rate * (distance - self.beyond) / distance);
         }
     }
 

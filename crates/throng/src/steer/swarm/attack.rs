@@ -1,27 +1,28 @@
-//! Aggression: they go for a prey, some ahead of the others.
+//! Aggression: a swarm chases a prey, some insects ahead of the rest.
 
-use super::guide::{Guide, Wish, check_amount, check_range};
+use super::guide::{Guide, GuideOutput, check_amount, check_range};
 use crate::Error;
-use crate::steer::{Dice, Neighbour, Target, View, Who};
+use crate::steer::{GroupFilter, Rng, SteeringInput, SteeringNeighbour, Target};
 use glam::Vec3;
 
-/// Chases a prey: aims where it will be in the time in which they could be there, and flies straighter the nearer it is. Some lead; the
-/// others go with the leaders they see, and where they see none, with those about them.
+/// Chases a prey: an insect aims at the predicted position of the prey at the time of arrival, and flies straighter the
+/// nearer it is. Some insects lead. The rest follow the leaders that they perceive, or fly along with their neighbours
+/// if they perceive no leader.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attack {
-    /// Whom.
+    /// The prey.
     pub prey: Target,
-    /// How near it must be, metres. Limit: > 0.
+    /// Distance of the prey within which it is chased, metres. Limit: > 0.
     pub within: f32,
-    /// How fast, m/s. Limit: >= 0.
+    /// Speed, m/s. Limit: >= 0.
     pub speed: f32,
-    /// Within this distance of it, metres, the noise fades. Limit: > 0.
+    /// Distance from the prey within which the noise fades, metres. Limit: > 0.
     pub near: f32,
-    /// What part of the noise is left at the prey. Limit: 0 to 1.
+    /// Part of the noise that is left at the prey. Limit: 0 to 1.
     pub calm: f32,
-    /// How many lead: part of all. Limit: 0 to 1.
+    /// Part of the insects that lead. Limit: 0 to 1.
     pub leaders: f32,
-    /// How far the others look for those they go with, metres. Limit: >= 0.
+    /// Distance within which the rest look for insects to follow, metres. Limit: >= 0.
     pub follow: f32,
 }
 
@@ -32,19 +33,19 @@ impl From<Target> for Attack {
 }
 
 impl Attack {
-    /// Whether the one with these dice leads: always the same.
-    fn leads(&self, dice: Dice) -> bool {
-        dice.at(0).draw(2) < self.leaders
+    /// Whether the insect with this random number generator leads; the same in every step.
+    fn leads(&self, rng: Rng) -> bool {
+        rng.at(0).draw(2) < self.leaders
     }
 
-    /// Where those lead whom it goes with: to the middle of the leaders, or else along with its neighbours.
-    fn followed(&self, view: &View<'_>) -> Vec3 {
-        let seen = |other: &&Neighbour| {
-            Who::OwnGroup.counts(view, other) && other.offset.length_squared() <= self.follow * self.follow
+    /// Returns the velocity of a follower: to the mean position of the leaders nearby, or along with its neighbours.
+    fn followed(&self, view: &SteeringInput<'_>) -> Vec3 {
+        let seen = |other: &&SteeringNeighbour| {
+            GroupFilter::OwnGroup.counts(view, other) && other.offset.length_squared() <= self.follow * self.follow
         };
         let (mut middle, mut leaders, mut along) = (Vec3::ZERO, 0.0, Vec3::ZERO);
         for other in view.neighbours.iter().filter(seen) {
-            if self.leads(Dice { number: other.number, ..view.dice }) {
+            if self.leads(Rng { number: other.number, ..view.rng }) {
                 (middle, leaders) = (middle + other.offset, leaders + 1.0);
             }
             along += other.velocity;
@@ -60,14 +61,14 @@ impl Guide for Attack {
         if sees { self.follow.max(self.within) } else { self.follow }
     }
 
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
         let Some(prey) = self.prey.find(view) else { return };
         let distance = view.to(prey.position).length();
         if distance > self.within {
             return;
         }
-        wish.noise *= self.calm + (1.0 - self.calm) * (distance / self.near).min(1.0);
-        wish.velocity += if self.leads(view.dice) {
+        chosen.noise *= self.calm + (1.0 - self.calm) * (distance / self.near).min(1.0);
+        chosen.velocity += if self.leads(view.rng) {
             let there = prey.position_in(distance / view.vehicle.max_speed);
             view.to(there).normalize_or_zero() * self.speed
         } else {

@@ -1,21 +1,21 @@
-//! Escape: they burst away from a predator.
+//! Escape: insects burst away from a predator.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
-use crate::steer::{Target, View};
+use crate::steer::{SteeringInput, Target};
 use glam::Vec3;
 
-/// Bursts away from a predator that comes near, and goes on so for a moment, ever slower. As long as that lasts, guides before it in the
-/// list do not count.
+/// Bursts away from a predator nearby, and continues for a moment with decreasing speed. Meanwhile the guides before it
+/// in the list have less effect, and none while the predator is near.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escape {
-    /// From whom.
+    /// The predator.
     pub predator: Target,
-    /// How near it must come, metres. Limit: > 0.
+    /// Distance of the predator that starts the escape, metres. Limit: > 0.
     pub within: f32,
-    /// How fast, m/s. Limit: >= 0.
+    /// Speed, m/s. Limit: >= 0.
     pub speed: f32,
-    /// How long it goes on once the predator is no longer near, seconds. Limit: >= 0.
+    /// How long the escape continues after the predator is no longer near, seconds. Limit: >= 0.
     pub memory: f32,
 }
 
@@ -26,7 +26,7 @@ impl From<Target> for Escape {
 }
 
 impl Guide for Escape {
-    /// Where to, and how many seconds are left.
+    /// The direction, and the seconds that are left.
     fn memory(&self) -> usize {
         4
     }
@@ -35,7 +35,7 @@ impl Guide for Escape {
         if matches!(self.predator, Target::Nearest(_)) { self.within } else { 0.0 }
     }
 
-    fn guide(&self, view: &View<'_>, memory: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, memory: &mut [f32], chosen: &mut GuideOutput) {
         let [x, y, z, left] = memory else { return };
         let from = self.predator.find(view).map(|predator| -view.to(predator.position));
         let urgency = match from.filter(|from| from.length_squared() <= self.within * self.within) {
@@ -46,12 +46,12 @@ impl Guide for Escape {
             }
             None if *left > 0.0 => {
                 *left = (*left - view.seconds).max(0.0);
-                // a memory of zero is never left
+                // `left` is greater than 0, so `memory` is not 0
                 *left / self.memory
             }
             None => return,
         };
-        wish.velocity = wish.velocity * (1.0 - urgency) + Vec3::new(*x, *y, *z) * (self.speed * urgency);
+        chosen.velocity = chosen.velocity * (1.0 - urgency) + Vec3::new(*x, *y, *z) * (self.speed * urgency);
     }
 
     fn check(&self) -> Result<(), Error> {

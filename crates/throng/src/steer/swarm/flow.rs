@@ -1,31 +1,31 @@
-//! Along a field.
+//! Guidance along a field.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
 use crate::field::Field;
-use crate::steer::View;
+use crate::steer::SteeringInput;
 use std::fmt;
 use std::sync::Arc;
 
-/// Goes with a field: wind, a way sketched, a flow to a goal.
+/// Adds the velocity of a field: wind, a sketched field, a flow to a goal.
 #[derive(Clone)]
 pub struct Flow {
     /// The field.
     pub field: Arc<dyn Field>,
-    /// How much of it. Limit: >= 0.
+    /// Weight of the field's velocity. Limit: >= 0.
     pub weight: f32,
 }
 
 impl Flow {
-    /// With all of a field.
+    /// Returns the guide with the whole velocity of a field.
     pub fn new(field: impl Field + 'static) -> Self {
         Self { field: Arc::new(field), weight: 1.0 }
     }
 }
 
 impl Guide for Flow {
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
-        wish.velocity += self.field.velocity(view.position(), view.time) * self.weight;
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
+        chosen.velocity += self.field.velocity(view.position(), view.time) * self.weight;
     }
 
     fn check(&self) -> Result<(), Error> {

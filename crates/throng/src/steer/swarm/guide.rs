@@ -1,19 +1,19 @@
-//! What guides the insects of a swarm.
+//! The guidance of the insects of a swarm.
 
 use crate::Error;
-use crate::steer::View;
+use crate::steer::SteeringInput;
 use glam::Vec3;
 use std::fmt::Debug;
 
-/// One thing that an insect of a [`Swarm`](super::Swarm) follows, or is subject to. Those of a list add up.
+/// A guide or an influence that an insect of a [`Swarm`](super::Swarm) follows. The guides of a list add up.
 ///
-/// As a [behaviour](crate::steer::Behaviour) it keeps no state, but what it must remember is in the memory it is handed. What
-/// differs from insect to insect but stays the same is drawn from `view.dice.at(0)`.
+/// Like a [behaviour](crate::steer::Behaviour) a guide keeps no state; what it must remember is in the memory that the
+/// caller passes. Constant differences between insects are drawn from `view.rng.at(0)`.
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::View;
-/// use throng::steer::swarm::{Guide, Swarm, Wish};
+/// use throng::steer::SteeringInput;
+/// use throng::steer::swarm::{Guide, Swarm, GuideOutput};
 ///
 /// /// Rises.
 /// #[derive(Debug)]
@@ -22,28 +22,29 @@ use std::fmt::Debug;
 /// }
 ///
 /// impl Guide for Thermal {
-///     fn guide(&self, _: &View<'_>, _: &mut [f32], wish: &mut Wish) {
-///         wish.drift += Vec3::Z * self.speed;
+///     fn guide(&self, _: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
+///         chosen.drift += Vec3::Z * self.speed;
 ///     }
 /// }
 ///
 /// let swarm = Swarm::default().with(Thermal { speed: 0.2 });
 /// ```
 pub trait Guide: Debug + Send + Sync {
-    /// How many words of memory it needs for each insect.
+    /// Returns the number of words of memory that the guide needs for each insect.
     fn memory(&self) -> usize {
         0
     }
 
-    /// How far it must see others, metres; 0 if it sees nobody.
+    /// Returns the distance up to which the guide needs neighbours, metres; 0 if it needs none.
     fn reach(&self) -> f32 {
         0.0
     }
 
-    /// Adds what it asks for. `memory` has [`memory`](Self::memory) words, at first zero.
-    fn guide(&self, view: &View<'_>, memory: &mut [f32], wish: &mut Wish);
+    /// Adds its velocity and effects to the output. `memory` has [`memory`](Self::memory) words, which are zero at
+    /// first.
+    fn guide(&self, view: &SteeringInput<'_>, memory: &mut [f32], chosen: &mut GuideOutput);
 
-    /// What is wrong with the parameters, if anything is.
+    /// Checks the parameters.
     ///
     /// # Errors
     /// [`Error::Limit`] names the parameter.
@@ -52,33 +53,33 @@ pub trait Guide: Debug + Send + Sync {
     }
 }
 
-/// What guides ask of an insect together.
+/// The joint output of the guides of an insect.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wish {
-    /// A velocity, m/s: the sum of what they ask for.
+pub struct GuideOutput {
+    /// The sum of the guides' velocities, m/s.
     pub velocity: Vec3,
-    /// How strong its noise is: 1 as it was given.
+    /// Factor on the noise.
     pub noise: f32,
-    /// How fast it can be: a part of its top speed, 0 to 1.
+    /// Factor on the top speed, 0 to 1.
     pub vigour: f32,
-    /// A velocity that it is carried with, m/s, however weak it is.
+    /// A velocity that is added regardless of the vigour, m/s.
     pub drift: Vec3,
-    /// Whether it rests, whatever else is asked.
+    /// Whether the insect stands still, regardless of the rest of the output.
     pub rests: bool,
 }
 
-impl Default for Wish {
+impl Default for GuideOutput {
     fn default() -> Self {
         Self { velocity: Vec3::ZERO, noise: 1.0, vigour: 1.0, drift: Vec3::ZERO, rests: false }
     }
 }
 
-/// A number, 0 or more and finite.
+/// Checks that a number is 0 or more and finite.
 pub(super) fn check_amount(what: &'static str, value: f32) -> Result<(), Error> {
     Error::unless(value >= 0.0 && value.is_finite(), what, value, "0 or more and finite")
 }
 
-/// A distance, which may be infinite.
+/// Checks that a distance is greater than 0; it may be infinite.
 pub(super) fn check_range(what: &'static str, value: f32) -> Result<(), Error> {
     Error::unless(value > 0.0, what, value, "greater than 0")
 }

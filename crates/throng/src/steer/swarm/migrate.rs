@@ -1,38 +1,38 @@
-//! Migration: along a path, together, at a height.
+//! Migration: together along a path, within a range of heights.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
 use crate::space::Pathway;
-use crate::steer::{Neighbour, View, Who};
+use crate::steer::{GroupFilter, SteeringInput, SteeringNeighbour};
 use glam::Vec3;
 use std::sync::Arc;
 
-/// Flies along a path, and to its spine where it is off it: the global field round an optimised trajectory. At the end of an open path
-/// they gather.
+/// Flies along a path, and back to its spine from outside: the global field round an optimised trajectory. The insects
+/// gather at the end of an open path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Migrate {
-    /// The path; within its radius nothing draws to the spine.
+    /// The path; within its radius there is no attraction to the spine.
     pub path: Arc<Pathway>,
-    /// How fast along it, m/s. Limit: >= 0.
+    /// Speed along the path, m/s. Limit: >= 0.
     pub speed: f32,
-    /// How fast back to it for every metre that they are outside of it, 1/s. Limit: >= 0.
+    /// Speed back to the path per metre outside of it, 1/s. Limit: >= 0.
     pub rate: f32,
 }
 
 impl Migrate {
-    /// Along a path.
+    /// Returns the migration along a path.
     pub fn new(path: Pathway) -> Self {
         Self { path: Arc::new(path), speed: 1.0, rate: 2.0 }
     }
 }
 
 impl Guide for Migrate {
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
         let near = self.path.nearest(view.position());
         let to = view.to(near.point);
-        wish.velocity += to.normalize_or_zero() * (self.rate * near.outside.max(0.0));
+        chosen.velocity += to.normalize_or_zero() * (self.rate * near.outside.max(0.0));
         if self.path.is_cyclic() || near.along < self.path.length() {
-            wish.velocity += view.passable(near.tangent) * self.speed;
+            chosen.velocity += view.passable(near.tangent) * self.speed;
         }
     }
 
@@ -42,12 +42,13 @@ impl Guide for Migrate {
     }
 }
 
-/// Flies as those about it do, as locusts: the difference from the mean of their velocities, so many times.
+/// Aligns with the neighbours, as locusts do: adds a multiple of the difference between their mean velocity and the
+/// insect's velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Align {
-    /// How far they look, metres. Limit: >= 0.
+    /// Distance of the neighbours that count, metres. Limit: >= 0.
     pub distance: f32,
-    /// How much. Limit: >= 0.
+    /// Factor on the difference. Limit: >= 0.
     pub weight: f32,
 }
 
@@ -56,16 +57,16 @@ impl Guide for Align {
         self.distance
     }
 
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
-        let seen = |other: &&Neighbour| {
-            Who::OwnGroup.counts(view, other) && other.offset.length_squared() <= self.distance * self.distance
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
+        let seen = |other: &&SteeringNeighbour| {
+            GroupFilter::OwnGroup.counts(view, other) && other.offset.length_squared() <= self.distance * self.distance
         };
         let (mut sum, mut count) = (Vec3::ZERO, 0.0);
         for other in view.neighbours.iter().filter(seen) {
             (sum, count) = (sum + other.velocity, count + 1.0);
         }
         if count > 0.0 {
-            wish.velocity += (sum / count - view.velocity()) * self.weight;
+            chosen.velocity += (sum / count - view.velocity()) * self.weight;
         }
     }
 
@@ -75,21 +76,21 @@ impl Guide for Align {
     }
 }
 
-/// Keeps between two heights.
+/// Keeps insects between two heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightBand {
-    /// Not below, metres. Limit: finite.
+    /// Least height, metres. Limit: finite.
     pub low: f32,
-    /// Not above, metres. Limit: >= low.
+    /// Greatest height, metres. Limit: >= low.
     pub high: f32,
-    /// How fast back for every metre beyond, 1/s. Limit: >= 0.
+    /// Speed back per metre outside, 1/s. Limit: >= 0.
     pub rate: f32,
 }
 
 impl Guide for HeightBand {
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
         let z = view.position().z;
-        wish.velocity += view.passable(Vec3::Z * ((z.clamp(self.low, self.high) - z) * self.rate));
+        chosen.velocity += view.passable(Vec3::Z * ((z.clamp(self.low, self.high) - z) * self.rate));
     }
 
     fn check(&self) -> Result<(), Error> {

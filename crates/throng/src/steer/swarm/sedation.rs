@@ -1,45 +1,45 @@
-//! Sedation: smoke calms them, and they sink to the ground.
+//! Sedation: smoke calms insects, and they sink to the ground.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
 use crate::field::Amplitude;
 use crate::space::surface::Surface;
-use crate::steer::View;
+use crate::steer::SteeringInput;
 use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 
-/// Part of its vigour below which an insect that is near the ground settles there.
+/// Vigour below which an insect near the ground settles.
 const ASLEEP: f32 = 0.5;
 
-/// Smoke, as of a beekeeper. Each takes up a dose as long as it is in it. Noise and top speed fall exponentially with the dose, and it
-/// sinks; where it comes down it rests, until, out of the smoke, the dose has worn off.
+/// Smoke, as of a beekeeper. An insect takes up a dose while it is in the smoke. Noise and top speed fall exponentially
+/// with the dose, and the insect sinks. Where it lands it rests until, out of the smoke, the dose has worn off.
 ///
-/// Those who rest cannot if their vehicle has a least speed.
+/// An insect cannot rest if its vehicle has a least speed.
 #[derive(Clone)]
 pub struct Sedation {
-    /// How dense the smoke is: 0 for none.
+    /// Density of the smoke; 0 for none.
     pub smoke: Arc<dyn Amplitude>,
-    /// The dose that smoke of density 1 gives, 1/s: 1 leaves a vigour of `1 / e`. Limit: >= 0.
+    /// The dose that smoke of density 1 gives, 1/s: a dose of 1 leaves a vigour of `1 / e`. Limit: >= 0.
     pub uptake: f32,
-    /// How fast the dose wears off where there is no smoke, 1/s; 0: never. Limit: >= 0.
+    /// Rate at which the dose wears off where there is no smoke, 1/s; 0: never. Limit: >= 0.
     pub recovery: f32,
-    /// How fast it sinks without any vigour, m/s. Limit: >= 0.
+    /// Speed of sinking at vigour 0, m/s. Limit: >= 0.
     pub sink: f32,
-    /// How near the ground, or a floor, it settles, metres from its body. Limit: >= 0.
+    /// Distance between the body and the ground, or a floor, at which an insect settles, metres. Limit: >= 0.
     pub landing: f32,
-    /// Where it settles beside the ground.
+    /// Surfaces other than the ground on which insects settle.
     pub floors: Vec<Arc<dyn Surface>>,
 }
 
 impl Sedation {
-    /// By this smoke.
+    /// Returns the sedation by this smoke.
     pub fn new(smoke: impl Amplitude + 'static) -> Self {
         let smoke = Arc::new(smoke);
         Self { smoke, uptake: 0.5, recovery: 0.0, sink: 0.5, landing: 0.02, floors: Vec::new() }
     }
 
-    fn is_down(&self, view: &View<'_>) -> bool {
+    fn is_down(&self, view: &SteeringInput<'_>) -> bool {
         let near = self.landing + view.radius;
         let place = view.position();
         place.z <= near || self.floors.iter().any(|floor| floor.query(place).distance <= near)
@@ -47,12 +47,12 @@ impl Sedation {
 }
 
 impl Guide for Sedation {
-    /// The dose, and whether it rests.
+    /// The dose, and whether the insect rests.
     fn memory(&self) -> usize {
         2
     }
 
-    fn guide(&self, view: &View<'_>, memory: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, memory: &mut [f32], chosen: &mut GuideOutput) {
         let [dose, rests] = memory else { return };
         let density = self.smoke.at(view.position(), view.time).0.max(0.0);
         if density > 0.0 {
@@ -63,10 +63,10 @@ impl Guide for Sedation {
         let vigour = libm::expf(-*dose);
         let stays = vigour < ASLEEP && (*rests > 0.0 || self.is_down(view));
         *rests = if stays { 1.0 } else { 0.0 };
-        wish.rests |= stays;
-        wish.noise *= vigour;
-        wish.vigour *= vigour;
-        wish.drift -= Vec3::Z * (self.sink * (1.0 - vigour));
+        chosen.rests |= stays;
+        chosen.noise *= vigour;
+        chosen.vigour *= vigour;
+        chosen.drift -= Vec3::Z * (self.sink * (1.0 - vigour));
     }
 
     fn check(&self) -> Result<(), Error> {

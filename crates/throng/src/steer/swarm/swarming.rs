@@ -1,118 +1,122 @@
 //! The behaviour of the insects of a swarm.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
 use crate::agent::Group;
 use crate::field::{CurlNoise, Octave, Potential};
 use crate::motion::{Locomotion, Steering, Vehicle};
 use crate::space::surface::SeenFrom;
-use crate::steer::{Barriers, Behaviour, Neighbour, Reason, View, Who, Why};
+use crate::steer::{Barriers, Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 use glam::Vec3;
 use std::sync::Arc;
 
-/// How an insect flies: the velocity that it takes on is the sum of what its guides ask for, noise, and what keeps it apart from others
-/// and off obstacles.
+/// The flight of an insect. Its chosen velocity is the sum of the guides' velocities, noise, separation from other
+/// insects, and repulsion by obstacles.
 ///
-/// The time in which it takes it on is the [`response`](Vehicle::response) of its vehicle, and the speeds it keeps between are its
-/// vehicle's too. Those of a world where all are of one such swarm fly many at once.
+/// The vehicle sets the [`response`](Vehicle::response) time and the limits of the speed. In a world where all agents
+/// belong to one such swarm, several insects are computed at a time.
 #[derive(Clone, Debug)]
 pub struct Swarm {
-    /// What guides them, all together.
+    /// The guides; their velocities add up.
     pub guides: Vec<Arc<dyn Guide>>,
     /// The noise, if any.
     pub noise: Option<Arc<CurlNoise>>,
-    /// Whether each has a noise of its own; else all have the same, and those who are near each other fly alike.
+    /// Whether each insect has a noise of its own; otherwise all share one noise, and insects near each other fly
+    /// alike.
     pub own_noise: bool,
-    /// How they keep apart.
-    pub apart: Apart,
-    /// How they keep off obstacles.
+    /// The separation.
+    pub apart: SwarmSpacing,
+    /// The repulsion by obstacles.
     pub keep_off: KeepOff,
 }
 
-/// How insects keep apart.
+/// The separation of insects.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Apart {
-    /// From others of the swarm within this distance, metres; 0: they do not, and need not see each other. Limit: >= 0.
+pub struct SwarmSpacing {
+    /// Distance within which insects of the swarm repel each other, metres; 0: no separation and no neighbour search
+    /// for it. Limit: >= 0.
     pub distance: f32,
-    /// How fast they go away from one that is where they are themselves, m/s; less and less to the distance. Limit: >= 0.
+    /// Speed at distance 0, m/s; it decreases to 0 at the distance. Limit: >= 0.
     pub speed: f32,
 }
 
-/// How insects keep off obstacles, and in containers.
+/// The repulsion of insects by obstacles and container walls.
 #[derive(Clone, Debug, Default)]
 pub struct KeepOff {
     /// The surfaces.
     pub barriers: Barriers,
-    /// From within this distance, metres, of their bodies. Limit: > 0 if there are surfaces.
+    /// Distance between body and surface within which the surface repels, metres. Limit: > 0 if there are surfaces.
     pub distance: f32,
-    /// How fast they go away where they touch, m/s; less and less to the distance. What leads at a surface fades out as they come near.
-    /// Limit: >= 0.
+    /// Speed at contact, m/s; it decreases to 0 at the distance. The component of the velocity towards the surface
+    /// fades out there. Limit: >= 0.
     pub speed: f32,
 }
 
-/// The body of a midge or a fly: at most 2 m/s; what it wants, it takes on in a tenth of a second. Its radius, of the agent, is some 5 mm.
+/// Returns the body of a midge or a fly: at most 2 m/s, with a response time of a tenth of a second. The radius, which
+/// belongs to the agent, is some 5 mm.
 pub fn midge() -> Vehicle {
     Vehicle { max_force: 40.0, max_speed: 2.0, response: 0.1, locomotion: Locomotion::Level, ..Vehicle::default() }
 }
 
-/// The body of a locust: 1 to 4 m/s. Its radius, of the agent, is some 25 mm.
+/// Returns the body of a locust: 1 to 4 m/s. The radius, which belongs to the agent, is some 25 mm.
 pub fn locust() -> Vehicle {
     Vehicle { max_speed: 4.0, min_speed: 1.0, response: 0.15, ..midge() }
 }
 
 impl Default for Swarm {
-    /// Noise of 0.6 m/s, eddies of 0.4 m that last half a second and others of half their length, a noise for each; apart from others
-    /// within 6 cm. Nothing guides them.
+    /// Returns a swarm with an individual noise of 0.6 m/s for each insect, with eddies of 0.4 m that last half a
+    /// second and eddies of half their length, and separation within 6 cm. No guides.
     fn default() -> Self {
         let noise = Octave::turbulence(0.4, 0.5, 0.6, 2).and_then(|all| CurlNoise::new(Potential::Space, &all, 0));
         Self {
             guides: Vec::new(),
             noise: noise.ok().map(Arc::new),
             own_noise: true,
-            apart: Apart { distance: 0.06, speed: 1.0 },
+            apart: SwarmSpacing { distance: 0.06, speed: 1.0 },
             keep_off: KeepOff { barriers: Barriers::default(), distance: 0.3, speed: 1.0 },
         }
     }
 }
 
 impl Swarm {
-    /// With one guide more.
+    /// Returns the swarm with one more guide.
     pub fn with(mut self, guide: impl Guide + 'static) -> Self {
         self.guides.push(Arc::new(guide));
         self
     }
 
-    /// With this noise, one for each or the same for all.
+    /// Returns the swarm with this noise, individual for each insect or shared.
     pub fn with_noise(self, noise: CurlNoise, own_noise: bool) -> Self {
         Self { noise: Some(Arc::new(noise)), own_noise, ..self }
     }
 
-    /// How far an insect must see others, metres; 0 if it need not.
+    /// Returns the distance up to which an insect needs neighbours, metres; 0 if it needs none.
     pub fn reach(&self) -> f32 {
         self.guides.iter().map(|guide| guide.reach()).fold(self.apart.distance, f32::max)
     }
 
-    /// A group of such insects, who see everybody as far as they must, or nobody.
+    /// Returns a group of such insects; the neighbour search covers the needed distance, and there is none if the swarm
+    /// needs no neighbours.
     pub fn group(self, vehicle: Vehicle) -> Group {
         let reach = self.reach();
-        let (neighbours, neighbour_distance) = if reach > 0.0 { (Group::EVERYBODY, reach) } else { (0, 1.0) };
+        let (neighbours, neighbour_distance) = if reach > 0.0 { (Group::ALL_NEIGHBOURS, reach) } else { (0, 1.0) };
         Group { neighbours, neighbour_distance, ..Group::vehicles(self, vehicle) }
     }
 
-    /// The velocity that an insect wants, m/s, with this noise.
-    pub(crate) fn velocity(&self, view: &View<'_>, noise: Vec3, mut memory: &mut [f32]) -> Vec3 {
-        let mut wish = Wish::default();
+    /// Returns the chosen velocity of an insect, m/s, with this noise.
+    pub(crate) fn velocity(&self, view: &SteeringInput<'_>, noise: Vec3, mut memory: &mut [f32]) -> Vec3 {
+        let mut chosen = GuideOutput::default();
         for guide in &self.guides {
             let (own, rest) = memory.split_at_mut(guide.memory());
-            guide.guide(view, own, &mut wish);
+            guide.guide(view, own, &mut chosen);
             memory = rest;
         }
-        if wish.rests {
+        if chosen.rests {
             return Vec3::ZERO;
         }
-        let own = wish.velocity + noise * wish.noise + self.apart.velocity(view);
-        let most = view.vehicle.max_speed * wish.vigour;
-        let all = view.passable(self.keep_off.velocity(view, own.clamp_length_max(most) + wish.drift));
+        let own = chosen.velocity + noise * chosen.noise + self.apart.velocity(view);
+        let most = view.vehicle.max_speed * chosen.vigour;
+        let all = view.passable(self.keep_off.velocity(view, own.clamp_length_max(most) + chosen.drift));
         if all.is_finite() { all } else { view.velocity() }
     }
 }
@@ -122,17 +126,17 @@ impl Behaviour for Swarm {
         self.guides.iter().map(|guide| guide.memory()).sum()
     }
 
-    fn steer(&self, view: &View<'_>, memory: &mut [f32], why: &mut Why<'_>) -> Option<Steering> {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut noise = [Vec3::ZERO];
         if let Some(field) = &self.noise {
-            let (place, number) = ([view.position()], [view.dice.number]);
+            let (place, number) = ([view.position()], [view.rng.number]);
             match self.own_noise {
                 true => field.velocities_of_individuals(&place, &number, view.time, &mut noise),
                 false => field.velocities(&place, view.time, &mut noise),
             }
         }
         let velocity = self.velocity(view, noise[0], memory);
-        why.note(|| Reason::Wishes(velocity));
+        why.note(|| SteeringReason::Wishes(velocity));
         Some(view.reach(velocity))
     }
 
@@ -151,16 +155,16 @@ impl Behaviour for Swarm {
     }
 }
 
-impl Apart {
-    /// Away from all who are too near.
-    fn velocity(&self, view: &View<'_>) -> Vec3 {
-        let push = |other: &Neighbour| {
+impl SwarmSpacing {
+    /// Returns the velocity away from all insects that are too near.
+    fn velocity(&self, view: &SteeringInput<'_>) -> Vec3 {
+        let push = |other: &SteeringNeighbour| {
             let distance = other.offset.length();
-            if distance >= self.distance || !Who::OwnGroup.counts(view, other) {
+            if distance >= self.distance || !GroupFilter::OwnGroup.counts(view, other) {
                 return Vec3::ZERO;
             }
-            // of two in one place, one goes left, the other right
-            let side = view.motion.basis.side * if view.dice.number < other.number { 1.0 } else { -1.0 };
+            // two insects at the same position separate to opposite sides
+            let side = view.motion.basis.side * if view.rng.number < other.number { 1.0 } else { -1.0 };
             other.offset.try_normalize().map_or(side, |to| -to) * (self.speed * (1.0 - distance / self.distance))
         };
         if self.distance > 0.0 { view.neighbours.iter().map(push).sum() } else { Vec3::ZERO }
@@ -168,8 +172,8 @@ impl Apart {
 }
 
 impl KeepOff {
-    /// What becomes of a velocity near obstacles.
-    fn velocity(&self, view: &View<'_>, mut velocity: Vec3) -> Vec3 {
+    /// Returns the velocity corrected near obstacles.
+    fn velocity(&self, view: &SteeringInput<'_>, mut velocity: Vec3) -> Vec3 {
         for barrier in &self.barriers.0 {
             let near = barrier.surface.query(view.position());
             let outside = match barrier.seen_from {

@@ -1,24 +1,25 @@
-//! Concentric zones: away from those who are close, along with those who are near, to those who are far.
+//! Concentric zones: repulsion by close insects, alignment with near insects, attraction to far insects.
 
-use super::guide::{Guide, Wish, check_amount};
+use super::guide::{Guide, GuideOutput, check_amount};
 use crate::Error;
-use crate::steer::{View, Who};
+use crate::steer::{GroupFilter, SteeringInput};
 use glam::Vec3;
 
-/// Three zones about each insect, one round the other: of repulsion, of alignment, and of attraction. Which of them is wide says whether a
+/// Three concentric zones about each insect: repulsion, alignment and attraction. Their widths determine whether a
 /// swarm mills about, flies as one, or scatters.
 ///
-/// Wang, Ren, Jin, Manocha, *BSwarm: biologically-plausible dynamics model of insect swarms*, SCA 2015, where they are forces; here they
-/// are wanted velocities, as all guides are. Where a zone ends nobody counts, so that nothing jumps.
+/// Wang, Ren, Jin, Manocha, *BSwarm: biologically-plausible dynamics model of insect swarms*, SCA 2015. There the zones
+/// are forces; here they are velocities, as all guides are. The weight is 0 at the borders of a zone, so that nothing
+/// jumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zones {
-    /// Up to what distance each zone reaches, metres, the innermost first. Limit: >= 0, none less than the one before it.
+    /// Outer radius of each zone, metres, the innermost first. Limit: >= 0, none less than the one before it.
     pub reach: [f32; 3],
-    /// How fast it goes away from one that is where it is itself, m/s. Limit: >= 0.
+    /// Speed of repulsion at distance 0, m/s. Limit: >= 0.
     pub repulsion: f32,
-    /// What part of the difference of velocities it makes up. Limit: >= 0.
+    /// Factor on the difference of velocities. Limit: >= 0.
     pub alignment: f32,
-    /// How fast it goes to those in the middle of the zone of attraction, m/s. Limit: >= 0.
+    /// Speed to insects in the middle of the zone of attraction, m/s. Limit: >= 0.
     pub attraction: f32,
 }
 
@@ -28,7 +29,7 @@ impl Default for Zones {
     }
 }
 
-/// How much one counts that is so far between two distances: nothing at both, 1 in the middle.
+/// Returns the weight of an insect at a distance in a zone: 0 at both borders, 1 in the middle.
 fn between(distance: f32, low: f32, high: f32) -> f32 {
     if distance <= low || distance >= high {
         return 0.0;
@@ -42,11 +43,11 @@ impl Guide for Zones {
         self.reach[2]
     }
 
-    fn guide(&self, view: &View<'_>, _: &mut [f32], wish: &mut Wish) {
+    fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
         let [close, near, far] = self.reach;
         let (mut away, mut along, mut to) = (Vec3::ZERO, Vec3::ZERO, Vec3::ZERO);
         let (mut aligned, mut attracted) = (0.0, 0.0);
-        for other in view.neighbours.iter().filter(|other| Who::OwnGroup.counts(view, other)) {
+        for other in view.neighbours.iter().filter(|other| GroupFilter::OwnGroup.counts(view, other)) {
             let distance = other.offset.length();
             if distance < close {
                 away -= other.offset.normalize_or_zero() * (1.0 - distance / close);
@@ -56,9 +57,9 @@ impl Guide for Zones {
             let weight = between(distance, near, far);
             (to, attracted) = (to + other.offset.normalize_or_zero() * weight, attracted + weight);
         }
-        // a mean of many, and less of less than one
+        // a weighted mean, but smaller if the weights sum to less than 1
         let mean = |sum: Vec3, weight: f32| sum / weight.max(1.0);
-        wish.velocity +=
+        chosen.velocity +=
             away * self.repulsion + mean(along, aligned) * self.alignment + mean(to, attracted) * self.attraction;
     }
 

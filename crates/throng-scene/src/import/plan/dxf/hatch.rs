@@ -1,7 +1,7 @@
-//! Hatches: what is filled, by the paths round it.
+//! Hatches: filled areas, by their boundary paths.
 
 use super::super::curve::{arc, bulged};
-use super::super::drawing::Form;
+use super::super::drawing::PlanShape;
 use super::super::overlay::{FARTHEST, difference, enclosed};
 use super::pairs::Entity;
 use super::spline;
@@ -10,11 +10,12 @@ use crate::geometry::{DVec2, contains, points};
 use crate::scene::Area;
 use std::f64::consts::TAU;
 
-/// Of more paths than this it is not asked which lie within others.
+/// With more paths than this, nesting is not tested.
 const MANY: usize = 1000;
 
-/// What a hatch fills: what lies within an odd number of its paths; or, if it says so, not what is within an inner one; or all of it.
-pub(super) fn forms(hatch: &Entity, tolerance: f64) -> Result<Vec<Form>, Error> {
+/// Returns the areas that a hatch fills. By its style, it fills the points within an odd number of its paths, the outer
+/// paths without those inside, or all of the paths.
+pub(super) fn forms(hatch: &Entity, tolerance: f64) -> Result<Vec<PlanShape>, Error> {
     let from = hatch.pairs.iter().position(|pair| pair.code == 91).unwrap_or_default();
     let to = hatch.pairs[from..].iter().position(|pair| pair.code == 75).map_or(hatch.pairs.len(), |to| from + to);
     let mut rings = vec![];
@@ -24,8 +25,8 @@ pub(super) fn forms(hatch: &Entity, tolerance: f64) -> Result<Vec<Form>, Error> 
         rings.extend(Some(ring).filter(|ring| ring.len() > 2));
     }
     if let Some(far) = rings.iter().find(|ring| ring.iter().any(|p| p.abs().max_element() > FARTHEST)) {
-        // which is an error of the drawing
-        return Ok(vec![Form::Area(far.clone(), vec![])]);
+        // an error that the drawing's check reports
+        return Ok(vec![PlanShape::Area(far.clone(), vec![])]);
     }
     let areas = match hatch.flags(75) {
         1 if rings.len() <= MANY => {
@@ -36,17 +37,17 @@ pub(super) fn forms(hatch: &Entity, tolerance: f64) -> Result<Vec<Form>, Error> 
         style => enclosed(&rings, style != 2),
     };
     let holes = |area: &Area| area.holes.iter().map(|hole| points(hole)).collect();
-    Ok(areas.iter().map(|area| Form::Area(points(&area.outer), holes(area))).collect())
+    Ok(areas.iter().map(|area| PlanShape::Area(points(&area.outer), holes(area))).collect())
 }
 
-/// The parts of some pairs, each from a code to before the next.
+/// Splits pairs into parts, each from a pair with a code to before the next.
 fn parts<'p, 't>(of: &Entity<'p, 't>, within: std::ops::Range<usize>, code: i32) -> Vec<Entity<'p, 't>> {
     let starts: Vec<usize> = within.clone().filter(|i| of.pairs[*i].code == code).collect();
     let ends = starts.iter().skip(1).copied().chain([within.end]);
     starts.iter().zip(ends).map(|(from, to)| Entity { pairs: &of.pairs[*from..to], ..*of }).collect()
 }
 
-/// The edges of a path, one after the other; those that were written the other way round are turned.
+/// Joins the edges of a path in order. Edges in the opposite direction are reversed.
 fn joined(path: &Entity, tolerance: f64) -> Result<Vec<DVec2>, Error> {
     let edges = parts(path, 0..path.pairs.len(), 72);
     let edges: Vec<Vec<DVec2>> = edges.iter().map(|edge| lines(edge, tolerance)).collect::<Result<_, _>>()?;
@@ -70,14 +71,14 @@ fn joined(path: &Entity, tolerance: f64) -> Result<Vec<DVec2>, Error> {
     Ok(ring)
 }
 
-/// An edge: a line, an arc of a circle or of an ellipse, or a spline.
+/// Returns the points of an edge: a line, an arc of a circle or of an ellipse, or a spline.
 fn lines(edge: &Entity, tolerance: f64) -> Result<Vec<DVec2>, Error> {
-    // angles of what goes clockwise are clockwise too
+    // the angles of a clockwise arc are measured clockwise
     let way = if edge.number(73, 1.0)? == 0.0 { -1.0 } else { 1.0 };
     let turn = |ratio: f64| -> Result<[f64; 2], Error> {
         let [from, to] = [edge.number(50, 0.0)?, edge.number(51, 360.0)?].map(f64::to_radians);
         let whole = (to - from).abs() >= TAU - 1e-9;
-        // where a ray at an angle meets an ellipse
+        // the parameter at which a ray at an angle meets an ellipse
         let [from, to] = [from, to].map(|angle| libm::atan2(libm::sin(angle) / ratio, libm::cos(angle)));
         let turn = (to - from).rem_euclid(TAU);
         let turn = if whole || turn < 1e-9 { TAU } else { turn };

@@ -1,5 +1,6 @@
-//! DXF, the drawings of CAD programs: lines, polylines, arcs, circles, ellipses, splines, solids, hatches and blocks of them, by their layers. Own
-//! reader: a plan needs a dozen of the format's hundred kinds, all of pairs of a number and a value, and errors that name the line.
+//! DXF, the drawings of CAD programs: lines, polylines, arcs, circles, ellipses, splines, solids, hatches and blocks of
+//! them, by their layers. Has its own reader: a plan needs a dozen of the format's hundred kinds, all of them pairs of
+//! a number and a value, and errors that name the line.
 
 mod hatch;
 mod pairs;
@@ -12,10 +13,11 @@ use crate::geometry::DVec2;
 use pairs::{Entity, Pairs};
 use shapes::Shapes;
 
-/// Reads the shapes of a DXF text. The unit is what the drawing says (`$INSUNITS`), or metres.
+/// Reads the shapes of a DXF text. The unit is that of the drawing (`$INSUNITS`), or metres.
 ///
 /// # Errors
-/// With the line: it is no text of pairs, a number is none, or blocks insert each other without end.
+/// The text does not consist of pairs, a number is wrong, or blocks insert each other too deeply. The error has the
+/// line.
 pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     if text.starts_with("AutoCAD Binary DXF") {
         return Err(Error::new(Kind::Syntax, "this is a binary DXF").hint("save it as ASCII DXF"));

@@ -15,7 +15,7 @@ pub(super) struct Pair<'t> {
     pub line: usize,
 }
 
-/// What begins with a pair of code 0, up to the next of them.
+/// An entity: the pairs from a pair of code 0 to before the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entity<'p, 't> {
     pub kind: &'t str,
@@ -23,7 +23,7 @@ pub(super) struct Entity<'p, 't> {
     pub line: usize,
 }
 
-/// All pairs of a file, and where its sections are.
+/// All pairs of a file, and the ranges of its sections.
 #[derive(Debug)]
 pub(super) struct Pairs<'t> {
     pairs: Vec<Pair<'t>>,
@@ -71,14 +71,14 @@ impl<'t> Pairs<'t> {
         Ok(Self { pairs, sections })
     }
 
-    /// The value of a variable of the header.
+    /// Returns the value of a variable of the header.
     pub fn header(&self, name: &str) -> Option<Pair<'t>> {
         let header = self.section("HEADER");
         let at = header.iter().position(|pair| pair.code == 9 && pair.value == name)?;
         header.get(at + 1).copied()
     }
 
-    /// What is in a section, in order.
+    /// Returns the entities of a section, in order.
     pub fn entities(&self, section: &str) -> Vec<Entity<'_, 't>> {
         let pairs = self.section(section);
         let starts: Vec<usize> = (0..pairs.len()).filter(|i| pairs[*i].code == 0).collect();
@@ -97,39 +97,39 @@ impl<'t> Pairs<'t> {
 }
 
 impl<'t> Entity<'_, 't> {
-    /// The first value with a code.
+    /// Returns the first value with a code.
     pub fn text(&self, code: i32) -> Option<&'t str> {
         self.pairs.iter().find(|pair| pair.code == code).map(|pair| pair.value)
     }
 
-    /// The first number with a code, or what stands for it.
+    /// Returns the first number with a code, or else `otherwise`.
     ///
     /// # Errors
-    /// It is no finite number.
+    /// It is not a finite number.
     pub fn number(&self, code: i32, otherwise: f64) -> Result<f64, Error> {
         self.pairs.iter().find(|pair| pair.code == code).map_or(Ok(otherwise), Pair::number)
     }
 
-    /// The point whose x has this code: y has ten more.
+    /// Returns the point with the x coordinate of this code. The code of y is greater by ten.
     ///
     /// # Errors
-    /// A coordinate is no finite number.
+    /// A coordinate is not a finite number.
     pub fn point(&self, code: i32) -> Result<DVec2, Error> {
         Ok(DVec2::new(self.number(code, 0.0)?, self.number(code + 10, 0.0)?))
     }
 
-    /// All numbers with a code.
+    /// Returns all numbers with a code.
     ///
     /// # Errors
-    /// One is no finite number.
+    /// A number is not finite.
     pub fn numbers(&self, code: i32) -> Result<Vec<f64>, Error> {
         self.pairs.iter().filter(|pair| pair.code == code).map(Pair::number).collect()
     }
 
-    /// All points whose x has this code.
+    /// Returns all points with the x coordinate of this code.
     ///
     /// # Errors
-    /// A coordinate is no finite number.
+    /// A coordinate is not a finite number.
     pub fn points(&self, code: i32) -> Result<Vec<DVec2>, Error> {
         let mut points: Vec<DVec2> = vec![];
         for pair in self.pairs {
@@ -142,10 +142,10 @@ impl<'t> Entity<'_, 't> {
         Ok(points)
     }
 
-    /// The corners of a light polyline, with how much the line after each bulges.
+    /// Returns the corners of a light polyline, each with the bulge of the line after it.
     ///
     /// # Errors
-    /// One is no finite number.
+    /// A number is not finite.
     pub fn corners(&self) -> Result<Vec<(DVec2, f64)>, Error> {
         let mut corners: Vec<(DVec2, f64)> = vec![];
         for pair in self.pairs {
@@ -159,17 +159,17 @@ impl<'t> Entity<'_, 't> {
         Ok(corners)
     }
 
-    /// Where bits are set.
+    /// Returns the flags with a code; 0 if there are none.
     pub fn flags(&self, code: i32) -> i64 {
         self.text(code).and_then(|text| text.parse().ok()).unwrap_or_default()
     }
 }
 
 impl Pair<'_> {
-    /// The value as a number.
+    /// Returns the value as a number.
     ///
     /// # Errors
-    /// It is no finite number.
+    /// It is not a finite number.
     pub fn number(&self) -> Result<f64, Error> {
         self.value.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| {
             let shown = short(self.value);

@@ -1,7 +1,7 @@
-//! The entities of a drawing as shapes.
+//! Converts the entities of a drawing to shapes.
 
 use super::super::curve::{TOLERANCE, arc, bulged};
-use super::super::drawing::{Drawing, Form, Place};
+use super::super::drawing::{Drawing, FilePosition, PlanShape};
 use super::{Entity, Pairs, hatch, spline};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
@@ -10,30 +10,30 @@ use glam::{DAffine2, DMat2};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Blocks may insert each other this deep.
+/// Maximum nesting depth of inserted blocks.
 const DEEPEST: usize = 16;
-/// The most entities that inserted blocks may come to.
+/// Maximum number of entities of inserted blocks.
 const MOST: usize = 500_000;
 
-/// Kinds whose coordinates are the drawing's, from wherever they are seen.
+/// Kinds with world coordinates, whatever their extrusion direction.
 const IN_SPACE: [&str; 6] = ["LINE", "POINT", "3DFACE", "ELLIPSE", "SPLINE", "MTEXT"];
 
-/// What reads the entities of a drawing.
+/// Reads the entities of a drawing.
 pub(super) struct Shapes<'p, 't> {
     entities: Vec<Entity<'p, 't>>,
-    blocks: BTreeMap<&'t str, Block<'p, 't>>,
+    blocks: BTreeMap<&'t str, DxfBlock<'p, 't>>,
     tolerance: f64,
-    /// How many entities inserted blocks have come to.
+    /// The number of entities of inserted blocks so far.
     inserted: usize,
 }
 
-/// A block: where it is held by, and what is in it.
-struct Block<'p, 't> {
+/// A block: its base point and its entities.
+struct DxfBlock<'p, 't> {
     base: DVec2,
     entities: Vec<Entity<'p, 't>>,
 }
 
-/// Where entities are drawn: the layer that stands for `0`, how they are moved, how deep in blocks.
+/// The context of entities: the layer that replaces `0`, their transform, the nesting depth.
 #[derive(Clone, Copy)]
 struct Frame<'t> {
     layer: Option<&'t str>,
@@ -42,15 +42,15 @@ struct Frame<'t> {
 }
 
 impl<'p, 't> Shapes<'p, 't> {
-    /// With the length of the drawing's unit, metres.
+    /// Makes a reader; `unit` is the length of the drawing's unit, metres.
     pub fn new(pairs: &'p Pairs<'t>, unit: f64) -> Self {
         let mut blocks = BTreeMap::new();
-        let mut open: Option<(&str, Block)> = None;
+        let mut open: Option<(&str, DxfBlock)> = None;
         for entity in pairs.entities("BLOCKS") {
             match (entity.kind, &mut open) {
                 ("BLOCK", _) => {
                     let base = entity.point(10).unwrap_or_default();
-                    open = entity.text(2).map(|name| (name, Block { base, entities: vec![] }));
+                    open = entity.text(2).map(|name| (name, DxfBlock { base, entities: vec![] }));
                 }
                 ("ENDBLK", _) => blocks.extend(open.take()),
                 (_, Some((_, block))) => block.entities.push(entity),
@@ -70,7 +70,7 @@ impl<'p, 't> Shapes<'p, 't> {
         let mut k = 0;
         while let Some(entity) = entities.get(k) {
             k += 1;
-            // what follows a polyline are its vertices, up to the end of their sequence
+            // a polyline is followed by its vertices, up to the end of their sequence
             let parts = &entities[k..];
             let vertices = if entity.kind == "POLYLINE" {
                 parts.iter().take_while(|part| part.kind == "VERTEX").count()
@@ -90,21 +90,21 @@ impl<'p, 't> Shapes<'p, 't> {
         frame: Frame<'t>,
         drawing: &mut Drawing,
     ) -> Result<(), Error> {
-        // on paper, not in the model; or not shown
+        // in paper space, or invisible
         if entity.flags(67) == 1 || entity.flags(60) == 1 {
             return Ok(());
         }
         let layer = entity.text(8).unwrap_or("0");
         let layer = if layer == "0" { frame.layer.unwrap_or(layer) } else { layer };
-        // coordinates of what is drawn from below are mirrored
+        // coordinates of entities with an extrusion direction downwards are mirrored
         let below = !IN_SPACE.contains(&entity.kind) && entity.number(230, 1.0)? < 0.0;
         let to = if below { frame.to * DAffine2::from_scale(DVec2::new(-1.0, 1.0)) } else { frame.to };
         let here = Frame { to, layer: Some(layer), ..frame };
         let tolerance = self.tolerance / to.matrix2.x_axis.length().max(to.matrix2.y_axis.length()).max(1e-9);
         let mut forms = match entity.kind {
-            "LINE" => vec![Form::Line(vec![entity.point(10)?, entity.point(11)?])],
+            "LINE" => vec![PlanShape::Line(vec![entity.point(10)?, entity.point(11)?])],
             "LWPOLYLINE" => vec![polyline(&entity.corners()?, entity.flags(70) & 1 == 1, tolerance)],
-            // meshes are no outlines
+            // meshes are not outlines
             "POLYLINE" if entity.flags(70) & (16 | 64) == 0 => {
                 let mut corners = vec![];
                 for vertex in vertices {
@@ -112,11 +112,11 @@ impl<'p, 't> Shapes<'p, 't> {
                 }
                 vec![polyline(&corners, entity.flags(70) & 1 == 1, tolerance)]
             }
-            "CIRCLE" if conformal(to) => vec![Form::Disc(entity.point(10)?, entity.number(40, 0.0)?.max(0.0))],
+            "CIRCLE" if conformal(to) => vec![PlanShape::Disc(entity.point(10)?, entity.number(40, 0.0)?.max(0.0))],
             "CIRCLE" | "ARC" | "ELLIPSE" => vec![curve(entity, tolerance)?],
             "SPLINE" => {
                 let points = spline::lines(entity, 71, 41, tolerance)?;
-                vec![Form::of_line(points, entity.flags(70) & 1 == 1)]
+                vec![PlanShape::of_line(points, entity.flags(70) & 1 == 1)]
             }
             "HATCH" => hatch::forms(entity, tolerance)?,
             "SOLID" | "TRACE" | "3DFACE" => {
@@ -124,9 +124,9 @@ impl<'p, 't> Shapes<'p, 't> {
                 if entity.kind == "3DFACE" {
                     corners.swap(2, 3);
                 }
-                vec![Form::Area(corners, vec![])]
+                vec![PlanShape::Area(corners, vec![])]
             }
-            "POINT" => vec![Form::Point(entity.point(10)?)],
+            "POINT" => vec![PlanShape::Point(entity.point(10)?)],
             "INSERT" => return self.insert(entity, here, drawing),
             "TEXT" | "MTEXT" => {
                 let said = entity.pairs.iter().filter(|pair| matches!(pair.code, 1 | 3)).map(|pair| pair.value);
@@ -143,11 +143,11 @@ impl<'p, 't> Shapes<'p, 't> {
         for form in &mut forms {
             form.each(|p| to.transform_point2(p));
         }
-        forms.into_iter().for_each(|form| drawing.add(layer, form, Place::Line(entity.line)));
+        forms.into_iter().for_each(|form| drawing.add(layer, form, FilePosition::Line(entity.line)));
         Ok(())
     }
 
-    /// What is in a block, where it is inserted, in rows and columns.
+    /// Adds the entities of a block where it is inserted, in rows and columns.
     fn insert(&mut self, entity: &Entity<'p, 't>, frame: Frame<'t>, drawing: &mut Drawing) -> Result<(), Error> {
         let wrong = |message: String| {
             let mut error = Error::new(Kind::Geometry, message);
@@ -182,12 +182,12 @@ impl<'p, 't> Shapes<'p, 't> {
     }
 }
 
-/// A circle, or a part of one, or of an ellipse.
-fn curve(entity: &Entity, tolerance: f64) -> Result<Form, Error> {
+/// Returns a circle, an arc, or an ellipse.
+fn curve(entity: &Entity, tolerance: f64) -> Result<PlanShape, Error> {
     let center = entity.point(10)?;
     let (axes, from, to) = if entity.kind == "ELLIPSE" {
         let a = entity.point(11)?;
-        // seen from below it goes the other way round
+        // with an extrusion direction downwards the ellipse runs the other way round
         let below = if entity.number(230, 1.0)? < 0.0 { -1.0 } else { 1.0 };
         ([a, a.perp() * below * entity.number(40, 1.0)?], entity.number(41, 0.0)?, entity.number(42, TAU)?)
     } else {
@@ -195,18 +195,18 @@ fn curve(entity: &Entity, tolerance: f64) -> Result<Form, Error> {
         let (from, to) = (entity.number(50, 0.0)?.to_radians(), entity.number(51, 360.0)?.to_radians());
         ([DVec2::X * radius, DVec2::Y * radius], from, to)
     };
-    // counter-clockwise, once round at most
+    // counter-clockwise, at most one turn
     let turn = (to - from).rem_euclid(TAU);
     let turn = if turn < 1e-9 { TAU } else { turn };
-    Ok(Form::of_line(arc(center, axes, [from, from + turn], tolerance), false))
+    Ok(PlanShape::of_line(arc(center, axes, [from, from + turn], tolerance), false))
 }
 
-/// Whether circles stay circles.
+/// Whether a transform keeps circles round.
 fn conformal(to: DAffine2) -> bool {
     let (x, y) = (to.matrix2.x_axis, to.matrix2.y_axis);
     (x.length() - y.length()).abs() <= 1e-9 * x.length() && x.dot(y).abs() <= 1e-9 * x.length_squared()
 }
 
-fn polyline(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> Form {
-    Form::of_line(bulged(corners, closed, tolerance), closed)
+fn polyline(corners: &[(DVec2, f64)], closed: bool, tolerance: f64) -> PlanShape {
+    PlanShape::of_line(bulged(corners, closed, tolerance), closed)
 }

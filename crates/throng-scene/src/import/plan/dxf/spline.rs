@@ -1,30 +1,31 @@
-//! B-splines, rational or not, as lines.
+//! B-splines, rational or not, approximated by lines.
 
 use super::super::curve::cubic;
 use super::pairs::Entity;
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, DVec3, distance_to_segment};
 
-/// The highest degree.
+/// The greatest degree.
 const STEEPEST: f64 = 25.0;
-/// The most lines of a spline of few spans; each span of one with more has at least so many as [`LEAST`] halvings make.
+/// Maximum number of lines of a spline with few spans. With more spans, each piece has at most 2^[`LEAST`] lines.
 const MOST: usize = 1024;
-/// So often a piece can always be halved.
+/// The number of times that a piece can always be halved.
 const LEAST: u32 = 4;
 
 /// A B-spline.
 struct Spline {
     degree: usize,
-    /// Not decreasing: as many as points, the degree and one more.
+    /// Not decreasing. Their number is that of the points, plus the degree, plus one.
     knots: Vec<f64>,
-    /// Control points times their weights, and those.
+    /// Control points times their weights, and the weights.
     points: Vec<DVec3>,
 }
 
-/// A spline of a drawing as lines, by the codes of its degree and its weights: through its fit points where it has no others.
+/// Returns the lines of a spline. `degree` and `weights` are the codes of its degree and its weights. A spline without
+/// control points passes through its fit points.
 ///
 /// # Errors
-/// With the line: it has too few points, or knots or weights that do not go with them.
+/// It has too few points, or knots or weights that do not match them. The error has the line.
 pub(super) fn lines(entity: &Entity, degree: i32, weights: i32, tolerance: f64) -> Result<Vec<DVec2>, Error> {
     let (points, fit) = (entity.points(10)?, entity.points(11)?);
     if points.is_empty() && fit.len() > 1 {
@@ -61,7 +62,7 @@ pub(super) fn lines(entity: &Entity, degree: i32, weights: i32, tolerance: f64) 
 }
 
 impl Spline {
-    /// From end to end.
+    /// Returns the lines from end to end.
     fn lines(&self, tolerance: f64) -> Vec<DVec2> {
         let spans = (self.degree..self.points.len()).filter(|k| self.knots[*k] < self.knots[k + 1]);
         let spans: Vec<usize> = spans.collect();
@@ -82,7 +83,7 @@ impl Spline {
         out
     }
 
-    /// The point at a parameter within a span of knots: de Boor's algorithm.
+    /// Returns the point at a parameter within a span of knots: de Boor's algorithm.
     fn at(&self, span: usize, t: f64) -> DVec2 {
         let degree = self.degree;
         let mut d: Vec<DVec3> = self.points[span - degree..=span].to_vec();
@@ -97,7 +98,7 @@ impl Spline {
     }
 }
 
-/// A piece of a curve as lines, without its first point: halved until it leaves them by no more than the tolerance.
+/// Adds a piece of a curve as lines, without its first point: halves it until the lines are within the tolerance.
 fn halved(at: &impl Fn(f64) -> DVec2, ends: [f64; 2], tolerance: f64, halvings: u32, out: &mut Vec<DVec2>) {
     let [from, to] = ends;
     let (start, end) = (at(from), at(to));
@@ -111,8 +112,9 @@ fn halved(at: &impl Fn(f64) -> DVec2, ends: [f64; 2], tolerance: f64, halvings: 
     halved(at, [middle, to], tolerance, halvings - 1, out);
 }
 
-/// A curve through points: centripetal Catmull-Rom (C. Yuksel, S. Schaefer, J. Keyser, *Parameterization and applications of
-/// Catmull-Rom curves*, Computer-Aided Design 43, 2011), which has no cusps or loops between two of them. Closed if it ends where it begins.
+/// Returns a curve through points: centripetal Catmull-Rom (C. Yuksel, S. Schaefer, J. Keyser, *Parameterization and
+/// applications of Catmull-Rom curves*, Computer-Aided Design 43, 2011), which has no cusps or loops between two
+/// points. It is closed if it ends where it begins.
 fn through(fit: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let mut fit = fit.to_vec();
     fit.dedup();
@@ -127,7 +129,7 @@ fn through(fit: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let mut out = vec![fit[0]];
     for four in all.windows(4) {
         let [a, b, c, d] = [four[0], four[1], four[2], four[3]];
-        // roots of the distances
+        // square roots of the distances
         let [s, t, u] = [a.distance(b), b.distance(c), c.distance(d)].map(f64::sqrt);
         let leaving = (b - a) / s - (c - a) / (s + t) + (c - b) / t;
         let coming = (c - b) / t - (d - b) / (t + u) + (d - c) / u;
@@ -145,7 +147,7 @@ mod tests {
         Spline { degree, knots: knots.to_vec(), points }
     }
 
-    /// A circle of radius 5 as nine points of degree 2: exact.
+    /// Returns a circle of radius 5 as nine points of degree 2: exact.
     fn circle() -> Spline {
         let root = std::f64::consts::FRAC_1_SQRT_2;
         let rim = [(5, 0), (5, 5), (0, 5), (-5, 5), (-5, 0), (-5, -5), (0, -5), (5, -5), (5, 0)];
@@ -170,7 +172,7 @@ mod tests {
 
     #[test]
     fn points_are_those_of_the_basis_functions() {
-        // Cox and de Boor's recursion, as it is written down
+        // the recursion of Cox and de Boor, written out
         fn basis(i: usize, p: usize, t: f64, knots: &[f64]) -> f64 {
             if p == 0 {
                 return f64::from(u8::from(knots[i] <= t && t < knots[i + 1]));
@@ -206,7 +208,7 @@ mod tests {
         fit.push(fit[0]);
         let lines = through(&fit, 1e-3);
         assert!(fit.iter().all(|p| lines.contains(p)));
-        // twelve points on a circle: nearly one
+        // twelve points on a circle: the curve is nearly a circle
         assert!(lines.iter().all(|p| (p.length() - 5.0).abs() < 0.02), "{lines:?}");
         assert_eq!(through(&[DVec2::ZERO, DVec2::X], 0.1), [DVec2::ZERO, DVec2::X]);
     }

@@ -1,4 +1,4 @@
-//! The tree of elements: layers, transforms, what is shown.
+//! The tree of elements: layers, transforms, visibility.
 
 use super::super::curve::TOLERANCE;
 use super::super::drawing::Drawing;
@@ -7,7 +7,7 @@ use super::super::overlay::{FARTHEST, THIN};
 use super::stroke::painted;
 use super::style::{Look, Styles};
 use super::viewport::fitted;
-use super::{Place, outline};
+use super::{FilePosition, outline};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use crate::import::short;
@@ -17,18 +17,18 @@ use std::collections::BTreeMap;
 use std::str::FromStr;
 use svgtypes::{AspectRatio, ViewBox};
 
-/// The name space of Inkscape's labels.
+/// The namespace of Inkscape's labels.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
 
-/// Copies may stand in copies this deep.
+/// Maximum nesting depth of copies.
 const DEEPEST: usize = 8;
-/// The most names of what an element is in that are looked at.
+/// Maximum number of enclosing names that are searched for a role.
 const NAMES: usize = 48;
-/// The most elements that copies may come to.
+/// Maximum number of elements of copies.
 const MOST: usize = 500_000;
 
-/// What reads the elements of a document.
+/// Reads the elements of a document.
 pub(super) struct Elements<'t> {
     text: &'t str,
     styles: Styles<'t>,
@@ -38,19 +38,19 @@ pub(super) struct Elements<'t> {
     unit: f64,
 }
 
-/// An element still to read.
+/// An element that is still to be read.
 pub(super) struct Todo<'t> {
     pub node: Node<'t, 't>,
-    /// How it is drawn; before it is read, what it is in.
+    /// Its properties; before it is read, those of its parent.
     pub look: Look<'t>,
-    /// The size of the picture it is in.
+    /// The size of the viewport that contains it.
     pub view: DVec2,
     to: DAffine2,
-    /// The names of what it is in, the outermost first.
+    /// The names of the enclosing elements, the outermost first.
     layers: Vec<&'t str>,
-    /// How many copies it stands in.
+    /// The number of copies that contain it.
     copies: usize,
-    /// The copy that it is of, which may say how large it is.
+    /// The `<use>` element that it is a copy of, which may define its size.
     copy: Option<Node<'t, 't>>,
 }
 
@@ -61,12 +61,12 @@ impl<'t> Elements<'t> {
         Self { text, styles: Styles::of(document), root, ids, unit }
     }
 
-    /// The upper left corner and the size of the picture, 0 where it does not say.
+    /// Returns the upper left corner and the size of the picture; 0 for a side that is not given.
     pub fn view(&self) -> Result<[DVec2; 2], Error> {
         if let Some(view) = self.view_box(self.root)? {
             return Ok([DVec2::new(view.x, view.y), DVec2::new(view.w, view.h)]);
         }
-        // all of what is round the picture, as a page has it, is not known
+        // the page around the picture, which percentages refer to, is unknown
         let side = |name: &str| match self.root.attribute(name) {
             Some(said) if said.trim().ends_with('%') => Ok(0.0),
             _ => self.length(self.root, name, DVec2::ZERO).map(Option::unwrap_or_default),
@@ -81,7 +81,7 @@ impl<'t> Elements<'t> {
         Ok(Some(view).filter(|view| [view.x, view.y, view.w, view.h].iter().all(|x| x.is_finite())))
     }
 
-    /// Adds the shapes of the document, as they lie in the picture.
+    /// Adds the shapes of the document, in the coordinates of the picture.
     pub fn read(&self, drawing: &mut Drawing) -> Result<(), Error> {
         let [_, view] = self.view()?;
         let look = self.styles.look(self.root, None);
@@ -133,7 +133,7 @@ impl<'t> Elements<'t> {
         Ok(())
     }
 
-    /// Into a picture in the picture.
+    /// Enters a nested viewport.
     fn enter(&self, item: &mut Todo) -> Result<(), Error> {
         let node = item.node;
         let length = |of: Node, name: &str| self.length(of, name, item.view);
@@ -170,11 +170,11 @@ impl<'t> Elements<'t> {
             }
             return Ok(());
         };
-        // the innermost name that says what it is, else the innermost
+        // the innermost name with a known role, or else the innermost name
         let layer = item.layers.iter().rev().find(|name| role(name).is_some()).or(item.layers.last());
         let layer = layer.copied().unwrap_or_default();
         if look.is("fill", "none") && look.is("stroke", "none") {
-            drawing.notes.about(&format!("layer `{layer}`"), "what has neither fill nor stroke is not seen: left out");
+            drawing.notes.about(&format!("layer `{layer}`"), "shapes without fill and stroke are invisible: left out");
             return Ok(());
         }
         let pen =
@@ -191,7 +191,7 @@ impl<'t> Elements<'t> {
         let line = self.text[..node.range().start].matches('\n').count() + 1;
         for mut form in forms {
             form.each(|p| to.transform_point2(p));
-            drawing.add(layer, form, Place::Line(line));
+            drawing.add(layer, form, FilePosition::Line(line));
         }
         Ok(())
     }
@@ -206,7 +206,7 @@ impl<'t> Elements<'t> {
         ))
     }
 
-    /// A length in pixels, where it is said, in a picture of a size.
+    /// Returns a length in pixels, if it is given, in a viewport of a size.
     pub fn length(&self, node: Node, name: &str, view: DVec2) -> Result<Option<f64>, Error> {
         node.attribute(name).map(|said| self.pixels(node, name, said, view)).transpose()
     }
@@ -230,7 +230,7 @@ impl<'t> Elements<'t> {
             Unit::Pc => 16.0,
             Unit::Percent if whole > 0.0 => whole / 100.0,
             Unit::Percent => {
-                let message = format!("`{name}` is `{}` of a picture whose size nobody says", short(said));
+                let message = format!("`{name}` is `{}` of a picture without a size", short(said));
                 return Err(self.wrong(node, message).hint("give the picture a viewBox"));
             }
             Unit::Em | Unit::Ex => {
@@ -242,7 +242,7 @@ impl<'t> Elements<'t> {
         Ok(length.number * pixels)
     }
 
-    /// An error about an element, with its place.
+    /// Returns an error about an element, with its position.
     pub fn wrong(&self, node: Node, message: String) -> Error {
         let start = node.range().start;
         let tag = node.tag_name().name();
@@ -250,14 +250,14 @@ impl<'t> Elements<'t> {
     }
 }
 
-/// What an element is called: its label, or else its id, and its class.
+/// Returns the names of an element: its class, and its label or else its id.
 fn names<'t>(node: Node<'t, 't>) -> impl Iterator<Item = &'t str> {
     let label = node.attribute((INKSCAPE, "label")).or_else(|| node.attribute("data-name"));
-    // the first of them is looked at last
+    // the first has the lowest precedence
     [node.attribute("class"), node.attribute("id"), label].into_iter().flatten()
 }
 
-/// Whether an element is not shown where it stands.
+/// Whether an element is not drawn where it is defined.
 fn is_for_reference(node: Node) -> bool {
     let name = node.tag_name().name();
     matches!(

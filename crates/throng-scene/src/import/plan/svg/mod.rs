@@ -1,4 +1,5 @@
-//! SVG, vector graphics: rectangles, circles, ellipses, lines, polygons and paths, by the labels and ids of what they are in.
+//! SVG, vector graphics: rectangles, circles, ellipses, lines, polygons and paths, by the labels and ids of the
+//! enclosing elements.
 
 mod elements;
 mod outline;
@@ -6,22 +7,22 @@ mod stroke;
 mod style;
 mod viewport;
 
-use super::drawing::{Drawing, Place};
+use super::drawing::{Drawing, FilePosition};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use elements::Elements;
 use roxmltree::{Document, ParsingOptions};
 
-/// The length of a pixel, or of a unit of the view box, where nobody says it, metres.
+/// The default length of a pixel, or of a unit of the view box, metres.
 const PIXEL: f64 = 0.01;
 
-/// The most elements and texts of a file.
+/// The maximum number of elements and texts of a file.
 const MOST: u32 = 1_000_000;
 
-/// Reads the shapes of an SVG text. What is at the bottom of the picture is at y = 0.
+/// Reads the shapes of an SVG text. The bottom of the picture is at y = 0.
 ///
 /// # Errors
-/// With line and column: it is no XML, no SVG, or a number, a path or a transform is wrong.
+/// The text is not XML or not SVG, or a number, a path or a transform is wrong. The error has line and column.
 pub(super) fn read(text: &str, unit: Option<f64>) -> Result<Drawing, Error> {
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| super::super::no_xml(text, &error))?;

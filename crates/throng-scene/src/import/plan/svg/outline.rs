@@ -1,7 +1,7 @@
 //! The outlines of elements.
 
 use super::super::curve::{arc, cubic};
-use super::super::drawing::Form;
+use super::super::drawing::PlanShape;
 use super::super::overlay::{FARTHEST, enclosed};
 use super::elements::{Elements, Todo};
 use crate::error::Error;
@@ -10,37 +10,40 @@ use crate::import::short;
 use std::f64::consts::TAU;
 use svgtypes::{PathParser, PathSegment, PointsParser, SimplePathSegment as Segment, SimplifyingPathParser};
 
-/// The shapes of an element, in its own units; `None` if it draws none.
-pub(super) fn of(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Option<Vec<Form>>, Error> {
+/// Returns the shapes of an element, in its own units; `None` if it draws nothing.
+pub(super) fn of(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Option<Vec<PlanShape>>, Error> {
     let node = item.node;
     let length = |name: &str| elements.length(node, name, item.view).map(Option::unwrap_or_default);
     Ok(Some(match node.tag_name().name() {
         "rect" => {
             let (low, size) = (DVec2::new(length("x")?, length("y")?), DVec2::new(length("width")?, length("height")?));
-            // one of the radii stands for the other
+            // a radius that is not given equals the other
             let round = |name: &str| elements.length(node, name, item.view);
             let (rx, ry) = (round("rx")?, round("ry")?);
             let radii = DVec2::new(rx.or(ry).unwrap_or_default(), ry.or(rx).unwrap_or_default());
-            vec![Form::Area(rounded(low, size, radii, tolerance), vec![])]
+            vec![PlanShape::Area(rounded(low, size, radii, tolerance), vec![])]
         }
         "circle" => vec![ellipse(DVec2::new(length("cx")?, length("cy")?), DVec2::splat(length("r")?), tolerance)],
         "ellipse" => {
             vec![ellipse(DVec2::new(length("cx")?, length("cy")?), DVec2::new(length("rx")?, length("ry")?), tolerance)]
         }
         "line" => {
-            vec![Form::Line(vec![DVec2::new(length("x1")?, length("y1")?), DVec2::new(length("x2")?, length("y2")?)])]
+            vec![PlanShape::Line(vec![
+                DVec2::new(length("x1")?, length("y1")?),
+                DVec2::new(length("x2")?, length("y2")?),
+            ])]
         }
         "polyline" | "polygon" => {
             let said = node.attribute("points").unwrap_or_default();
             let points = PointsParser::from(said).map(DVec2::from).collect();
-            vec![Form::of_line(points, node.tag_name().name() == "polygon")]
+            vec![PlanShape::of_line(points, node.tag_name().name() == "polygon")]
         }
         "path" => path(elements, item, tolerance)?,
         _ => return Ok(None),
     }))
 }
 
-/// A rectangle whose corners are quarters of ellipses.
+/// Returns a rectangle with corners that are quarters of ellipses.
 fn rounded(low: DVec2, size: DVec2, radii: DVec2, tolerance: f64) -> Vec<DVec2> {
     let high = low + size;
     let radii = radii.min(size * 0.5);
@@ -54,23 +57,23 @@ fn rounded(low: DVec2, size: DVec2, radii: DVec2, tolerance: f64) -> Vec<DVec2> 
     middles.into_iter().enumerate().flat_map(quarter).collect()
 }
 
-fn ellipse(center: DVec2, radii: DVec2, tolerance: f64) -> Form {
+fn ellipse(center: DVec2, radii: DVec2, tolerance: f64) -> PlanShape {
     let axes = [DVec2::X * radii.x, DVec2::Y * radii.y];
     if radii.min_element() <= 0.0 {
-        return Form::Line(vec![]);
+        return PlanShape::Line(vec![]);
     }
     let mut outline = arc(center, axes, [0.0, TAU], tolerance);
     outline.pop();
-    Form::Area(outline, vec![])
+    PlanShape::Area(outline, vec![])
 }
 
-/// A path: what is not closed is a line; what is, with the holes in it, an area.
-fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<Form>, Error> {
+/// Returns the shapes of a path: open parts are lines; closed parts are areas, with their holes.
+fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<PlanShape>, Error> {
     let node = item.node;
     let said = node.attribute("d").unwrap_or_default();
     let (mut lines, mut rings) = (vec![], vec![]);
     let mut run: Vec<DVec2> = vec![];
-    // an arc so large would become more curves than there is memory for
+    // a larger arc would become more curves than fit into memory
     if PathParser::from(said).flatten().any(|segment| reach(&segment) > FARTHEST) {
         let message = format!("its path goes farther than {FARTHEST} units, in `{}`", short(said));
         return Err(elements.wrong(node, message));
@@ -99,27 +102,27 @@ fn path(elements: &Elements, item: &Todo, tolerance: f64) -> Result<Vec<Form>, E
     lines.push(run);
     let mut forms = vec![];
     for line in lines.into_iter().filter(|line| line.len() > 1) {
-        match Form::of_line(line, false) {
-            Form::Area(ring, _) => rings.push(ring),
+        match PlanShape::of_line(line, false) {
+            PlanShape::Area(ring, _) => rings.push(ring),
             line => forms.push(line),
         }
     }
     let rings: Vec<Vec<DVec2>> = rings.into_iter().filter(|ring| ring.len() > 2).collect();
     match rings.as_slice() {
         [] => {}
-        [one] if signed_area(one) != 0.0 => forms.push(Form::Area(one.clone(), vec![])),
+        [one] if signed_area(one) != 0.0 => forms.push(PlanShape::Area(one.clone(), vec![])),
         several if several.iter().flatten().all(|p| p.abs().max_element() < FARTHEST) => {
             let areas = enclosed(several, item.look.is("fill-rule", "evenodd"));
             let holes = |area: &crate::scene::Area| area.holes.iter().map(|hole| points(hole)).collect();
-            forms.extend(areas.iter().map(|area| Form::Area(points(&area.outer), holes(area))));
+            forms.extend(areas.iter().map(|area| PlanShape::Area(points(&area.outer), holes(area))));
         }
-        // which is an error of the drawing
-        [first, ..] => forms.push(Form::Area(first.clone(), vec![])),
+        // an error that the drawing's check reports
+        [first, ..] => forms.push(PlanShape::Area(first.clone(), vec![])),
     }
     Ok(forms)
 }
 
-/// The largest of the numbers that say where a part of a path leads to, or how large an arc is.
+/// Returns the largest coordinate of the end of a part of a path, or the largest radius of an arc.
 fn reach(segment: &PathSegment) -> f64 {
     let numbers = match *segment {
         PathSegment::EllipticalArc { rx, ry, x, y, .. } => [rx, ry, x, y],

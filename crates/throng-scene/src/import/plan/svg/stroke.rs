@@ -1,29 +1,29 @@
-//! Walls as thick as they are drawn.
+//! Walls with the width of their strokes.
 
-use super::super::drawing::Form;
+use super::super::drawing::PlanShape;
 use super::super::overlay::{FARTHEST, difference, stroked};
 use super::style::Look;
 use crate::geometry::{DVec2, points};
 use crate::scene::Area;
 use i_overlay::mesh::float::style::{LineCap, LineJoin, StrokeStyle};
 
-/// The miter limit where nothing says it.
+/// The default miter limit.
 const MITER: f64 = 4.0;
 
-/// What is painted of shapes whose lines are so wide: of filled ones all, of others their lines.
-pub(super) fn painted(forms: Vec<Form>, look: &Look, width: f64, tolerance: f64) -> Vec<Form> {
-    let near = |form: &Form| form.points().iter().all(|p| p.abs().max_element() < FARTHEST);
+/// Returns the painted areas of shapes with strokes of a width: fill and stroke of filled shapes, the stroke of others.
+pub(super) fn painted(forms: Vec<PlanShape>, look: &Look, width: f64, tolerance: f64) -> Vec<PlanShape> {
+    let near = |form: &PlanShape| form.points().iter().all(|p| p.abs().max_element() < FARTHEST);
     if !forms.iter().all(near) {
-        // which is an error of the drawing
+        // an error that the drawing's check reports
         return forms;
     }
     let style = style(look, width, tolerance);
-    let form = |area: Area| Form::Area(points(&area.outer), area.holes.iter().map(|hole| points(hole)).collect());
+    let form = |area: Area| PlanShape::Area(points(&area.outer), area.holes.iter().map(|hole| points(hole)).collect());
     forms
         .into_iter()
         .flat_map(|shape| match shape {
-            Form::Line(line) => stroked(&line, false, style.clone()).into_iter().map(form).collect(),
-            Form::Area(outer, holes) => {
+            PlanShape::Line(line) => stroked(&line, false, style.clone()).into_iter().map(form).collect(),
+            PlanShape::Area(outer, holes) => {
                 let plain = |ring: &Vec<DVec2>| ring.iter().map(DVec2::to_array).collect();
                 let mut areas = stroked(&outer, true, style.clone());
                 areas.extend(holes.iter().flat_map(|hole| stroked(hole, true, style.clone())));
@@ -39,7 +39,7 @@ pub(super) fn painted(forms: Vec<Form>, look: &Look, width: f64, tolerance: f64)
 
 fn style(look: &Look, width: f64, tolerance: f64) -> StrokeStyle<[f64; 2]> {
     let limit = look.of("stroke-miterlimit").and_then(|said| said.parse().ok()).filter(|limit: &f64| *limit >= 1.0);
-    // a chord of this angle leaves the circle by the tolerance
+    // a chord over this angle deviates from the circle by the tolerance
     let step = 2.0 * libm::acos((1.0 - 2.0 * tolerance / width).clamp(-1.0, 1.0));
     let cap = || match look.of("stroke-linecap") {
         Some("round") => LineCap::Round(step),

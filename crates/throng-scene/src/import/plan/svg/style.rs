@@ -1,9 +1,9 @@
-//! How elements are drawn: presentation attributes, style sheets, `style`, and what is passed on to what is in them.
+//! The style of elements: presentation attributes, style sheets, `style`, and inheritance.
 
 use roxmltree::{Document, Node};
 use simplecss::{AttributeOperator, Declaration, DeclarationTokenizer, PseudoClass, StyleSheet};
 
-/// The properties that matter.
+/// The properties that are used.
 const NAMES: [&str; 9] = [
     "display",
     "visibility",
@@ -16,15 +16,15 @@ const NAMES: [&str; 9] = [
     "stroke-miterlimit",
 ];
 
-/// How an element is drawn.
+/// The style of an element.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look<'t> {
-    /// The values of the properties, as far as something says them.
+    /// The values of the properties; `None` for those that are not set.
     said: [Option<&'t str>; NAMES.len()],
 }
 
 impl<'t> Look<'t> {
-    /// The value of a property.
+    /// Returns the value of a property.
     pub fn of(&self, name: &str) -> Option<&'t str> {
         NAMES.iter().position(|known| *known == name).and_then(|i| self.said[i])
     }
@@ -52,11 +52,11 @@ impl<'t> Styles<'t> {
         Self { sheet }
     }
 
-    /// How an element is drawn that is in one that is drawn so.
+    /// Returns the style of an element with the style of its parent.
     pub fn look(&self, node: Node<'t, 't>, within: Option<Look<'t>>) -> Look<'t> {
         let mut said = [None; NAMES.len()];
         let mut ranks = [0; NAMES.len()];
-        // the later of two of the same rank holds: rules are sorted by how much they ask of an element
+        // of two declarations of the same rank the later applies: rules are sorted by specificity
         let mut say = |name: &str, value: &'t str, rank: u8| {
             if let Some(i) = NAMES.iter().position(|known| *known == name).filter(|i| ranks[*i] <= rank) {
                 (said[i], ranks[i]) = (Some(value.trim()), rank);
@@ -83,12 +83,12 @@ impl<'t> Styles<'t> {
     }
 }
 
-/// The text of an attribute, which lives as long as the document.
+/// Returns the text of an attribute, with the lifetime of the document.
 fn attribute_text<'t>(node: Node<'t, 't>, name: &str) -> &'t str {
     node.attribute(name).unwrap_or_default()
 }
 
-/// An element that selectors are matched with.
+/// An element for matching selectors.
 struct Element<'t>(Node<'t, 't>);
 
 impl simplecss::Element for Element<'_> {

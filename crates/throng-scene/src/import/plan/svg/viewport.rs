@@ -1,10 +1,10 @@
-//! Pictures in pictures: where a view box lies in the room that it has.
+//! Nested viewports: the position of a view box in its viewport.
 
 use crate::geometry::DVec2;
 use glam::DAffine2;
 use svgtypes::{Align, AspectRatio, ViewBox};
 
-/// From a view box to a room of a size at the origin.
+/// Returns the transform from a view box to a viewport of a size at the origin.
 pub(super) fn fitted(view: &ViewBox, room: DVec2, ratio: AspectRatio) -> DAffine2 {
     let size = DVec2::new(view.w, view.h);
     let scale = room / size;

@@ -1,14 +1,14 @@
-// Points of the world, relative to its origin, to clip coordinates.
+// From points relative to the world's origin to clip coordinates.
 uniform mat4 clip;
 // Size of the picture, pixels.
 uniform vec2 size;
-// Pixels of a point of the screen.
+// Pixels per point of the screen.
 uniform float unit;
-// Pixels of a metre that is a metre away; from straight above, of any metre.
+// Pixels per metre at a distance of one metre. In a plan, pixels per metre.
 uniform float focal;
-// What is nearer to the eye than this is not seen, metres; from straight above 0.
+// Distance of the near plane, metres. 0 in a plan.
 uniform float near;
-// How far the clock is from the state before to the state now.
+// Interpolation weight between the previous and the current state.
 uniform float share;
 
 vec2 corner() {

@@ -15,11 +15,11 @@ void main() {
     float cover = clamp((shape.z - away) / fine + 0.5, 0.0, 1.0);
     if (soft > 0.0) cover = 1.0 - smoothstep(shape.z - soft, shape.z, away);
     if (shape.w > 0.0) {
-        // the notch runs from 0.36 to 0.82 radii of the disc that fills the front end
-        float girth = shape.z + min(shape.x, shape.y);
+        // the notch extends from 0.36 to 0.82 radii of the disc inscribed at the front end
+        float clearance = shape.z + min(shape.x, shape.y);
         vec2 front = place - vec2(shape.x - min(shape.x, shape.y), 0.0);
-        float far = distance(front, vec2(clamp(front.x, 0.36 * girth, 0.82 * girth), 0.0));
-        float half_width = max(0.14 * girth, 0.6 * fine);
+        float far = distance(front, vec2(clamp(front.x, 0.36 * clearance, 0.82 * clearance), 0.0));
+        float half_width = max(0.14 * clearance, 0.6 * fine);
         color.rgb = mix(color.rgb, notch.rgb, clamp((half_width - far) / fine + 0.5, 0.0, 1.0) * notch.a * shape.w);
     }
     float alpha = color.a * cover;

@@ -1,4 +1,4 @@
-// A body that lies level: everything within a radius of a rectangle; of a point, a disc. With a rim and a notch.
+// A horizontal body: all points within a radius of a rectangle, or of a point for a disc. It has a rim and a notch.
 in vec4 before;
 in vec4 now;
 in vec4 body;
@@ -23,35 +23,35 @@ void main() {
     float depth = (clip * vec4(at, 1.0)).w;
     float scale = focal / max(depth, 1e-3);
     float radius = max(body.x, look.y * unit / scale);
-    float girth = radius + min(body.y, body.z);
+    float clearance = radius + min(body.y, body.z);
     inner = fill;
     outer = rim;
     edge = look.x * unit / scale;
     if (look.x < 0.0) {
-        edge = clamp(-look.x * girth, 0.6 / scale, 3.0 * unit / scale);
-        // the edge of a small disc would take its colour away
-        outer = mix(fill, rim, clamp(0.4 * (girth * scale / unit - 1.2), 0.0, 1.0));
+        edge = clamp(-look.x * clearance, 0.6 / scale, 3.0 * unit / scale);
+        // the rim of a small disc would hide its fill colour
+        outer = mix(fill, rim, clamp(0.4 * (clearance * scale / unit - 1.2), 0.0, 1.0));
     }
-    // some are there for their shadows only
+    // items that draw only their shadow
     if (!shadows && look.w > 0.5) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
     soft = 0.0;
     if (shadows) {
-        // what lies on the ground has none
+        // a body on the ground has no shadow
         if (at.z <= 0.0 && look.w < 0.5) {
             gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
             return;
         }
-        // the higher, the wider and the fainter: as much of the light is missing
+        // a shadow spreads and fades with altitude such that the blocked light stays constant
         soft = 0.6 * radius + 0.06 * at.z;
         float spread = radius / (radius + 0.03 * at.z);
         inner = outer = vec4(shade.rgb, shade.a * fill.a * spread);
         radius += 0.5 * soft;
         at = vec3(at.xy + vec2(0.12, -0.12) * at.z, 0.0);
     }
-    shape = vec4(body.yz, radius, shadows || girth * scale < 3.5 * unit ? 0.0 : look.z);
+    shape = vec4(body.yz, radius, shadows || clearance * scale < 3.5 * unit ? 0.0 : look.z);
     vec2 margin = vec2(1.5 / scale);
     place = corner() * (body.yz + radius + margin);
     vec2 along = vec2(cos(heading), sin(heading));

@@ -1,4 +1,4 @@
-// A shape that faces a direction, with parts that move.
+// A shape with a forward direction and moving parts.
 in vec3 corner_at;
 in vec3 normal;
 in vec3 joint;

@@ -1,4 +1,4 @@
-// A picture that lies level.
+// A horizontal picture.
 in vec3 from;
 in vec3 to;
 out vec2 place;

@@ -1,4 +1,4 @@
-// A line from one point to another, as wide on the screen everywhere, with round ends.
+// A line between two points with round ends and constant width on the screen.
 in vec3 from;
 in vec3 to;
 in vec4 color;
@@ -20,7 +20,7 @@ void main() {
     vec2 end = b.xy / b.w * size * 0.5;
     float way = distance(begin, end);
     vec2 along = way > 1e-4 ? (end - begin) / way : vec2(1.0, 0.0);
-    // what is thinner than a pixel is paler instead
+    // a line thinner than a pixel becomes more transparent instead
     float width = max(stroke.x * unit, 1.0);
     paint = vec4(color.rgb, color.a * min(stroke.x * unit, 1.0));
     float reach = 0.5 * width + 1.0;

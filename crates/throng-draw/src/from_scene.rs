@@ -1,0 +1,60 @@
+//! The style of pictures from a scene.
+
+use crate::{AgentShape, Color, Projection, Style, Viewpoint, WorldBox};
+use glam::DVec2;
+use throng_scene::{Camera, Colour, Scene};
+
+impl Style {
+    /// Returns the style from the scene's `[view]` and its groups, with defaults for the rest.
+    pub fn said(scene: &Scene) -> Self {
+        let (view, default) = (&scene.view, Self::default());
+        let mut theme = default.theme.clone();
+        for (place, said) in [
+            (&mut theme.outside, view.background),
+            (&mut theme.ground, view.ground),
+            (&mut theme.obstacle, view.obstacles),
+        ] {
+            *place = said.map_or(*place, color);
+        }
+        let corners = view.min.zip(view.max).map(|(a, b)| (DVec2::from(a), DVec2::from(b)));
+        Self {
+            view: corners.map(|(a, b)| WorldBox { min: a.min(b), max: a.max(b) }),
+            projection: match view.projection {
+                Some(throng_scene::Projection::Plan) => Some(Projection::Plan),
+                Some(throng_scene::Projection::Perspective) => Some(Projection::Perspective),
+                None => view.camera.map(|_| Projection::Perspective),
+            },
+            viewpoint: viewpoint(view.camera.unwrap_or_default()),
+            trails: view.trails.map_or(default.trails, |seconds| seconds as f32),
+            groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
+            forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
+            lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
+            goals: view.goals.unwrap_or(default.goals),
+            theme,
+            ..default
+        }
+    }
+}
+
+fn color(Colour([r, g, b]): Colour) -> Color {
+    Color::rgb(u32::from_be_bytes([0, r, g, b]))
+}
+
+/// Returns the form of a group.
+fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
+    match said {
+        Some(throng_scene::AgentShape::Insect) => AgentShape::Insect,
+        Some(throng_scene::AgentShape::Body) | None => AgentShape::Body,
+    }
+}
+
+fn viewpoint(camera: Camera) -> Viewpoint {
+    let standard = Viewpoint::default();
+    Viewpoint {
+        eye: camera.eye.map(Into::into),
+        target: camera.target.map(Into::into),
+        field_of_view: camera.field_of_view.unwrap_or(standard.field_of_view),
+        orbit: camera.orbit.unwrap_or(standard.orbit),
+        follow: None,
+    }
+}

@@ -1,0 +1,13 @@
+//! Tests of pictures and video.
+
+mod annotations;
+mod common;
+mod figures;
+mod films;
+mod flows;
+mod insects;
+mod pictures;
+mod shapes;
+mod sheets;
+mod shells;
+mod space;

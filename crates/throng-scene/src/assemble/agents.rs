@@ -1,0 +1,203 @@
+//! The bodies and speeds of each agent.
+
+use super::size::Size;
+use super::steer::{vehicle, wrap_around};
+use crate::geometry::DVec2;
+use crate::random::{Purpose, Random};
+use crate::scene::{self, Avoid, Group, Neighbours, Number, Preset, Scene};
+use glam::Vec2;
+use std::sync::Arc;
+use throng::Agent;
+use throng::avoid::{
+    Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, NoAvoidance, Orca, Orca3d, Rvo, RvoLab, SamplePattern, Vo,
+};
+use throng::field::Governed;
+use throng::steer::BoxedBehaviour;
+use throng::steer::swarm::Swarm;
+
+/// Draws the values that differ between agents.
+pub(super) struct AgentDraw<'a> {
+    pub scene: &'a Scene,
+    pub group: usize,
+}
+
+impl AgentDraw<'_> {
+    fn group(&self) -> &Group {
+        &self.scene.groups[self.group]
+    }
+
+    fn number(&self, k: usize, purpose: Purpose, number: &Number) -> f64 {
+        match number {
+            Number::Constant(x) => *x,
+            number => Random::new(self.scene.seed, self.group as u64, k as u64, purpose).draw(number),
+        }
+    }
+
+    /// Returns the size of the k-th agent.
+    pub fn size(&self, k: usize) -> Size {
+        Size::of(&self.group().body, |purpose, number| self.number(k, purpose, number))
+    }
+
+    /// Returns the start height of the k-th agent above its place, metres.
+    pub fn altitude(&self, k: usize) -> f64 {
+        self.group().altitude.map_or(0.0, |altitude| self.number(k, Purpose::Altitude, &altitude))
+    }
+
+    /// Returns the preferred and the greatest speed of the k-th agent.
+    fn speeds(&self, k: usize) -> (f32, f32) {
+        let group = self.group();
+        if group.steer.is_some() {
+            let most = vehicle(group).max_speed;
+            return (most, most);
+        }
+        let preferred = self.number(k, Purpose::PreferredSpeed, &group.speed.preferred) as f32;
+        let max = match &group.speed.max {
+            Some(max) => self.number(k, Purpose::MaxSpeed, max) as f32,
+            None => Agent::default().max_speed.max(preferred),
+        };
+        (preferred, max)
+    }
+
+    /// Returns the k-th agent, without its place, body, ids and number.
+    pub fn agent(&self, k: usize) -> Agent {
+        let group = self.group();
+        let (preferred, max) = self.speeds(k);
+        let (standard, steers) = (Agent::default(), group.steer.is_some());
+        // vehicles have limits of their own
+        let max_acceleration = if steers { f32::INFINITY } else { standard.max_acceleration };
+        let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let heading = optional(Purpose::Heading, &group.heading).map(f32::to_radians);
+        let start_speed = optional(Purpose::StartSpeed, &group.start_speed).unwrap_or(0.0);
+        let ahead = heading.map_or(Vec2::ZERO, |heading| {
+            let (sin, cos) = libm::sincosf(heading);
+            Vec2::new(cos, sin)
+        });
+        let bits = |layers: &[u8]| layers.iter().fold(0u32, |bits, layer| bits | 1 << u32::from(*layer).min(31));
+        Agent {
+            heading,
+            velocity: ahead * start_speed,
+            preferred_speed: preferred.min(max),
+            max_speed: max,
+            max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(max_acceleration),
+            max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
+                .map_or(standard.max_turn_rate, f32::to_radians),
+            time_gap: optional(Purpose::TimeGap, &group.time_gap).unwrap_or(standard.time_gap),
+            tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
+            priority: group.priority as f32,
+            governed: group
+                .field
+                .as_ref()
+                .and_then(|field| field.ratio)
+                .map_or(1.0, |ratio| self.number(k, Purpose::Governed, &ratio) as f32),
+            layers: bits(&group.layers),
+            avoids: group.avoids.as_ref().map_or(u32::MAX, |layers| bits(layers)),
+            ..standard
+        }
+    }
+}
+
+/// Angle by which agents that imitate those of the labs turn to the right, radians.
+const ANIMATED_SIDE: f32 = 8.0_f64.to_radians() as f32;
+
+/// Returns the shared properties of a group's agents. Interaction rules are off for agents that steer, unless the scene
+/// sets them.
+#[allow(clippy::needless_update)] // The library may know more of groups and models than scenes say.
+pub(super) fn shared(
+    group: &Group,
+    name: String,
+    (steering, field): (Option<BoxedBehaviour>, Option<Governed>),
+    origin: DVec2,
+) -> throng::Group {
+    let avoid = group.local_model();
+    let (neighbours, neighbour_distance) = avoid.sight();
+    let walks = steering.is_none();
+    let neighbours = match neighbours {
+        Neighbours::Nearest(count) => count as usize,
+        Neighbours::All => throng::Group::ALL_NEIGHBOURS,
+    };
+    // the neighbour search of a swarm reaches as far as its guides need
+    let swarm = steering.as_ref().filter(|_| group.avoid.is_none()).and_then(|steering| steering.as_swarm());
+    let (neighbours, neighbour_distance) = match swarm.map(Swarm::reach) {
+        None => (neighbours, neighbour_distance as f32),
+        Some(0.0) => (0, neighbour_distance as f32),
+        Some(reach) => (throng::Group::ALL_NEIGHBOURS, reach),
+    };
+    let usual = throng::Group::default();
+    let animated = group.preset == Preset::Animation;
+    let look_ahead = group.look_ahead.unwrap_or(walks && !animated);
+    let side = match (animated, look_ahead) {
+        (true, _) => ANIMATED_SIDE,
+        (false, true) => usual.keep_right,
+        (false, false) => 0.0,
+    };
+    throng::Group {
+        name,
+        model: model(&avoid),
+        neighbour_distance,
+        neighbours,
+        look_ahead,
+        shoulders: group.shoulders.map_or(usual.shoulders, |metres| metres as f32),
+        personal_space: group.personal_space.map_or(usual.personal_space, |metres| metres as f32),
+        relaxation_time: group.relaxation_time.map_or(usual.relaxation_time, |seconds| seconds as f32),
+        keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),
+        resolve: group.resolve.unwrap_or(walks),
+        field,
+        steering,
+        vehicle: vehicle(group),
+        wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
+        guard: group.is_guarded(),
+        ..usual
+    }
+}
+
+fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
+    match avoid {
+        Avoid::Orca(model) => Arc::new(Orca {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            turning_bias: model.turning_bias as f32,
+            built_from: match model.built_from {
+                scene::BuiltFrom::Current => BuiltFrom::Current,
+                scene::BuiltFrom::Preferred => BuiltFrom::Preferred,
+                scene::BuiltFrom::Zero => BuiltFrom::Zero,
+            },
+        }),
+        Avoid::Orca3d(model) => Arc::new(Orca3d {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            vertical_scale: model.vertical_scale as f32,
+        }),
+        Avoid::Avo(model) => Arc::new(Avo {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            delay: model.delay as f32,
+        }),
+        Avoid::Vo(model) => Arc::new(Vo {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+        }),
+        Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
+        Avoid::Clearpath(model) => Arc::new(ClearPath {
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: model.time_horizon_obstacles as f32,
+        }),
+        Avoid::Rvo(model) => Arc::new(Rvo {
+            weight: model.weight as f32,
+            responsibility: model.responsibility as f32,
+            time_horizon: model.time_horizon as f32,
+            time_horizon_obstacles: (!model.braking).then_some(model.time_horizon_obstacles as f32),
+            kinodynamic: model.kinodynamic,
+            search: match model.candidates {
+                0 => SamplePattern::Adaptive,
+                candidates => SamplePattern::Random { candidates },
+            },
+        }),
+        Avoid::RvoLab(_) => Arc::new(RvoLab),
+        Avoid::PowerLaw(model) => Arc::new(model.built()),
+        Avoid::Moussaid2009(model) => Arc::new(model.built()),
+        Avoid::SocialForce(model) => Arc::new(model.built()),
+        Avoid::AnticipationVelocity(model) => Arc::new(model.built()),
+        Avoid::CollisionFreeSpeed(model) => Arc::new(model.built()),
+        Avoid::None(_) => Arc::new(NoAvoidance),
+    }
+}

@@ -1,0 +1,71 @@
+//! Combinations of fields.
+
+use super::{BuildField, BuiltField, FieldContext};
+use crate::assemble::limits::{Limit, check};
+use crate::file::Problem;
+use crate::scene::flow::{AroundWalls, FlowPart, Keyframes, Sampled};
+use std::sync::Arc;
+use throng::field::{self, Blend, FieldPart, Sum};
+use throng::space::Walls;
+
+/// The parts of a sum or a blend.
+pub(super) struct FieldParts<'a> {
+    pub of: &'a [FlowPart],
+    pub blended: bool,
+}
+
+impl BuildField for FieldParts<'_> {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let (mut parts, mut anchors) = (vec![], vec![]);
+        for (i, part) in self.of.iter().enumerate() {
+            let at = at.index(i);
+            let limit = if self.blended { Limit::NotNegative } else { Limit::Finite };
+            let weight = part.weight.unwrap_or(1.0);
+            check(&at.path.key("weight"), weight, limit)?;
+            let map = part.map.as_ref().map(|map| at.key("map").map(map)).transpose()?;
+            let made = at.key("of").make(&part.of)?;
+            anchors.extend(made.anchors);
+            parts.push(FieldPart { field: made.field, weight: weight as f32, map });
+        }
+        let field: Result<Arc<dyn field::Field>, throng::Error> = match self.blended {
+            true => Blend::new(parts).map(|made| Arc::new(made) as _),
+            false => Sum::new(parts).map(|made| Arc::new(made) as _),
+        };
+        Ok(BuiltField { field: field.map_err(|error| at.refused(&error))?, anchors, cover: None })
+    }
+}
+
+impl BuildField for Keyframes {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let (mut frames, mut anchors) = (vec![], vec![]);
+        for (i, frame) in self.frames.iter().enumerate() {
+            let at = at.key("frames").index(i);
+            check(&at.path.key("at"), frame.at, Limit::Finite)?;
+            let made = at.key("of").make(&frame.of)?;
+            anchors.extend(made.anchors);
+            frames.push((frame.at, made.field));
+        }
+        let made = field::Keyframes::new(frames, self.period).map_err(|error| at.refused(&error))?;
+        Ok(BuiltField { field: Arc::new(made), anchors, cover: None })
+    }
+}
+
+impl BuildField for AroundWalls {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let made = at.key("of").make(&self.of)?;
+        let place = at.flows.place;
+        let walls = Walls::new(&place.areas, place.obstacles(), at.flows.origin);
+        let field = field::AroundWalls::new(made.field, walls, self.width.unwrap_or(1.0));
+        Ok(BuiltField { field: Arc::new(field.map_err(|error| at.refused(&error))?), ..made })
+    }
+}
+
+impl BuildField for Sampled {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let made = at.key("of").make(&self.of)?;
+        let [low, high] = at.flows.bounds.map(|corner| corner.to_array());
+        let corners = at.corners(self.min.unwrap_or(low), self.max.unwrap_or(high))?;
+        let field = at.sampled(&*made.field, corners, self.cell)?;
+        Ok(BuiltField { field: Arc::new(field), ..made })
+    }
+}

@@ -1,0 +1,268 @@
+//! Builds fields from the vector fields of a scene.
+//!
+//! Each kind of field has its own `impl Make`. The library checks the numbers.
+
+mod combine;
+mod goal;
+mod govern;
+mod map;
+mod noise;
+mod paint;
+mod picture;
+mod sketch;
+mod space;
+mod table;
+
+use super::limits::{Limit, check, check_point, check_some};
+use super::steer::{Around, refused};
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::geometry::DVec2;
+use crate::scene::flow::{Flow, Towards, Whirl};
+use crate::scene::steer::Position;
+use crate::scene::{Group, Point, Scene};
+use glam::Vec3;
+use std::cell::{OnceCell, RefCell};
+use std::sync::Arc;
+use throng::field::{Anchor, Field, Map, Uniform};
+use throng::space::Place;
+
+pub(super) use govern::note_silence;
+
+/// A field that was made.
+#[derive(Clone)]
+pub(super) struct BuiltField {
+    pub field: Arc<dyn Field>,
+    /// The anchors of a sketch, metres from its origin; empty for other fields.
+    pub anchors: Vec<Anchor>,
+    /// How much a painted field covers, which multiplies its weight.
+    pub cover: Option<Arc<Map>>,
+}
+
+impl BuiltField {
+    fn of(field: impl Field + 'static) -> Self {
+        Self { field: Arc::new(field), anchors: vec![], cover: None }
+    }
+}
+
+/// The input for building fields.
+pub(super) struct Flows<'a> {
+    pub scene: &'a Scene,
+    /// The world's origin.
+    pub origin: DVec2,
+    /// The lower left and upper right corner of the scene.
+    pub bounds: [DVec2; 2],
+    /// The ground and obstacles, in world coordinates.
+    pub place: &'a Place,
+    /// Surfaces and obstacles by name.
+    pub around: &'a Around<'a>,
+    /// Notes about the fields.
+    pub notes: &'a RefCell<Vec<String>>,
+    /// The fields of the scene, once they are built.
+    pub made: OnceCell<Vec<BuiltField>>,
+}
+
+/// The context in which a field is built.
+#[derive(Clone)]
+struct FieldContext<'a> {
+    flows: &'a Flows<'a>,
+    /// The path to the field in the scene.
+    path: Path,
+    /// The origin of its coordinates.
+    origin: DVec2,
+    /// The number of fields, from the first on, that it can refer to.
+    known: usize,
+    /// The name of its owner, for people.
+    of: String,
+}
+
+/// A description from which a field is built.
+trait BuildField {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem>;
+}
+
+impl Flows<'_> {
+    /// Returns the fields of the scene, in its order.
+    pub fn all(&self) -> Result<&[BuiltField], Problem> {
+        let fields = &self.scene.fields;
+        let one = |i: usize| {
+            let said = &fields[i];
+            super::surface::check_name(
+                &Path::of("field").index(i),
+                &said.name,
+                fields[..i].iter().map(|other| &other.name),
+            )?;
+            self.named(i, self.origin)
+        };
+        let made = (0..fields.len()).map(one).collect::<Result<_, _>>()?;
+        Ok(self.made.get_or_init(|| made))
+    }
+
+    /// Builds a field of the scene, with its places relative to an origin.
+    fn named(&self, i: usize, origin: DVec2) -> Result<BuiltField, Problem> {
+        let said = &self.scene.fields[i];
+        let at = FieldContext {
+            flows: self,
+            path: Path::of("field").index(i).key("flow"),
+            origin,
+            known: i,
+            of: format!("field `{}`", said.name),
+        };
+        at.make(&said.flow).map_err(|problem| match problem.message.starts_with("field `") {
+            true => problem,
+            false => Problem { message: format!("field `{}`: {}", said.name, problem.message), ..problem },
+        })
+    }
+
+    /// Builds a field of a group, by its position, with its places relative to the world's origin.
+    pub fn make(&self, flow: &Flow, path: Path, group: usize) -> Result<BuiltField, Problem> {
+        self.at(path, group).make(flow)
+    }
+
+    /// Returns the context of a group, which can refer to all fields of the scene.
+    fn at(&self, path: Path, group: usize) -> FieldContext<'_> {
+        let name = Group::name_at(&self.scene.groups[group].name, group);
+        FieldContext {
+            flows: self,
+            path,
+            origin: self.origin,
+            known: self.scene.fields.len(),
+            of: format!("group `{name}`"),
+        }
+    }
+}
+
+impl FieldContext<'_> {
+    fn make(&self, flow: &Flow) -> Result<BuiltField, Problem> {
+        let (key, made): (&str, &dyn BuildField) = match flow {
+            Flow::Uniform(velocity) => {
+                let at = self.key("uniform");
+                velocity.0.iter().enumerate().try_for_each(|(i, x)| check(&at.path.index(i), *x, Limit::Finite))?;
+                return Ok(BuiltField::of(Uniform(Vec3::from_array(velocity.0.map(|x| x as f32)))));
+            }
+            Flow::Named(name) => return self.known(name),
+            Flow::Whirl(of) => ("whirl", of),
+            Flow::Towards(of) => ("towards", of),
+            Flow::Sketch(of) => ("sketch", of),
+            Flow::SketchInSpace(of) => ("sketch_in_space", of),
+            Flow::Paint(of) => ("paint", of),
+            Flow::Picture(of) => ("picture", of),
+            Flow::Table(of) => ("table", of),
+            Flow::ToGoal(of) => ("to_goal", of),
+            Flow::ThroughSpace(of) => ("through_space", of),
+            Flow::Noise(of) => ("noise", of),
+            Flow::Sum(of) => ("sum", &combine::FieldParts { of, blended: false }),
+            Flow::Blend(of) => ("blend", &combine::FieldParts { of, blended: true }),
+            Flow::Keyframes(of) => ("keyframes", of),
+            Flow::AroundWalls(of) => ("around_walls", of),
+            Flow::Sampled(of) => ("sampled", of),
+        };
+        made.make(&self.key(key))
+    }
+
+    /// Returns a field of the scene by its name.
+    fn known(&self, name: &str) -> Result<BuiltField, Problem> {
+        let fields = &self.flows.scene.fields;
+        let known = &fields[..self.known];
+        if let Some(i) = known.iter().position(|field| field.name == name) {
+            // all references share one field
+            return match self.flows.made.get() {
+                Some(made) if self.origin == self.flows.origin => Ok(made[i].clone()),
+                _ => self.flows.named(i, self.origin),
+            };
+        }
+        let message = format!("there is no field `{name}` above");
+        let below = fields[self.known..].iter().any(|field| field.name == name);
+        let hint = match known {
+            _ if below => "it is below: put it above the fields that name it".to_owned(),
+            [] => "there is none: add a [[field]] with this name".to_owned(),
+            known => {
+                let names: Vec<&str> = known.iter().map(|field| field.name.as_str()).collect();
+                format!("there are: {}", names.join(", "))
+            }
+        };
+        Err(Problem::new(&self.path.key("named"), Kind::UnknownKey, message).hint(hint))
+    }
+
+    /// Returns the context of a key.
+    fn key(&self, key: &str) -> Self {
+        Self { path: self.path.key(key), ..self.clone() }
+    }
+
+    /// Returns the context of an entry of a list.
+    fn index(&self, index: usize) -> Self {
+        Self { path: self.path.index(index), ..self.clone() }
+    }
+
+    /// Returns a place, relative to the origin.
+    fn place(&self, key: &str, point: Point) -> Result<DVec2, Problem> {
+        self.place_at(&self.path.key(key), point)
+    }
+
+    fn place_at(&self, path: &Path, point: Point) -> Result<DVec2, Problem> {
+        check_point(path, &point)?;
+        Ok(DVec2::from_array(point) - self.origin)
+    }
+
+    /// Returns a place in space, relative to the origin.
+    fn position(&self, key: &str, Position([x, y, z]): Position) -> Result<Vec3, Problem> {
+        check(&self.path.key(key).index(2), z, Limit::Finite)?;
+        Ok(self.place(key, [x, y])?.as_vec2().extend(z as f32))
+    }
+
+    /// Returns places, relative to the origin.
+    fn places(&self, key: &str, points: &[Point]) -> Result<Vec<DVec2>, Problem> {
+        let path = self.path.key(key);
+        points.iter().enumerate().map(|(i, &point)| self.place_at(&path.index(i), point)).collect()
+    }
+
+    /// Returns two corners of a box, relative to the origin.
+    fn corners(&self, min: Point, max: Point) -> Result<[DVec2; 2], Problem> {
+        let (low, high) = (self.place("min", min)?, self.place("max", max)?);
+        if low.cmplt(high).all() {
+            return Ok([low, high]);
+        }
+        let message = format!("it goes from ({}, {}) to ({}, {})", min[0], min[1], max[0], max[1]);
+        Err(Problem::new(&self.path.key("max"), Kind::OutOfRange, message).hint("max is right of min and above it"))
+    }
+
+    /// Converts an error of the library.
+    fn refused(&self, error: &throng::Error) -> Problem {
+        refused(&self.path, error)
+    }
+
+    /// Adds a note, with the name of the field's owner.
+    fn note(&self, what: impl std::fmt::Display) {
+        let note = format!("{}: {what}", self.of);
+        let mut notes = self.flows.notes.borrow_mut();
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+}
+
+impl BuildField for Whirl {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        check(&at.path.key("speed"), self.speed, Limit::Finite)?;
+        let center = at.position("center", self.center)?.with_z(0.0);
+        let spin = Vec3::Z * self.speed as f32;
+        Ok(BuiltField::of(move |place: Vec3, _: f64| {
+            spin.cross((place - center).with_z(0.0).try_normalize().unwrap_or_default())
+        }))
+    }
+}
+
+impl BuildField for Towards {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        check(&at.path.key("speed"), self.speed, Limit::Finite)?;
+        check_some(&at.path.key("slow"), self.slow, Limit::Positive)?;
+        check_some(&at.path.key("within"), self.within, Limit::Positive)?;
+        let (to, speed, slow) = (at.position("at", self.at)?, self.speed as f32, self.slow.unwrap_or(0.5) as f32);
+        let within = self.within.map_or(f32::INFINITY, |within| within as f32);
+        Ok(BuiltField::of(move |place: Vec3, _: f64| {
+            let way = to - place;
+            let distance = way.length();
+            if distance > within { Vec3::ZERO } else { way * (speed / distance.max(slow)) }
+        }))
+    }
+}

@@ -1,0 +1,83 @@
+//! The pages match the code: their scenes can be built, they name every key, and the model of docs/write-a-model.md
+//! runs.
+
+mod model;
+
+use std::path::Path;
+use throng_scene::{Scene, schema};
+
+/// The pages that describe the keys of scene files, by hand.
+const PAGES: [&str; 5] = [
+    include_str!("../../../../../docs/scenes.md"),
+    include_str!("../../../../../docs/models.md"),
+    include_str!("../../../../../docs/steering.md"),
+    include_str!("../../../../../docs/fields.md"),
+    include_str!("../../../../../docs/swarms.md"),
+];
+
+/// The pages with blocks that are no scenes (```toml,no_run), and how many: a manifest and keys of a plug-in.
+const SKIPPED: [(&str, usize); 1] = [("plugins.md", 2)];
+
+/// Returns the names and texts of README.md and of all pages, except docs/errors.md: it shows invalid scenes, and a test
+/// of throng-cli runs them.
+fn pages() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let docs = std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let mut paths: Vec<_> = docs.filter(|path| path.extension().is_some_and(|ending| ending == "md")).collect();
+    paths.sort();
+    paths.push(root.join("README.md"));
+    let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
+    let pages = paths.iter().map(|path| (name(path), std::fs::read_to_string(path).unwrap()));
+    pages.filter(|(name, _)| name != "errors.md").collect()
+}
+
+#[test]
+fn every_scene_of_the_pages_builds() {
+    let mut built = 0;
+    for (name, page) in pages() {
+        let mut skipped = 0;
+        for (at, block) in page.match_indices("```toml").map(|(at, fence)| (at, &page[at + fence.len()..])) {
+            let (info, rest) = block.split_once('\n').unwrap();
+            let line = page[..at].lines().count() + 1;
+            match info {
+                "" => {}
+                ",no_run" => {
+                    skipped += 1;
+                    continue;
+                }
+                _ => panic!("docs/{name}:{line}: ```toml{info} is neither ```toml nor ```toml,no_run"),
+            }
+            let example = rest.split("```").next().unwrap();
+            let scene: Scene = example.parse().unwrap_or_else(|error| panic!("docs/{name}:{line}: {error}"));
+            if !scene.groups.is_empty() {
+                scene.build().unwrap_or_else(|error| panic!("docs/{name}:{line}: {error}"));
+                built += 1;
+            }
+        }
+        let expected = SKIPPED.iter().find(|(page, _)| *page == name).map_or(0, |(_, count)| *count);
+        assert_eq!(skipped, expected, "docs/{name}: blocks of ```toml,no_run");
+    }
+    assert!(built >= 15, "{built}");
+}
+
+#[test]
+fn every_key_is_on_a_page() {
+    fn keys(value: &serde_json::Value, out: &mut Vec<String>) {
+        if let Some(properties) = value["properties"].as_object() {
+            out.extend(properties.keys().cloned());
+        }
+        match value {
+            serde_json::Value::Object(map) => map.values().for_each(|value| keys(value, out)),
+            serde_json::Value::Array(list) => list.iter().for_each(|value| keys(value, out)),
+            _ => {}
+        }
+    }
+    let mut all = vec![];
+    keys(&schema(), &mut all);
+    assert!(all.len() > 60);
+    let words: Vec<&str> =
+        PAGES.iter().flat_map(|page| page.split(|c: char| !(c.is_alphanumeric() || c == '_'))).collect();
+    for key in all {
+        assert!(words.contains(&key.as_str()), "the pages do not mention `{key}`");
+    }
+}

@@ -1,0 +1,128 @@
+//! The page on the features of other libraries: each item that it names exists, each scene is in the gallery, nothing
+//! is missing.
+
+use std::path::Path;
+use throng_scene::gallery;
+
+const PAGE: &str = include_str!("../../../../docs/parity.md");
+
+/// Returns the cells of every row: feature, item, scene.
+fn rows() -> Vec<[&'static str; 3]> {
+    let rows =
+        PAGE.lines().filter(|line| line.starts_with('|') && !line.starts_with("| what ") && !line.starts_with("|--"));
+    rows.map(|line| {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        cells.try_into().unwrap_or_else(|_| panic!("not three cells: {line}"))
+    })
+    .collect()
+}
+
+/// Returns the words between backquotes.
+fn quoted(cell: &str) -> impl Iterator<Item = &str> {
+    cell.split('`').skip(1).step_by(2)
+}
+
+/// Returns all Rust files of a folder and its subfolders; none if the folder does not exist.
+fn sources(folder: &Path) -> Vec<String> {
+    let mut folders = vec![folder.to_owned()];
+    let mut texts = vec![];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                texts.push(std::fs::read_to_string(path).unwrap());
+            }
+        }
+    }
+    texts
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|word| !word.is_empty())
+}
+
+/// Whether a text contains a phrase, and the last word of the phrase is whole.
+fn says(text: &str, phrase: &str) -> bool {
+    let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    text.match_indices(phrase).any(|(at, _)| ends(&text[at + phrase.len()..]))
+}
+
+/// Whether a text defines an item.
+fn defines(text: &str, item: &str) -> bool {
+    ["struct", "enum", "trait", "fn", "const", "type"].iter().any(|kind| says(text, &format!("pub {kind} {item}")))
+}
+
+/// Whether a text that defines or extends an item has this method, field or variant.
+fn has(text: &str, item: &str, member: &str) -> bool {
+    let extends = ["struct", "enum", "trait", "impl"].iter().any(|kind| says(text, &format!("{kind} {item}")));
+    let fields =
+        [format!("pub {member}:"), format!("    {member},"), format!("    {member}("), format!("    {member} {{")];
+    extends && (says(text, &format!("fn {member}")) || fields.iter().any(|field| text.contains(field)))
+}
+
+/// Whether a path such as `throng::motion::Vehicle::brake` names something: its crate defines the item, its module
+/// defines or uses it, and a file about the item has the member.
+fn exists(path: &str) -> bool {
+    let mut names: Vec<&str> = path.split("::").collect();
+    let is_member = names.len() > 2 && names[names.len() - 2].starts_with(char::is_uppercase);
+    let member = if is_member { names.pop() } else { None };
+    let (Some(item), [library, modules @ ..]) = (names.pop(), &names[..]) else { return false };
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(library.replace('_', "-")).join("src");
+    let module = modules.iter().fold(src.clone(), |folder, name| folder.join(name));
+    let own = match std::fs::read_to_string(module.with_extension("rs")) {
+        Ok(text) => vec![text],
+        Err(_) => sources(&module),
+    };
+    let uses =
+        |text: &String| text.split(';').any(|line| line.contains("pub use") && words(line).any(|word| word == item));
+    let all = sources(&src);
+    all.iter().any(|text| defines(text, item))
+        && own.iter().any(|text| defines(text, item) || uses(text))
+        && member.is_none_or(|member| all.iter().any(|text| has(text, item, member)))
+}
+
+#[test]
+fn every_item_exists() {
+    let items = || rows().into_iter().flat_map(|row| quoted(row[1])).filter(|item| item.contains("::"));
+    assert!(items().count() > 150);
+    let missing: Vec<&str> = items().filter(|item| !exists(item)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+    let wrong = ["throng::steer::Sekk", "throng::motion::Seek", "throng::steer::Seek::prey", "throng::nowhere::Seek"];
+    assert!(wrong.iter().all(|wrong| !exists(wrong)));
+}
+
+#[test]
+fn every_scene_is_in_the_gallery() {
+    let known: Vec<&str> = gallery::names().collect();
+    for [what, _, scene] in rows() {
+        assert!(scene == "all" || scene.starts_with("none") || scene.starts_with('`'), "{what}: {scene}");
+    }
+    let mut missing: Vec<&str> =
+        rows().into_iter().flat_map(|row| quoted(row[2])).filter(|name| !known.contains(name)).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn nothing_is_without_a_place_or_a_reason() {
+    for [what, place, _] in rows() {
+        let reason = place.split_whitespace().count() > 3;
+        assert!(place.contains("::") || place.starts_with("studio") || reason, "{what}: {place}");
+    }
+}
+
+#[test]
+fn every_behaviour_is_on_the_page() {
+    let steer = Path::new(env!("CARGO_MANIFEST_DIR")).join("../throng/src/steer");
+    let texts = sources(&steer);
+    let behaviours =
+        texts.iter().flat_map(|text| text.lines()).filter_map(|line| line.strip_prefix("impl Behaviour for "));
+    let missing: Vec<&str> = behaviours
+        .map(|name| name.trim_end_matches(" {"))
+        .filter(|name| !words(PAGE).any(|word| word == *name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

@@ -1,0 +1,109 @@
+//! The reasons of a steering, as data that a viewer can draw.
+
+use crate::motion::Steering;
+use glam::Vec3;
+
+/// One reason of a steering. Places are absolute, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SteeringReason {
+    /// The place that the agent aims at.
+    Aim(Vec3),
+    /// The predicted position of an agent or an object.
+    Expects(Vec3),
+    /// A preferred velocity.
+    Wishes(Vec3),
+    /// Number of an agent that the behaviour takes into account.
+    Regards(u32),
+    /// An agent that will come too near.
+    Threat {
+        /// Number of the agent.
+        number: u32,
+        /// Seconds until the closest approach.
+        seconds: f32,
+        /// The agent's own position at that time.
+        own: Vec3,
+        /// The other agent's position at that time.
+        theirs: Vec3,
+    },
+    /// A neighbourhood that the behaviour evaluates.
+    Looks {
+        /// Range, metres.
+        distance: f32,
+        /// Angle to either side of the forward direction, radians.
+        angle: f32,
+    },
+    /// End of a probe that starts at the agent's centre.
+    Feels(Vec3),
+    /// A corner of the path that the agent follows; corners are recorded in order.
+    Via(Vec3),
+    /// The state that a [`Switch`](super::Switch) is in.
+    State(usize),
+    /// A value kept from an earlier step, recorded again.
+    Keeps(Vec3),
+    /// A part of the behaviour ran. The reasons of the part follow, one level deeper.
+    Part {
+        /// Index of the part.
+        index: usize,
+        /// The steering that the part returned.
+        said: Option<Steering>,
+    },
+}
+
+/// A reason and its depth in the tree of behaviours; the root has depth 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TraceEntry {
+    /// Depth in the tree.
+    pub depth: usize,
+    /// The reason.
+    pub reason: SteeringReason,
+}
+
+/// Records reasons if a trace is requested; otherwise a call costs nothing.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::steer::{Behaviour, Seek, SteeringInput, SteeringReason, Target, TraceRecorder};
+/// let mut entries = Vec::new();
+/// let seek = Seek { target: Target::Point(Vec3::X) };
+/// seek.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::requested(&mut entries));
+/// assert_eq!(entries[0].reason, SteeringReason::Aim(Vec3::X));
+/// ```
+#[derive(Debug, Default)]
+pub struct TraceRecorder<'a> {
+    entries: Option<&'a mut Vec<TraceEntry>>,
+    depth: usize,
+}
+
+impl<'a> TraceRecorder<'a> {
+    /// Returns a recorder that adds reasons to this list. [`TraceRecorder::default`] records nothing.
+    pub fn requested(entries: &'a mut Vec<TraceEntry>) -> Self {
+        Self { entries: Some(entries), depth: 0 }
+    }
+
+    /// Whether a trace is requested.
+    pub fn is_requested(&self) -> bool {
+        self.entries.is_some()
+    }
+
+    /// Records a reason; `reason` is called only if a trace is requested.
+    pub fn note(&mut self, reason: impl FnOnce() -> SteeringReason) {
+        let depth = self.depth;
+        if let Some(entries) = &mut self.entries {
+            entries.push(TraceEntry { depth, reason: reason() });
+        }
+    }
+
+    /// Records the steering of a part before the reasons of the part.
+    pub(super) fn part(&mut self, index: usize, steer: impl FnOnce(&mut Self) -> Option<Steering>) -> Option<Steering> {
+        let place = self.entries.as_ref().map_or(0, |entries| entries.len());
+        self.note(|| SteeringReason::Part { index, said: None });
+        self.depth += 1;
+        let said = steer(self);
+        self.depth -= 1;
+        if let Some(entries) = &mut self.entries {
+            entries[place].reason = SteeringReason::Part { index, said };
+        }
+        said
+    }
+}

@@ -1,0 +1,255 @@
+//! Avoidance with SIMD, one agent in each element: agents on the ground with a plain ORCA model. The bits are the same
+//! as those of the [scalar path](super::avoid), which handles all other agents.
+
+use super::World;
+use super::avoid::Visibility;
+use super::neighbour_data::{GOAL, WALKS};
+use super::squeeze::may_squeeze;
+use crate::agent::Group;
+use crate::avoid::{
+    HalfPlane, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, SimdAgents, SimdInputs, Workspace, choose, margin,
+};
+use crate::simd::{LANES, Vec2s, load, load_pairs, ones, set};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use glam::{Vec2, Vec3};
+use std::ops::Range;
+
+/// Scratch memory of a thread.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LaneScratch {
+    views: SimdInputs,
+    fallback: [Vec<HalfPlane>; 2],
+    sight: Visibility,
+    workspace: Workspace,
+}
+
+/// What all agents share where avoidance uses SIMD.
+#[derive(Clone, Copy)]
+pub(super) struct AvoidanceShared {
+    level: Level,
+    orca: Orca,
+    /// Whether all groups use this ORCA model.
+    alike: bool,
+    /// Whether there are no walls.
+    open: bool,
+    /// The radius, if it is the same for all agents.
+    radius: Option<f32>,
+    /// Whether all agents have the same priority.
+    equals: bool,
+    /// Whether the agents of some groups squeeze past others, and whether those of all groups do.
+    squeeze: bool,
+    all_squeeze: bool,
+    margin: f32,
+    step: f32,
+}
+
+impl World {
+    /// Returns what all agents share, if avoidance can use SIMD.
+    pub(super) fn common(&self, seconds: f32) -> Option<AvoidanceShared> {
+        let agents = &self.agents;
+        let plain = agents.all_discs()
+            && !self.in_space_now()
+            && agents.all_avoid()
+            && agents.script.uniform() == Some(None)
+            && agents.spin.uniform() == Some(0.0)
+            && agents.tracking_error.uniform() == Some(0.0)
+            && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
+            && self.standoffs.is_empty()
+            && self.groups_in_use().all(|group| group.neighbours <= MOST);
+        let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
+        let level = self.instructions.level()?;
+        plain.then(|| AvoidanceShared {
+            level,
+            orca,
+            open: self.walls.is_empty(),
+            alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
+            radius: agents.radius.uniform(),
+            equals: agents.priority.uniform().is_some(),
+            squeeze: self.groups_in_use().any(Group::squeezes),
+            all_squeeze: self.groups_in_use().all(Group::squeezes),
+            margin: margin(seconds),
+            step: seconds,
+        })
+    }
+
+    /// Computes the chosen velocities of the agents in a range of the grid's order. Calls `left` for rows that the SIMD
+    /// kernel cannot handle.
+    pub(super) fn avoid_many(
+        &self,
+        common: &AvoidanceShared,
+        places: Range<usize>,
+        scratch: &mut LaneScratch,
+        chosen_velocities: &mut [Vec2],
+        left: impl FnMut(usize) -> Vec3,
+    ) {
+        dispatch!(common.level, simd => self.many(simd, common, places, scratch, chosen_velocities, left));
+    }
+
+    #[inline(always)]
+    fn many<S: Simd>(
+        &self,
+        simd: S,
+        common: &AvoidanceShared,
+        places: Range<usize>,
+        scratch: &mut LaneScratch,
+        chosen_velocities: &mut [Vec2],
+        mut left: impl FnMut(usize) -> Vec3,
+    ) {
+        if let Some(radius) = common.radius {
+            let radii = (radius + radius) * common.margin;
+            scratch.views.neighbours.iter_mut().for_each(|others| others.radii = [radii; LANES]);
+        }
+        let lanes = S::f32s::LEN;
+        let rows = self.step.grid.order()[places.clone()].chunks(lanes);
+        for ((start, rows), out) in places.step_by(lanes).zip(rows).zip(chosen_velocities.chunks_mut(lanes)) {
+            let mut missing = self.misfits(common, rows);
+            // for few agents the scalar path is cheaper
+            if 2 * missing.count_ones() as usize > rows.len() {
+                rows.iter()
+                    .zip(out)
+                    .for_each(|(&row, chosen_velocity)| *chosen_velocity = left(row as usize).truncate());
+                continue;
+            }
+            let own = self.view_many(simd, common, (start, rows), &mut scratch.views);
+            scratch.views.clear_walls();
+            if !common.open {
+                missing |= self.see_walls_of_many(common, rows, missing, scratch);
+            }
+            let LaneScratch { views, fallback, .. } = scratch;
+            let chosen = if views.has_walls() {
+                choose::<S, MOST_WITH_WALLS>(simd, &common.orca, &own, views, common.step, fallback)
+            } else {
+                choose::<S, MOST>(simd, &common.orca, &own, views, common.step, fallback)
+            };
+            missing |= chosen.left;
+            let most = self.agents.max_acceleration.simd_of(simd, rows) * S::f32s::splat(simd, common.step);
+            let change = (chosen.velocity - own.velocity).clamp_length_max(most);
+            (own.velocity + change).clamp_length_max(own.max_speed).put_side_by_side(out);
+            for lane in ones(missing & ((1 << rows.len()) - 1)) {
+                out[lane] = left(rows[lane] as usize).truncate();
+            }
+        }
+    }
+
+    /// Returns the rows with another local model, one bit for each row.
+    fn misfits(&self, common: &AvoidanceShared, rows: &[u32]) -> u64 {
+        if common.alike {
+            return 0;
+        }
+        let model = |row: u32| self.groups[self.agents.group[row as usize].index()].model.as_orca();
+        rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(model(row) != Some(common.orca)))
+    }
+
+    /// Adds the half-planes of walls for rows that are not `missing`, and removes neighbours that walls hide. Returns
+    /// the rows with too many half-planes, one bit for each row.
+    fn see_walls_of_many(
+        &self,
+        common: &AvoidanceShared,
+        rows: &[u32],
+        missing: u64,
+        scratch: &mut LaneScratch,
+    ) -> u64 {
+        let LaneScratch { views, sight, workspace, .. } = scratch;
+        let mut too_many = 0;
+        for lane in ones(!missing & ((1 << rows.len()) - 1)) {
+            let row = rows[lane] as usize;
+            let range = common.orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
+            if self.walls.are_far(self.agents.position[row].as_dvec2(), range.into()) {
+                continue;
+            }
+            self.see_walls(row, sight);
+            if sight.is_open() {
+                continue;
+            }
+            let lines = common.orca.permit_walls(&self.view_of(row, common.step, sight), workspace);
+            if lines.len() > MOST_WALLS {
+                too_many |= 1 << lane;
+                continue;
+            }
+            views.permit(lane, lines);
+            for (&other, there) in self.neighbours(row).iter().zip(&mut views.there) {
+                if sight.hides(self.agents.offset(row, other as usize)) {
+                    *there &= !(1 << lane);
+                }
+            }
+        }
+        too_many
+    }
+
+    /// Gathers the neighbour data of consecutive agents in the grid's order, starting at `start`, and returns their own
+    /// data.
+    #[inline(always)]
+    fn view_many<S: Simd>(
+        &self,
+        simd: S,
+        common: &AvoidanceShared,
+        (start, rows): (usize, &[u32]),
+        views: &mut SimdInputs,
+    ) -> SimdAgents<S> {
+        let (agents, step) = (&self.agents, &self.step);
+        let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
+        let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
+        let (mut count, mut most) = ([0.0; LANES], 0);
+        let mut own_way = [[0.0; LANES]; 2];
+        for (lane, &row) in rows.iter().enumerate() {
+            let own = &step.shown[row as usize];
+            (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
+            set(&mut preferred, lane, self.relaxed(row as usize, common.step));
+            let neighbours = step.near.at(start + lane);
+            most = most.max(neighbours.len());
+            count[lane] = neighbours.len() as f32;
+            if common.squeeze {
+                set(&mut own_way, lane, own.way.direction);
+            }
+            for ((&other, others), keys) in neighbours.iter().zip(&mut views.neighbours).zip(&mut keys) {
+                let shown = &step.shown[other as usize];
+                others.motion[lane] = shown.motion;
+                if common.squeeze {
+                    set(&mut others.way, lane, shown.way.direction);
+                }
+                keys[lane] = shown.way.key();
+            }
+        }
+        let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
+        let (own, zero) = (lanes(&own_keys), S::u32s::splat(simd, 0));
+        let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
+        let count = load(simd, &count);
+        let [position, velocity] = load_pairs(simd, &own_motion);
+        views.most = most;
+        for (index, (others, keys)) in views.neighbours[..most].iter_mut().zip(&keys).enumerate() {
+            others.share = [0.5; LANES];
+            let theirs = lanes(keys);
+            // if both walk to different goals, neither has the right of way
+            let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
+            let there = count.simd_gt(S::f32s::splat(simd, index as f32));
+            views.there[index] = there.to_bitmask();
+            if common.squeeze {
+                let may = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
+                for lane in ones((may & there).to_bitmask()) {
+                    let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                    if common.all_squeeze || self.both_squeeze(row, other) {
+                        views.there[index] &= !(1 << lane);
+                    }
+                }
+            }
+            let unlike = if common.equals { !equals & there } else { there };
+            for lane in ones(unlike.to_bitmask()) {
+                let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                let yields = self.yields(row, other);
+                let granted = self.granted(row, other, yields);
+                others.share[lane] = if common.equals { 0.5 + yields } else { self.share(row, other, yields) };
+                others.motion[lane][2] += granted.x;
+                others.motion[lane][3] += granted.y;
+            }
+            if common.radius.is_none() {
+                for lane in ones(there.to_bitmask()) {
+                    let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
+                }
+            }
+        }
+        let max_speed = agents.max_speed.simd_of(simd, rows);
+        SimdAgents { position, velocity, preferred: Vec2s::load(simd, &preferred), max_speed }
+    }
+}
