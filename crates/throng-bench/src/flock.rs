@@ -39,7 +39,7 @@ impl Flock {
 
     /// Creates `count` birds in a sphere of this radius, metres, above the ground, with random headings.
     pub(crate) fn in_sphere(count: usize, radius: f64) -> Self {
-        let mut rng = Dice(9);
+        let mut rng = Dice::new(9);
         let bird = |_| {
             let middle = DVec3::Z * (radius + 100.0);
             Bird { position: rng.in_sphere(radius) + middle, heading: rng.between(-3.1, 3.1) }

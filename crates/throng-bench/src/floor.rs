@@ -41,7 +41,7 @@ pub fn rooms(count: usize) -> Crowd {
 
 /// Returns the crowd of [`rooms`], with its ways, on the same ground without walls, desks and pillars.
 pub fn hall(count: usize) -> Crowd {
-    let (mut rng, side) = (Dice(11), side(count));
+    let (mut rng, side) = (Dice::new(11), side(count));
     let stand = |k: usize, rng: &mut Dice| {
         let along = DVec2::new(0.7 + 0.9 * (k % PLACES) as f64, 1.2);
         room(k / PLACES % (side * side), side) + along + rng.in_disc(0.2)

@@ -1,29 +1,26 @@
-//! Random numbers that are the same on all machines.
+//! Random points.
 
 use glam::{DVec2, DVec3};
+use throng::random::SplitMix64;
 
-/// A small pseudorandom number generator (SplitMix64: Steele, Lea, Flood, OOPSLA 2014), from a seed.
+/// A random number generator for workloads.
 #[derive(Clone, Debug)]
-pub struct Dice(pub u64);
+pub struct Dice(SplitMix64);
 
 impl Dice {
-    /// Returns the next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+    /// Returns the generator of a seed.
+    pub fn new(seed: u64) -> Self {
+        Self(SplitMix64(seed))
     }
 
     /// Returns the next number from `low` up to but without `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
+        self.0.between(low, high)
     }
 
     /// Returns the next whole number below `count`, which is at least 1.
     pub fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
+        self.0.below(count)
     }
 
     /// Returns the next point of a disc around the origin.

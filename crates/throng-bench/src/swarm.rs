@@ -27,7 +27,7 @@ impl Insects {
 
     /// Creates `count` insects, `density` per cubic metre, in a sphere that they do not leave.
     pub(crate) fn in_sphere(count: usize, density: f64, apart: bool) -> Self {
-        let mut rng = Dice(9);
+        let mut rng = Dice::new(9);
         let radius = (0.75 / std::f64::consts::PI * count as f64 / density).cbrt();
         let middle = DVec3::Z * (radius + 10.0);
         Self { places: (0..count).map(|_| rng.in_sphere(radius) + middle).collect(), apart, radius }

@@ -160,7 +160,7 @@ const fn density(name: &'static str, about: &'static str, crowd: fn(usize) -> Cr
 /// The reference work by which crowd simulators are compared.
 fn crossing(count: usize, sorted: bool) -> Crowd {
     const RADIUS: f64 = 0.25;
-    let mut places = uniform(count, 0.25, 2.0 * RADIUS, &mut Dice(7));
+    let mut places = uniform(count, 0.25, 2.0 * RADIUS, &mut Dice::new(7));
     if sorted {
         sort(&mut places);
     }
@@ -170,18 +170,18 @@ fn crossing(count: usize, sorted: bool) -> Crowd {
 /// A crowd of `density` agents per square metre, as far as bodies of 0.2 m can be packed.
 fn packed(count: usize, density: f64) -> Crowd {
     const RADIUS: f64 = 0.2;
-    outward(bricks(count, density, 2.0 * RADIUS, &mut Dice(7)), RADIUS)
+    outward(bricks(count, density, 2.0 * RADIUS, &mut Dice::new(7)), RADIUS)
 }
 
 fn one_spot(count: usize) -> Crowd {
-    let mut rng = Dice(7);
+    let mut rng = Dice::new(7);
     outward((0..count).map(|_| rng.in_disc(0.05)).collect(), 0.25)
 }
 
 fn at_rest(count: usize) -> Crowd {
     const RADIUS: f64 = 0.25;
-    let mut rng = Dice(9);
-    let people = bricks(count, 1.0, 2.0 * RADIUS, &mut Dice(7)).into_iter();
+    let mut rng = Dice::new(9);
+    let people = bricks(count, 1.0, 2.0 * RADIUS, &mut Dice::new(7)).into_iter();
     let people = people.map(|position| Person { position, preferred_speed: rng.between(1.3, 1.5), way: None });
     Crowd::open(people.collect(), RADIUS, vec![])
 }
@@ -191,7 +191,7 @@ fn at_rest(count: usize) -> Crowd {
 fn outward(places: Vec<DVec2>, radius: f64) -> Crowd {
     const GOALS: usize = 4096;
     const DISTANCE: f64 = 15_000.0;
-    let mut rng = Dice(9);
+    let mut rng = Dice::new(9);
     let goals = (0..GOALS).map(|_| DVec2::from_angle(rng.between(0.0, std::f64::consts::TAU)) * DISTANCE).collect();
     let people = places.into_iter().map(|position| {
         let way = Some(rng.below(GOALS));

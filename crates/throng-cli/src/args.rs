@@ -8,7 +8,7 @@ use crate::explain::args::{self as explain, ExplainArgs};
 use crate::info::args::{self as info, InfoArgs};
 use crate::look::LookArgs;
 use crate::measure::args::{self as measure, MeasureArgs};
-use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::options::{EndArgs, FilmArgs, ReportArgs, ThreadArgs};
 use crate::recorded::args::{self as recorded, ConvertArgs, RenderArgs};
 use crate::replay::args::{self as replay, ReplayArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
@@ -237,13 +237,9 @@ pub struct RunArgs {
     #[command(flatten)]
     pub threads: ThreadArgs,
 
-    /// Shows no progress bar and no summary
-    #[arg(short, long)]
-    pub quiet: bool,
-
-    /// Writes the summary as one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 
     /// What is written.
     #[command(flatten)]

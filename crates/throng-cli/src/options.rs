@@ -29,6 +29,18 @@ impl EndArgs {
     }
 }
 
+/// Options for reports of results.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Shows no progress bar and no results
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    /// Writes the results as JSON to standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Options for threads.
 #[derive(Args, Debug)]
 pub struct ThreadArgs {

@@ -28,23 +28,23 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
     if args.no_expect {
         loaded.scene.expect = Expect::default();
     }
-    if !args.quiet {
+    if !args.report.quiet {
         note(&loaded.notes);
     }
     let report = threads::with(args.threads.count(), || simulate(args, &loaded))?;
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{}", report.json()))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         report.print(out)?;
     }
     out.flush()?;
-    if report.interrupted && !args.quiet {
+    if report.interrupted && !args.report.quiet {
         complain(&format!("interrupted at {:.2} s; the files cover the time until then", report.summary.time));
     }
     match (report.interrupted, report.verdict.passed) {
         (true, _) => Err(Failure::Interrupted),
         (false, false) => {
-            if args.quiet && !args.json {
+            if args.report.quiet && !args.report.json {
                 let failed = report.verdict.checks.iter().filter(|check| !check.passed);
                 let failed: String = failed.map(|check| format!("\n  {check}")).collect();
                 complain(&format!("{}: the scene did not meet its [expect]{failed}", report.scene));
@@ -58,10 +58,10 @@ pub fn run(args: &RunArgs, out: &mut Out) -> Result<(), Failure> {
 fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let begin = Instant::now();
     let Loaded { name, scene, .. } = loaded;
-    let (mut world, built) = loaded.build(args.quiet)?;
+    let (mut world, built) = loaded.build(args.report.quiet)?;
     // Before this point there are no files to finish, and an interrupt ends the program at once.
     interrupt::watch();
-    if !args.quiet {
+    if !args.report.quiet {
         note(&built.notes);
     }
     let annotations = args.annotate.annotations(scene);
@@ -86,8 +86,8 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
 
     let step = scene.time.step;
     let mut watch = Expectations::new(&scene.expect, &world, &built);
-    let mut swarms = Swarms::of(scene, args.json || !args.quiet);
-    let progress = Progress::new(args.quiet);
+    let mut swarms = Swarms::of(scene, args.report.json || !args.report.quiet);
+    let progress = Progress::new(args.report.quiet);
     let show = |world: &World| {
         progress.show(share(world, scene.time.limit), || {
             let counts = world.counts();

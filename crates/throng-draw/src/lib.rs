@@ -7,7 +7,6 @@
 //! the kinds of output for pictures of any origin. [`record`] writes all files of a run while it proceeds.
 
 mod annotate;
-mod base64;
 mod camera;
 mod cells;
 mod color;
@@ -41,7 +40,6 @@ mod text;
 mod trail;
 
 pub use annotate::{Annotation, Annotations, Annotator};
-pub use base64::base64;
 pub use camera::{Camera, WorldBox};
 pub use color::{Color, PALETTE, palette, ramp, wheel};
 pub use contact::{Contact, Section};

@@ -1,12 +1,13 @@
 //! Moments as vector pictures.
 
-use crate::base64;
 use crate::insect::Insect;
 use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::sink::png_bytes;
 use crate::trail::Trail;
 use crate::{Color, Painter};
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use glam::Vec2;
 use std::fmt::{self, Write};
 use throng_record::Frame;
@@ -180,7 +181,7 @@ fn write_mark(out: &mut String, mark: &Primitive) -> fmt::Result {
         }
         Primitive::Pixels(image) => {
             let (w, h) = (image.width(), image.height());
-            let bytes = base64(&png_bytes(image));
+            let bytes = BASE64_STANDARD.encode(png_bytes(image));
             writeln!(out, r#"<image width="{w}" height="{h}" href="data:image/png;base64,{bytes}"/>"#)
         }
         Primitive::Text { text, at, anchor, size, color } => {

@@ -1,31 +1,26 @@
-//! Random numbers that are the same on all machines: SplitMix64.
+//! The random numbers of mutants.
+
+use throng::random::{SplitMix64, mix};
 
 /// A pseudorandom number generator.
 #[derive(Clone, Debug)]
-pub(crate) struct Rng(u64);
+pub(crate) struct Rng(SplitMix64);
 
 impl Rng {
     /// Returns the generator of mutant `number` of a seed and a target.
     pub fn of(seed: u64, target: &str, number: u64) -> Self {
-        let mut rng = Self(seed);
-        for byte in target.bytes() {
-            rng.0 = rng.next() ^ u64::from(byte);
-        }
-        rng.0 = rng.next() ^ number;
-        rng
+        let parts = target.bytes().map(u64::from).chain([number]);
+        Self(SplitMix64(parts.fold(seed, |key, part| mix(key) ^ part)))
     }
 
     /// Returns the next 64 bits.
     pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        self.0.bits()
     }
 
     /// Returns a number below `end`; 0 for an `end` of 0.
     pub fn below(&mut self, end: usize) -> usize {
-        (self.next() % end.max(1) as u64) as usize
+        self.0.below(end)
     }
 
     /// Returns an entry of a list, which is not empty.

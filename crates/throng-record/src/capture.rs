@@ -49,7 +49,7 @@ impl Frame {
         self.total = counts.agents;
         self.standing = world.standing();
         self.accounts.clear();
-        self.accounts.extend_from_slice(world.traces());
+        self.accounts.extend_from_slice(world.relative_traces());
         let body = |row: usize| Body {
             number: agents.number[row],
             group: agents.group[row].index() as u32,

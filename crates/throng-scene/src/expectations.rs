@@ -8,6 +8,7 @@ use crate::geometry::DVec2;
 use crate::scene::{Arrived, Expect, FlowExpect};
 use serde::Serialize;
 use std::fmt;
+use throng::space::crosses_line;
 use throng::{Status, World};
 
 /// The expectations of a scene (`[expect]`), measured step by step during a run.
@@ -148,7 +149,7 @@ impl Expectations {
                 continue;
             }
             for flow in &mut self.flows {
-                if crosses(before, now, (flow.line.from.into(), flow.line.to.into())) {
+                if crosses_line(before, now, [flow.line.from.into(), flow.line.to.into()]) {
                     flow.first = if flow.count == 0 { world.time() } else { flow.first };
                     flow.last = world.time();
                     flow.count += 1;
@@ -286,34 +287,5 @@ impl LineFlow {
     /// Returns the agents a second between the first and the last crossing; `None` for fewer than two crossings.
     fn rate(&self) -> Option<f64> {
         (self.count > 1 && self.last > self.first).then(|| (self.count - 1) as f64 / (self.last - self.first))
-    }
-}
-
-/// Whether the path from `a` to `b` crosses the line. A point on the line counts as on its left side, so a path that
-/// touches the line is counted once.
-fn crosses(a: DVec2, b: DVec2, (from, to): (DVec2, DVec2)) -> bool {
-    let side = |p: DVec2| (to - from).perp_dot(p - from);
-    let (before, after) = (side(a), side(b));
-    if (before < 0.0) == (after < 0.0) {
-        return false;
-    }
-    let at = a + (b - a) * (before / (before - after));
-    let along = (at - from).dot(to - from);
-    (0.0..=(to - from).length_squared()).contains(&along)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_way_crosses_a_line_only_between_its_ends_and_once() {
-        let at = DVec2::new;
-        let line = (at(0.0, -1.0), at(0.0, 1.0));
-        assert!(crosses(at(-1.0, 0.0), at(1.0, 0.5), line));
-        assert!(crosses(at(1.0, 0.0), at(-1.0, 0.5), line));
-        assert!(!crosses(at(-1.0, 2.0), at(1.0, 2.0), line));
-        let (a, touch, b) = (at(-1.0, 0.0), at(0.0, 0.0), at(1.0, 0.0));
-        assert_eq!(u8::from(crosses(a, touch, line)) + u8::from(crosses(touch, b, line)), 1);
     }
 }

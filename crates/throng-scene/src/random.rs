@@ -1,9 +1,10 @@
 //! Counter-based random numbers: each is a function of (seed, group, agent, purpose, count).
 //!
-//! An agent gets the same numbers on every machine, whatever else the scene contains. The mixing function is that of
-//! SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), applied once per part of the key.
+//! An agent gets the same numbers on every machine, whatever else the scene contains. The mixing function is applied once
+//! per part of the key.
 
 use crate::scene::Number;
+use throng::random::{SplitMix64, mix};
 
 /// The purpose of a random number. Draws for one purpose do not shift the draws for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,42 +32,28 @@ pub enum Purpose {
 
 /// The random numbers of one agent for one purpose.
 #[derive(Clone, Debug)]
-pub struct Random {
-    key: u64,
-    count: u64,
-}
-
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-
-fn mix(mut x: u64) -> u64 {
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
-}
+pub struct Random(SplitMix64);
 
 impl Random {
     /// Returns the random number generator of this agent for this purpose.
     pub fn new(seed: u64, group: u64, agent: u64, purpose: Purpose) -> Self {
-        let key = [group, agent, purpose as u64]
-            .into_iter()
-            .fold(mix(seed.wrapping_add(GOLDEN)), |key, part| mix((key ^ part).wrapping_add(GOLDEN)));
-        Self { key, count: 0 }
+        let key = [group, agent, purpose as u64].into_iter().fold(mix(seed), |key, part| mix(key ^ part));
+        Self(SplitMix64(key))
     }
 
     /// Returns the next 64 random bits.
     pub fn bits(&mut self) -> u64 {
-        self.count += 1;
-        mix(self.key.wrapping_add(self.count.wrapping_mul(GOLDEN)))
+        self.0.bits()
     }
 
     /// Returns the next number in [0, 1).
     pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
+        self.0.unit()
     }
 
     /// Returns the next number between two bounds.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        self.0.between(low, high)
     }
 
     /// Returns the next number of the standard normal distribution (Box and Muller).

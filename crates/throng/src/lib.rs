@@ -11,9 +11,33 @@
 //! [`Group`] chooses the local model, the steering behaviour or the field of its agents.
 //!
 //! Units are metres, seconds and radians. Coordinates are right-handed with z up; ground crowds live in the plane z =
-//! 0. A world stores positions in `f32`, relative to its own origin. Places that pass through [`World`] are `f64` in world
-//! coordinates; [`Position`] states the rule for two and three dimensions. Fields, surfaces, behaviours and
-//! [`World::relative_columns`] work in local coordinates: [`Settings::to_local`] and [`Settings::to_world`] convert.
+//! 0. Every place is in world coordinates; [`Position`] states the rule for two and three dimensions. Two kinds of places
+//! are `f32`, which is exact to 1 mm within 10 km of an origin. The field, the behaviour and the surfaces of a group are
+//! relative to [`Group::origin`], (0, 0) by default. [`World::relative_columns`] and [`World::relative_traces`] are
+//! relative to [`Settings::origin`], near which a world keeps its agents; [`Settings::to_local`] and
+//! [`Settings::to_world`] convert.
+//!
+//! # The interface on one page
+//!
+//! | to | calls of [`World`] |
+//! |---|---|
+//! | make a world | [`new`](World::new), [`set_simd_level`](World::set_simd_level), [`reserve`](World::reserve) |
+//! | add what shapes the place | [`set_walkable`](World::set_walkable), [`add_obstacle`](World::add_obstacle), [`add_obstacles`](World::add_obstacles), [`set_obstacle`](World::set_obstacle), [`move_obstacle`](World::move_obstacle), [`remove_obstacle`](World::remove_obstacle) |
+//! | add agents | [`add_agent`](World::add_agent), [`schedule_agent`](World::schedule_agent), [`remove_agent`](World::remove_agent), [`replace`](World::replace), [`is_free`](World::is_free), [`no_room`](World::no_room) |
+//! | say what groups do | [`add_group`](World::add_group), [`set_group`](World::set_group), [`set_field`](World::set_field), [`set_rules`](World::set_rules), [`notify`](World::notify) |
+//! | send agents | [`set_goal`](World::set_goal), [`set_journey`](World::set_journey), [`add_goal`](World::add_goal), [`add_journey`](World::add_journey), [`add_choice`](World::add_choice), [`add_script`](World::add_script), [`face_ways`](World::face_ways) |
+//! | decide for an agent | [`set_preferred_velocity`](World::set_preferred_velocity), [`set_position`](World::set_position), [`set_velocity`](World::set_velocity), [`set_user_data`](World::set_user_data), [`adjust`](World::adjust) |
+//! | go on | [`step`](World::step), [`step_in_stages`](World::step_in_stages), [`finished`](World::finished), [`time`](World::time), [`steps`](World::steps) |
+//! | read agents | [`agents`](World::agents), [`agent`](World::agent), [`agent_ids`](World::agent_ids), [`members`](World::members), [`position`](World::position), [`positions_into`](World::positions_into), [`events`](World::events), [`stranded`](World::stranded), [`overlapping`](World::overlapping) |
+//! | read in bulk, by rows | [`relative_columns`](World::relative_columns), [`row`](World::row), [`id`](World::id), [`goal_of`](World::goal_of), [`hindrance`](World::hindrance), [`sort_rows`](World::sort_rows) |
+//! | read what was given | [`settings`](World::settings), [`groups`](World::groups), [`group`](World::group), [`group_named`](World::group_named), [`goals`](World::goals), [`journey`](World::journey), [`scripts`](World::scripts), [`place`](World::place), [`in_space`](World::in_space) |
+//! | read results | [`summary`](World::summary), [`counts`](World::counts), [`figures`](World::figures), [`figure`](World::figure), [`standing`](World::standing), [`refused`](World::refused), [`draw`](World::draw) |
+//! | see reasons | [`explain`](World::explain), [`request_traces`](World::request_traces), [`relative_traces`](World::relative_traces) |
+//! | keep a run | [`save`](World::save), [`load`](World::load), [`state_hash`](World::state_hash) |
+//!
+//! A program of its own extends the engine at four traits: [`LocalModel`](avoid::LocalModel),
+//! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The parts of the stages that tests and
+//! benchmarks reach are documented with the feature `internals` only.
 
 pub mod agent;
 pub mod avoid;
@@ -25,7 +49,7 @@ pub mod navigate;
 mod parallel;
 pub mod perceive;
 mod position;
-mod random;
+pub mod random;
 mod rules;
 mod simd;
 pub mod space;

@@ -1,7 +1,9 @@
-//! Counter-based random numbers: each number is a hash of its key.
+//! Random numbers that are the same on all machines.
 //!
-//! The key is (seed, agent's number, step, purpose), so a draw depends neither on the order of the agents nor on other
-//! draws. The mixing function is the finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
+//! The numbers of a world are counter-based: each is a hash of its key (seed, agent's number, step, purpose), so a draw
+//! depends neither on the order of the agents nor on other draws. [`mix`] is the hash, [`SplitMix64`] the sequence.
+
+use glam::DVec2;
 
 /// The purpose of a random number. Two purposes never share a number.
 #[derive(Clone, Copy, Debug)]
@@ -16,11 +18,62 @@ pub(crate) enum Purpose {
     Eddies,
 }
 
-fn mix(mut z: u64) -> u64 {
-    z = z.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+/// The increment of the state of [`SplitMix64`].
+const GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// Returns the mixed bits of a number: the output of [`SplitMix64`] in this state (Steele, Lea, Flood, OOPSLA 2014).
+///
+/// ```
+/// assert_eq!(throng::random::mix(0), 0xe220_a839_7b1d_cdaf);
+/// ```
+pub fn mix(z: u64) -> u64 {
+    let z = z.wrapping_add(GAMMA);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
+}
+
+/// A sequence of random numbers from a seed, for workloads and tests (Steele, Lea, Flood, OOPSLA 2014).
+///
+/// ```
+/// use throng::random::SplitMix64;
+/// let mut rng = SplitMix64(7);
+/// assert_eq!([rng.bits(), SplitMix64(7).bits()], [throng::random::mix(7); 2]);
+/// assert!((2.0..3.0).contains(&rng.between(2.0, 3.0)) && rng.below(4) < 4);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SplitMix64(
+    /// The state: the seed at first.
+    pub u64,
+);
+
+impl SplitMix64 {
+    /// Returns the next 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        let bits = mix(self.0);
+        self.0 = self.0.wrapping_add(GAMMA);
+        bits
+    }
+
+    /// Returns the next number in [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Returns the next number from `low` up to but without `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Returns the next point of the box between two corners.
+    pub fn point(&mut self, low: DVec2, high: DVec2) -> DVec2 {
+        DVec2::new(self.between(low.x, high.x), self.between(low.y, high.y))
+    }
+
+    /// Returns the next whole number below `count`; 0 for a count of 0.
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count.max(1) as u64) as usize
+    }
 }
 
 /// Returns 64 random bits.

@@ -21,6 +21,7 @@ mod govern;
 mod hindrance;
 mod intend;
 mod intend_simd;
+mod local;
 mod look_ahead;
 mod measure;
 mod neighbour_data;
@@ -93,8 +94,8 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Converts a place in world coordinates to local coordinates: relative to [`origin`](Self::origin), in `f32`. Fields,
-    /// surfaces, behaviours and their traces work in local coordinates, where `f32` is exact enough.
+    /// Converts a place in world coordinates to local coordinates: relative to [`origin`](Self::origin), in `f32`,
+    /// as in [`World::relative_columns`].
     ///
     /// ```
     /// use glam::{DVec2, DVec3, Vec3};
@@ -127,7 +128,9 @@ pub struct World {
     steps: u64,
     agents: Columns,
     slots: Slots,
+    /// Groups in local coordinates, and as they were given.
     groups: Vec<Group>,
+    given_groups: Vec<Group>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
     /// Journeys that are alternatives to each other.
@@ -343,14 +346,14 @@ impl World {
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
     }
 
-    /// Returns a group.
+    /// Returns a group, as it was given.
     pub fn group(&self, id: GroupId) -> &Group {
-        &self.groups[id.index()]
+        &self.given_groups[id.index()]
     }
 
-    /// Returns all groups, by index.
+    /// Returns all groups, by index, as they were given.
     pub fn groups(&self) -> &[Group] {
-        &self.groups
+        &self.given_groups
     }
 
     /// Returns all goals, by index.

@@ -1,5 +1,6 @@
 //! The command line of `throng bench`.
 
+use crate::options::ReportArgs;
 use crate::source::Changes;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -94,13 +95,9 @@ pub struct BenchArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Vec<PathBuf>,
 
-    /// Writes the runs as JSON to standard output
-    #[arg(long)]
-    pub json: bool,
-
-    /// Shows no progress bar and no table
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 
     /// Changes to scenes.
     #[command(flatten)]

@@ -30,12 +30,12 @@ pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
     }
     let subjects = plan::subjects(args)?;
     let outputs = outputs(args)?;
-    if profile() == "dev" && !args.quiet {
+    if profile() == "dev" && !args.report.quiet {
         complain("note: this program was not built with --release; it is slower than it could be");
     }
     interrupt::watch();
     let (machine, threads) = (Machine::here(), args.threads());
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.report.quiet);
     let mut runs: Vec<MeasuredRun> = Vec::new();
     let whole = subjects.len() * threads.len() * args.repeat as usize;
     let mut done = 0;
@@ -52,9 +52,9 @@ pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
         output.put(write(&machine, &runs).as_bytes())?;
         output.finish()?;
     }
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{:#}", table::json(&machine, &runs)))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         out.text(table::text(&machine, &runs).as_bytes())?;
         for file in &args.output {
             out.line(format_args!("wrote {}", file.display()))?;
@@ -62,7 +62,7 @@ pub fn bench(args: &BenchArgs, out: &mut Out) -> Result<(), Failure> {
     }
     out.flush()?;
     if interrupt::asked() {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the figures are those measured until then");
         }
         return Err(Failure::Interrupted);

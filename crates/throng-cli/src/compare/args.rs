@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::models::models;
-use crate::options::{EndArgs, FilmArgs, ThreadArgs};
+use crate::options::{EndArgs, FilmArgs, ReportArgs, ThreadArgs};
 use crate::seeds::seeds;
 use crate::source::SceneArgs;
 use clap::Args;
@@ -89,13 +89,9 @@ pub struct CompareArgs {
     #[command(flatten)]
     pub threads: ThreadArgs,
 
-    /// Shows no progress bar and no table
-    #[arg(short, long)]
-    pub quiet: bool,
-
-    /// Writes the figures as one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 
     /// The moments that pictures show, and how pictures look; --size is the size of all panels together.
     #[command(flatten)]

@@ -32,12 +32,13 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     let seeds = args.seeds(loaded.scene.seed)?;
     loaded.scene.seed = seeds[0];
     let plan = ComparePlan { loaded, models: args.models()?, seeds };
-    if !args.quiet {
+    if !args.report.quiet {
         note(&plan.loaded.notes);
     }
     let workers = Workers::new(args.threads.count(), plan.models.len() * plan.seeds.len())?;
-    let mut race =
-        waiting(args.quiet, "building the worlds", || Race::start(&plan, &workers, Progress::new(args.quiet)))?;
+    let mut race = waiting(args.report.quiet, "building the worlds", || {
+        Race::start(&plan, &workers, Progress::new(args.report.quiet))
+    })?;
     interrupt::watch();
     let mut outputs = CompareOutputs::create(args, &plan, race.leaders())?;
     if outputs.watch() {
@@ -49,9 +50,9 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     }
     let results = CompareResults::new(&plan, race.finish()?, interrupt::asked());
     let files = outputs.finish(&plan, &results, args.all)?;
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{}", results.json(&files, begin.elapsed())))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         out.text(table::text(&plan, &results, args.all).as_bytes())?;
         for file in &files {
             out.line(format_args!("wrote {}", file.display()))?;
@@ -59,7 +60,7 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     }
     out.flush()?;
     if results.interrupted {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the figures and the files cover the time until then");
         }
         return Err(Failure::Interrupted);

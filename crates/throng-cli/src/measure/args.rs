@@ -1,7 +1,7 @@
 //! The command line of `throng measure`.
 
 use crate::look::{parse_not_negative, parse_positive};
-use crate::options::ThreadArgs;
+use crate::options::{ReportArgs, ThreadArgs};
 use crate::source::{Changes, parse_four};
 use crate::tracks::TrackArgs;
 use clap::Args;
@@ -113,13 +113,9 @@ pub struct MeasureArgs {
     #[command(flatten)]
     pub threads: ThreadArgs,
 
-    /// Shows no progress bar and no figures
-    #[arg(short, long)]
-    pub quiet: bool,
-
-    /// Writes the figures as one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 }
 
 /// Options for measuring people.

@@ -26,7 +26,7 @@ pub fn gather(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
     } else {
         people::not_of_scenes(args)?;
         let loaded = args.changes.load(&args.of)?;
-        if !args.quiet {
+        if !args.report.quiet {
             note(&loaded.notes);
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
@@ -37,16 +37,16 @@ pub fn gather(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
 }
 
 fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failure> {
-    let (mut world, built) = loaded.build(args.quiet)?;
+    let (mut world, built) = loaded.build(args.report.quiet)?;
     interrupt::watch();
-    if !args.quiet {
+    if !args.report.quiet {
         note(&built.notes);
     }
     let scene = &loaded.scene;
     let names: Vec<String> = built.groups[..scene.groups.len()].iter().map(|group| group.name.clone()).collect();
     let chosen = chosen(args, &names)?;
     let mut groups: Vec<Measured> = chosen.iter().map(|&k| begin(args, &names[k])).collect();
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.report.quiet);
     let mut frame = Frame::default();
     // Half a step of tolerance keeps rounding from leaving out a moment.
     let (half, to) = (0.5 * scene.time.step, args.to.unwrap_or(f64::INFINITY));
@@ -70,8 +70,8 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
 }
 
 fn recorded(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
-    let tracks = args.tracks.read(&args.of, args.quiet)?;
-    if !args.quiet {
+    let tracks = args.tracks.read(&args.of, args.report.quiet)?;
+    if !args.report.quiet {
         note(&tracks.notes);
     }
     let chosen = chosen(args, &tracks.setting.groups)?;
@@ -84,8 +84,9 @@ fn recorded(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
         group
     };
     let counts = |spot: &Sample| within.contains(&spot.time) && chosen.contains(&(spot.group as usize));
-    let (groups, people) =
-        waiting(args.quiet, "measuring", || (chosen.iter().map(measured).collect(), people::of(args, &tracks, counts)));
+    let (groups, people) = waiting(args.report.quiet, "measuring", || {
+        (chosen.iter().map(measured).collect(), people::of(args, &tracks, counts))
+    });
     let people = people?;
     Ok(MeasuredSubject { name: args.of.display().to_string(), title: title(&args.of), groups, people })
 }

@@ -68,9 +68,9 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     for path in &args.output {
         write(path, &subject)?;
     }
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{}", json::of(&subject, &args.output)))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         let people = subject.people.as_ref().map_or_else(String::new, |people| people.text(name));
         out.text(people.as_bytes())?;
         out.text(text::text(name, &subject.groups).as_bytes())?;
@@ -78,7 +78,7 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     }
     out.flush()?;
     if interrupt::asked() {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the figures cover the time until then");
         }
         return Err(Failure::Interrupted);

@@ -3,7 +3,7 @@
 use crate::look::{parse_not_negative, parse_positive};
 use crate::map::MapArgs;
 use crate::measure::args::parse_line;
-use crate::options::{FilmArgs, ThreadArgs};
+use crate::options::{FilmArgs, ReportArgs, ThreadArgs};
 use crate::tracks::TrackArgs;
 use clap::Args;
 use std::path::PathBuf;
@@ -123,13 +123,9 @@ pub struct ReplayArgs {
     #[command(flatten)]
     pub threads: ThreadArgs,
 
-    /// Shows no progress bar and no figures
-    #[arg(short, long)]
-    pub quiet: bool,
-
-    /// Writes the figures as one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 
     /// The moments that pictures show, and how pictures look; --size is the size of all panels together.
     #[command(flatten)]

@@ -36,7 +36,7 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
         return Err(Failure::hint(text, "end the name in .csv"));
     }
     let setup = Setup::read(args)?;
-    if !args.quiet {
+    if !args.report.quiet {
         note(&setup.notes);
     }
     interrupt::watch();
@@ -49,14 +49,14 @@ pub fn replay(args: &ReplayArgs, out: &mut Out) -> Result<(), Failure> {
     if let Some(pages) = pages {
         pages.write(&report)?;
     }
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{}", json::of(&report, begin.elapsed())))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         out.text(text::of(&report).as_bytes())?;
     }
     out.flush()?;
     if report.interrupted {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the figures and the files cover the time until then");
         }
         return Err(Failure::Interrupted);

@@ -46,7 +46,7 @@ impl<'a> Setup<'a> {
     pub fn read(args: &'a ReplayArgs) -> Result<Self, Failure> {
         let models = models("--model", &args.stage.model)?;
         let scenes = models.iter().map(|model| stage::scene(args, model)).collect::<Result<Vec<_>, _>>()?;
-        let tracks = args.tracks.read(&args.data, args.quiet)?;
+        let tracks = args.tracks.read(&args.data, args.report.quiet)?;
         let cast = cast(args, &tracks)?;
         let map = match args.stage.no_map {
             true => Map::default(),

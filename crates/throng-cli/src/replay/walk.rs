@@ -22,7 +22,7 @@ pub fn walk(setup: &Setup) -> Result<(Vec<Replayed>, Option<Pages>), Failure> {
     let refused = |error| setup.refused(error);
     let replays = stages.iter().map(|stage| Replay::new(stage, cast, start, times.clone()));
     let mut replays = replays.collect::<Result<Vec<_>, _>>().map_err(refused)?;
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.report.quiet);
     outputs.push(&replays)?;
     while replays[0].time() < end - ROUNDING && !interrupt::asked() {
         replays.iter_mut().try_for_each(Replay::step).map_err(refused)?;
@@ -61,7 +61,7 @@ pub fn predictions(setup: &Setup, pages: Option<&Pages>) -> Result<Option<Predic
         starts.iter().flat_map(|&start| (0..stages.len()).map(move |model| (start, model))).collect();
     let count = tasks.len();
     let workers = Workers::new(args.threads.count(), count)?;
-    let (progress, done) = (Progress::new(args.quiet), AtomicUsize::new(0));
+    let (progress, done) = (Progress::new(args.report.quiet), AtomicUsize::new(0));
     let ahead = |(start, model): (f64, usize)| {
         if interrupt::asked() {
             return Ok(None);

@@ -3,7 +3,7 @@
 use super::families;
 use crate::failure::Failure;
 use crate::models::models;
-use crate::options::ThreadArgs;
+use crate::options::{ReportArgs, ThreadArgs};
 use crate::seeds::seeds;
 use crate::source::parse_change;
 use clap::Args;
@@ -117,13 +117,9 @@ pub struct ValidateArgs {
     #[arg(long, value_name = "FOLDER")]
     pub keep: Option<PathBuf>,
 
-    /// Writes the figures as one JSON object to standard output
-    #[arg(long)]
-    pub json: bool,
-
-    /// Shows no progress bar and no table
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// How results are reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 }
 
 impl ValidateArgs {

@@ -49,7 +49,7 @@ pub fn families(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     interrupt::watch();
     let count = trials.len();
     let workers = Workers::new(args.threads.count(), count)?;
-    let (progress, done) = (Progress::new(args.quiet), AtomicU64::new(0));
+    let (progress, done) = (Progress::new(args.report.quiet), AtomicU64::new(0));
     let outcomes = workers.map(trials, |trial| {
         let outcome = run(args, model.as_ref(), trial);
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -62,14 +62,14 @@ pub fn families(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     if let Some(folder) = &args.keep {
         keep(&outcomes, args.trial.is_some(), folder)?;
     }
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{:#}", as_json(args, &outcomes, begin)))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         out.text(text(seed, &outcomes).as_bytes())?;
     }
     out.flush()?;
     if interrupt::asked() {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the counts are those of the runs that were complete");
         }
         return Err(Failure::Interrupted);

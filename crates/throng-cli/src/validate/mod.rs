@@ -55,7 +55,7 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     interrupt::watch();
     let count = plan.experiments.iter().map(|(_, cases)| cases.len()).sum::<usize>() * plan.seeds.len();
     let workers = Workers::new(args.threads.count(), count)?;
-    let validated = plan.run(&workers, &Progress::new(args.quiet))?;
+    let validated = plan.run(&workers, &Progress::new(args.report.quiet))?;
     let results = ValidateResults {
         model: args.model.clone(),
         set: plan.set,
@@ -68,9 +68,9 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
         output.put(write(&results, begin.elapsed())?.as_bytes())?;
         output.finish()?;
     }
-    if args.json {
+    if args.report.json {
         out.line(format_args!("{:#}", results.json(begin.elapsed())))?;
-    } else if !args.quiet {
+    } else if !args.report.quiet {
         out.text(table::text(&results).as_bytes())?;
         for file in &args.output {
             out.line(format_args!("wrote {}", file.display()))?;
@@ -78,7 +78,7 @@ pub fn validate(args: &ValidateArgs, out: &mut Out) -> Result<(), Failure> {
     }
     out.flush()?;
     if results.interrupted {
-        if !args.quiet {
+        if !args.report.quiet {
             complain("interrupted; the figures are those of the cases that were complete");
         }
         return Err(Failure::Interrupted);

@@ -7,6 +7,7 @@
 use super::contact::time_to_collision;
 use super::people::{People, Walk, median};
 use glam::DVec2;
+use throng::random::SplitMix64;
 
 /// Interval of samples, seconds.
 const EVERY: f64 = 0.4;
@@ -182,9 +183,9 @@ fn interaction(all: &[SampledPerson]) -> Vec<f64> {
         }
     }
     let samples = moments.concat();
-    let count = samples.len() as u64;
-    for pair in 0..if count > 1 { SHUFFLED } else { 0 } {
-        let [one, other] = [2 * pair, 2 * pair + 1].map(|draw| samples[(mixed(draw) % count) as usize]);
+    let mut rng = SplitMix64(0);
+    for _ in 0..if samples.len() > 1 { SHUFFLED } else { 0 } {
+        let [one, other] = [(); 2].map(|()| samples[rng.below(samples.len())]);
         if one.0 != other.0 {
             shuffled.add(one.1 - other.1, one.2 - other.2);
         }
@@ -212,12 +213,4 @@ impl Histogram {
         }
         self.free += u64::from(FREE.contains(&time));
     }
-}
-
-/// Returns the mixed bits of a number (splitmix64): random numbers that are the same on all machines.
-fn mixed(index: u64) -> u64 {
-    let mut bits = index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
 }

@@ -8,9 +8,7 @@ use crate::scene::{self, Avoid, Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
 use std::sync::Arc;
 use throng::Agent;
-use throng::avoid::{
-    Avo, BuiltFrom, ClearPath, Hrvo, LocalModel, NoAvoidance, Orca, Orca3d, Rvo, RvoLab, SamplePattern, Vo,
-};
+use throng::avoid::{Avo, BuiltFrom, Hrvo, LocalModel, NoAvoidance, Orca, Orca3d, Rvo, RvoLab, SamplePattern, Vo};
 use throng::field::Governed;
 use throng::steer::BoxedBehaviour;
 use throng::steer::swarm::Swarm;
@@ -132,6 +130,7 @@ pub(super) fn shared(
     };
     throng::Group {
         name,
+        origin,
         model: model(&avoid),
         neighbour_distance,
         neighbours,
@@ -175,11 +174,13 @@ fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
         Avoid::Vo(model) => Arc::new(Vo {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            reciprocal: false,
         }),
         Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
-        Avoid::Clearpath(model) => Arc::new(ClearPath {
+        Avoid::Clearpath(model) => Arc::new(Vo {
             time_horizon: model.time_horizon as f32,
             time_horizon_obstacles: model.time_horizon_obstacles as f32,
+            reciprocal: true,
         }),
         Avoid::Rvo(model) => Arc::new(Rvo {
             weight: model.weight as f32,

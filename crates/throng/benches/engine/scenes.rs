@@ -1,24 +1,8 @@
 //! The workloads: crowds that never end, so that all steps are alike, and floors of rooms.
 
 use glam::{DVec2, Vec2};
+pub use throng::random::SplitMix64 as Dice;
 use throng::{Agent, Goal, Journey, JourneyId, Obstacle, Settings, Stop, Walkable, World};
-
-/// A small random number generator (splitmix64).
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-
-    pub fn point(&mut self, low: DVec2, high: DVec2) -> DVec2 {
-        DVec2::new(self.between(low.x, high.x), self.between(low.y, high.y))
-    }
-}
 
 /// Returns places on a jittered grid round the origin, with a density per square metre; at 2 per m2 no two are nearer
 /// than 0.43 m.

@@ -5,6 +5,7 @@ use crate::avoid::{LocalModel, NoAvoidance, Orca};
 use crate::field::Governed;
 use crate::motion::{Locomotion, Vehicle, WrapAround};
 use crate::steer::{Barriers, BoxedBehaviour};
+use glam::DVec2;
 use std::sync::Arc;
 
 /// The properties that the agents of a group share: their local model, neighbour search and interaction rules.
@@ -12,6 +13,11 @@ use std::sync::Arc;
 pub struct Group {
     /// Name, for display.
     pub name: String,
+    /// World coordinates of the origin of the group's own coordinates. Its field, behaviour, wrapping and solids have
+    /// places in `f32`, relative to this origin: by default they are world coordinates. Where these exceed some 1000 m,
+    /// `f32` rounds to more than 0.1 mm; the [origin of the world](crate::Settings::origin) is then the better origin, and
+    /// the fastest.
+    pub origin: DVec2,
     /// The local model: it turns the preferred velocity into a safe one.
     pub model: Arc<dyn LocalModel>,
     /// Distance within which an agent searches for neighbours, metres between centres (between cores, for bodies that
@@ -82,7 +88,7 @@ impl Group {
         Error::unless(self.keep_right.abs() <= 0.5, "keep right", self.keep_right, "from -0.5 to 0.5 rad")?;
         self.check_look_ahead()?;
         self.model.check()?;
-        self.check_field(&self.field)?;
+        self.check_field()?;
         if let Some(steering) = &self.steering {
             steering.check()?;
             self.vehicle.check()?;
@@ -101,9 +107,15 @@ impl Group {
         Ok(())
     }
 
+    /// Whether it has anything that its origin counts for.
+    pub(crate) fn has_places(&self) -> bool {
+        let Self { field, steering, wrap_around, solid, .. } = self;
+        field.is_some() || steering.is_some() || wrap_around.is_some() || !solid.0.is_empty()
+    }
+
     /// Checks whether a field can govern the group.
-    pub(crate) fn check_field(&self, field: &Option<Governed>) -> Result<(), Error> {
-        let Some(field) = field else { return Ok(()) };
+    fn check_field(&self) -> Result<(), Error> {
+        let Some(field) = &self.field else { return Ok(()) };
         field.check()?;
         if self.steering.is_some() {
             let why = "it steers, so no field can govern it: let it follow the flow".into();
@@ -151,6 +163,7 @@ impl Default for Group {
     fn default() -> Self {
         Self {
             name: "agents".into(),
+            origin: DVec2::ZERO,
             model: Arc::new(Orca::default()),
             neighbour_distance: 8.0,
             neighbours: 10,

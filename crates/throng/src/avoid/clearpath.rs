@@ -3,63 +3,10 @@
 //!
 //! The boundary of the free velocities consists of pieces of lines and circles: legs of cones, their rounded tips,
 //! lines, and the circle of greatest speed. The closest free velocity is the preferred velocity itself, the nearest
-//! point of a piece, or a crossing of two pieces. VO, HRVO and ClearPath's own model share this search.
+//! point of a piece, or a crossing of two pieces. [VO](super::Vo) and [HRVO](super::Hrvo) share this search.
 
-use super::{AvoidanceInput, AvoidanceReason, BoundaryPiece, Cause, Forbidden, LocalModel, Workspace};
-use crate::Error;
+use super::{AvoidanceInput, AvoidanceReason, BoundaryPiece, Cause, Forbidden, Workspace};
 use glam::Vec2;
-
-/// ClearPath: reciprocal velocity obstacles, truncated at a time horizon (the paper's FVO), solved exactly.
-///
-/// It finds gaps between neighbours that the half-planes of [`Orca`](super::Orca) hide. Where no velocity is free it
-/// drops the constraints of the farthest neighbours first.
-///
-/// ```
-/// use throng::avoid::ClearPath;
-/// let model = ClearPath { time_horizon: 3.0, ..ClearPath::default() };
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClearPath {
-    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
-    pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
-    pub time_horizon_obstacles: f32,
-}
-
-impl Default for ClearPath {
-    fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7 }
-    }
-}
-
-impl LocalModel for ClearPath {
-    fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
-        self.forbid(view, workspace);
-        closest_outside(&workspace.forbidden, view.max_speed, view.preferred)
-    }
-
-    fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
-        self.forbid(view, workspace);
-        workspace.reasons().collect()
-    }
-
-    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
-        self.time_horizon_obstacles * max_speed + radius
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
-    }
-}
-
-impl ClearPath {
-    fn forbid(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) {
-        workspace.forbid(view, self.time_horizon_obstacles, |other| {
-            Forbidden::truncated(view.velocity, other, self.time_horizon, view.step)
-        });
-    }
-}
 
 impl Workspace {
     /// Collects the velocities that walls, the body itself and neighbours forbid, the most important first, and the

@@ -34,7 +34,7 @@ mod vo;
 
 pub use anticipation_velocity::AnticipationVelocity;
 pub use avo::Avo;
-pub use clearpath::{ClearPath, closest_outside};
+pub use clearpath::closest_outside;
 pub(crate) use collision::times_to_discs;
 pub use collision::{time_to_disc, time_to_segment};
 pub use collision_free_speed::CollisionFreeSpeed;

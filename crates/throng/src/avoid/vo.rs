@@ -1,20 +1,26 @@
 //! Velocity obstacles: Fiorini, Shiller, Motion planning in dynamic environments using velocity obstacles, IJRR 17(7)
-//! 1998.
+//! 1998; and their reciprocal form of Guy et al., ClearPath: highly parallel collision avoidance for multi-agent
+//! simulation, SCA 2009.
 //!
 //! A neighbour that keeps its velocity forbids a cone of velocities: those that lead to a collision within the time
-//! horizon. The agent takes the permitted velocity closest to the preferred one and does all of the avoidance. If both
-//! of two agents do so, their conflict is gone in the next step and both turn back: they oscillate. [`Rvo`](super::Rvo)
-//! prevents that.
+//! horizon. The agent takes the permitted velocity closest to the preferred one. An agent that does all of the avoidance
+//! oscillates: if both of two agents do so, their conflict is gone in the next step and both turn back. Reciprocal
+//! agents each do their share.
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
 use glam::Vec2;
 
-/// Velocity obstacles, solved exactly by [`closest_outside`].
+/// Velocity obstacles that end at a time horizon, solved exactly by [`closest_outside`].
+///
+/// It finds gaps between neighbours that the half-planes of [`Orca`](super::Orca) hide. Where no velocity is free it
+/// drops the constraints of the farthest neighbours first.
 ///
 /// ```
 /// use throng::avoid::Vo;
 /// let wary = Vo { time_horizon: 4.0, ..Vo::default() };
+/// let shares = Vo::clear_path();
+/// assert!(shares.reciprocal && !wary.reciprocal);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vo {
@@ -22,11 +28,13 @@ pub struct Vo {
     pub time_horizon: f32,
     /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
     pub time_horizon_obstacles: f32,
+    /// Whether the agent leaves its neighbours their shares of the avoidance, instead of doing all of it.
+    pub reciprocal: bool,
 }
 
 impl Default for Vo {
     fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7 }
+        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, reciprocal: false }
     }
 }
 
@@ -52,10 +60,16 @@ impl LocalModel for Vo {
 }
 
 impl Vo {
+    /// Returns the model of ClearPath (the paper's FVO): reciprocal velocity obstacles.
+    pub fn clear_path() -> Self {
+        Self { reciprocal: true, ..Self::default() }
+    }
+
     fn forbid(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) {
         workspace.forbid(view, self.time_horizon_obstacles, |other| {
             let all = AvoidanceNeighbour { share: 1.0, room: 1.0, ..*other };
-            Forbidden::truncated(view.velocity, &all, self.time_horizon, view.step)
+            let other = if self.reciprocal { other } else { &all };
+            Forbidden::truncated(view.velocity, other, self.time_horizon, view.step)
         });
     }
 }

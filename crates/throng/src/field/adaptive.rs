@@ -21,7 +21,7 @@ pub trait Adaptive: Send + Sync {
     /// Returns the memory before the first update.
     fn memory(&self) -> Vec<f32>;
 
-    /// Updates the memory from the positions of all agents, metres from the world's origin, in the order of their
+    /// Updates the memory from the positions of all agents, metres from the origin, in the order of their
     /// numbers.
     fn notice(&self, memory: &mut [f32], people: &[Vec2]);
 

@@ -17,7 +17,7 @@ const ON_LINE: f64 = 1e-6;
 /// A velocity wanted at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor {
-    /// Metres from the world's origin.
+    /// Metres from the origin.
     pub place: DVec2,
     /// Metres a second.
     pub velocity: DVec2,
@@ -217,7 +217,7 @@ impl Anchors {
         Ok(())
     }
 
-    /// Returns the velocity at a place, metres from the world's origin.
+    /// Returns the velocity at a place, metres from the origin.
     pub fn at(&self, place: DVec2) -> DVec2 {
         let offset = place - self.middle;
         let velocity = self.plate.velocity(offset / self.extent);

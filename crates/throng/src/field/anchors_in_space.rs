@@ -40,7 +40,7 @@ pub struct AnchorsInSpace {
 }
 
 impl AnchorsInSpace {
-    /// Creates the field through these pairs of place (metres from the world's origin) and velocity. Anchors that share
+    /// Creates the field through these pairs of place (metres from the origin) and velocity. Anchors that share
     /// a place have their mean velocity there.
     ///
     /// # Errors
@@ -98,7 +98,7 @@ impl AnchorsInSpace {
         &self.notes
     }
 
-    /// Returns the velocity at a place, metres from the world's origin.
+    /// Returns the velocity at a place, metres from the origin.
     pub fn at(&self, place: DVec3) -> DVec3 {
         let offset = place - self.middle;
         let beyond = offset.distance(offset.clamp(self.bounds.0, self.bounds.1));

@@ -35,7 +35,7 @@ pub struct AroundWalls {
 
 impl AroundWalls {
     /// Creates the corrected field. The correction starts `width` metres from a wall; the walls are in metres from the
-    /// world's origin.
+    /// origin.
     ///
     /// # Errors
     /// A width that is not greater than 0 and finite.

@@ -20,7 +20,7 @@ const MOST: usize = 100_000;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// The line of the stroke, metres from the world's origin: at least two points that differ.
+    /// The line of the stroke, metres from the origin: at least two points that differ.
     pub points: Vec<DVec2>,
     /// Speed of the field along the line, m/s. Limit: finite; below zero, against it.
     pub speed: f64,
@@ -86,7 +86,7 @@ impl Stroke {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stamp {
-    /// The centre, metres from the world's origin.
+    /// The centre, metres from the origin.
     pub place: DVec2,
     /// The kind of the critical point. At a saddle the field leads away along x and towards the centre along y.
     pub kind: Critical,

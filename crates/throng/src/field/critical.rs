@@ -9,7 +9,7 @@ const CENTER: f64 = 1e-3;
 /// A place where a field is zero while it flows around the place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalPoint {
-    /// Metres from the world's origin.
+    /// Metres from the origin.
     pub place: DVec2,
     /// What the field does around the place.
     pub kind: Critical,

@@ -33,7 +33,7 @@ const AGAINST: f32 = 2.7;
 /// ```
 #[derive(Clone)]
 pub struct Governed {
-    /// The field, in metres from the world's origin.
+    /// The field, in metres from the origin.
     pub field: Arc<dyn Field>,
     /// Share of the field in the preferred velocity: 0 to 1. It is multiplied by
     /// [`Agent::governed`](crate::Agent::governed).

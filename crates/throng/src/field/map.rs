@@ -32,7 +32,7 @@ impl Map {
         Ok(Self { grid: ValueGrid::new(low, cell, columns, values)? })
     }
 
-    /// Creates a map of zeros over the box between two corners, metres from the world's origin, rounded up to whole
+    /// Creates a map of zeros over the box between two corners, metres from the origin, rounded up to whole
     /// cells.
     ///
     /// # Errors
@@ -41,7 +41,14 @@ impl Map {
         Ok(Self { grid: ValueGrid::over(low, high, cell)? })
     }
 
-    /// Returns the number at a place, metres from the world's origin.
+    /// Returns the map moved by a vector, metres.
+    pub(crate) fn translated(&self, by: DVec2) -> Self {
+        let mut grid = self.grid.clone();
+        grid.low += by;
+        Self { grid }
+    }
+
+    /// Returns the number at a place, metres from the origin.
     pub fn at(&self, place: DVec2) -> f32 {
         self.grid.at(place).unwrap_or(0.0)
     }
@@ -55,7 +62,7 @@ impl Map {
         brush.stroke(&mut self.grid, points, |_| value)
     }
 
-    /// Returns the corners with the least and the greatest coordinates, metres from the world's origin.
+    /// Returns the corners with the least and the greatest coordinates, metres from the origin.
     pub fn bounds(&self) -> [DVec2; 2] {
         [self.grid.low, self.grid.high()]
     }

@@ -55,6 +55,9 @@ use std::sync::Arc;
 /// A velocity at every place and time: currents, wind, sketched and painted routes. Functions of a place and a time are
 /// fields.
 ///
+/// Places are in metres from the [origin of the group](crate::Group::origin) that the field is for: world coordinates,
+/// unless the group says otherwise.
+///
 /// ```
 /// use glam::Vec3;
 /// use throng::field::Field;
@@ -63,7 +66,7 @@ use std::sync::Arc;
 /// assert_eq!(whirl.velocity(Vec3::X * 2.0, 0.0), Vec3::Y * 2.0);
 /// ```
 pub trait Field: Send + Sync {
-    /// Returns the velocity, m/s, at a place, metres from the world's origin, and a time, seconds since the start. Zero
+    /// Returns the velocity, m/s, at a place, metres from the origin, and a time, seconds since the start. Zero
     /// means that the field has no effect there.
     fn velocity(&self, place: Vec3, time: f64) -> Vec3;
 

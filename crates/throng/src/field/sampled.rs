@@ -37,7 +37,7 @@ impl Sampled {
         Ok(Self { grid: ValueGrid::new(low, cell, columns, velocities)? })
     }
 
-    /// Creates a field of zeros over the box between two corners, metres from the world's origin, rounded up to whole
+    /// Creates a field of zeros over the box between two corners, metres from the origin, rounded up to whole
     /// cells.
     ///
     /// # Errors
@@ -88,7 +88,7 @@ impl Sampled {
         self.grid.cell
     }
 
-    /// Returns the corner with the least coordinates, metres from the world's origin.
+    /// Returns the corner with the least coordinates, metres from the origin.
     pub fn low(&self) -> DVec2 {
         self.grid.low
     }

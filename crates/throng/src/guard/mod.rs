@@ -93,10 +93,14 @@ mod solid;
 mod solids;
 mod sweep;
 
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use certify::{Guard, Report};
 pub(crate) use certify::{led, unguarded, within_reach};
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use contacts::{Contacts, RowContacts};
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use safe::{SLACK, nearest_approach};
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use solids::Solids;
 
 use crate::agent::Column;
@@ -104,6 +108,7 @@ use glam::{Vec2, Vec3};
 
 /// Bodies at the start of a step.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub struct GuardedBodies<'a> {
     /// Centres.
     pub positions: &'a [Vec2],
@@ -158,6 +163,7 @@ impl GuardedBodies<'_> {
 
 /// The pose of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub struct BodyPose {
     /// The centre.
     pub position: Vec2,

@@ -3,7 +3,7 @@
 use super::BodyPose;
 use super::solid::GuardedObjects;
 use super::sweep::CoreSweep;
-use crate::space::nearest_on_segment;
+use crate::space::{crossing, nearest_on_segment};
 use glam::{DVec2, DVec3};
 
 /// Fraction of the sum of radii by which a checked pair may be closer than touching.
@@ -55,7 +55,7 @@ fn walls_are_safe(row: usize, solid: GuardedObjects<'_>, from: DVec2, motion: DV
             .min(nearest_on_segment(from, to, edge.start).distance(edge.start))
             .min(nearest_on_segment(from, to, edge.end).distance(edge.end))
             .min(at_start);
-        swept >= needed(radius, at_start) && !cross(from, to, edge.start, edge.end)
+        swept >= needed(radius, at_start) && crossing(from, to, edge.start, edge.end).is_none()
     }) && solid.discs(row).all(|disc| {
         let offset = disc.center - from;
         nearest_approach(offset.extend(0.0), -motion.extend(0.0)) - disc.radius
@@ -81,10 +81,4 @@ pub fn nearest_approach(offset: DVec3, motion: DVec3) -> f64 {
     }
     let t = (along / motion.length_squared()).min(1.0);
     (offset + motion * t).length()
-}
-
-/// Whether segments `a b` and `c d` cross.
-fn cross(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
-    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }

@@ -15,7 +15,7 @@ use glam::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrapAround {
-    /// Centre, metres from the world's origin.
+    /// Centre, metres from the origin.
     pub center: Vec3,
     /// Radius, metres. Limit: > 0.
     pub radius: f32,

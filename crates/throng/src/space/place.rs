@@ -1,6 +1,6 @@
 //! A place: obstacles and walkable areas in world coordinates, and the test whether a body fits.
 
-use super::{Core, NearWalls, Obstacle, Walkable, Walls};
+use super::{Core, NearWalls, Obstacle, Walkable, Walls, crossing};
 use crate::Error;
 use crate::agent::Body;
 use crate::navigate::union;
@@ -132,12 +132,4 @@ pub fn check_polygon(what: &str, corners: &[DVec2]) -> Result<(), Error> {
     }
     let area: f64 = (0..n).map(|i| (edge(i).0 - ring[0]).perp_dot(edge(i).1 - ring[0])).sum();
     if area == 0.0 { fail("it encloses no area".into()) } else { Ok(()) }
-}
-
-/// Returns the point at which two segments cross properly.
-fn crossing(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Option<DVec2> {
-    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
-    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
-    let crosses = c_side * d_side < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
-    crosses.then(|| c + (d - c) * (c_side / (c_side - d_side)))
 }

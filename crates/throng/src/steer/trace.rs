@@ -50,6 +50,22 @@ pub enum SteeringReason {
     },
 }
 
+impl SteeringReason {
+    /// Adds a vector to its places.
+    fn translate(&mut self, by: Vec3) {
+        match self {
+            Self::Aim(place) | Self::Expects(place) | Self::Feels(place) | Self::Via(place) | Self::Keeps(place) => {
+                *place += by;
+            }
+            Self::Threat { own, theirs, .. } => {
+                *own += by;
+                *theirs += by;
+            }
+            Self::Wishes(_) | Self::Regards(_) | Self::Looks { .. } | Self::State(_) | Self::Part { .. } => {}
+        }
+    }
+}
+
 /// A reason and its depth in the tree of behaviours; the root has depth 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceEntry {
@@ -92,6 +108,15 @@ impl<'a> TraceRecorder<'a> {
         if let Some(entries) = &mut self.entries {
             entries.push(TraceEntry { depth, reason: reason() });
         }
+    }
+
+    /// Calls `steer`, and adds `by` to the places that it records.
+    pub(crate) fn shifted<R>(&mut self, by: Vec3, steer: impl FnOnce(&mut Self) -> R) -> R {
+        let first = self.entries.as_ref().map_or(0, |entries| entries.len());
+        let said = steer(self);
+        let entries = self.entries.iter_mut().flat_map(|entries| &mut entries[first..]);
+        entries.for_each(|entry| entry.reason.translate(by));
+        said
     }
 
     /// Records the steering of a part before the reasons of the part.

@@ -59,7 +59,8 @@ impl AgentQuery for () {
     }
 }
 
-/// The input of a behaviour, frozen at the start of the step. The default is a pedestrian at the origin that faces +x,
+/// The input of a behaviour, frozen at the start of the step. Places are in metres from the [origin of the agent's
+/// group](crate::Group::origin): world coordinates, unless the group says otherwise. The default is a pedestrian at the origin that faces +x,
 /// without neighbours.
 #[derive(Clone, Copy, Debug)]
 pub struct SteeringInput<'a> {

@@ -1,5 +1,6 @@
 //! Adds and removes groups, goals, journeys, agents and obstacles. All of it is possible while the world runs.
 
+use super::local::localized;
 use super::{Settings, Slots, StepMemory, SubSteps, TraceRequest, World};
 use crate::agent::{
     Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
@@ -39,6 +40,7 @@ impl World {
             agents: Columns::default(),
             slots: Slots::default(),
             groups: vec![Group::default()],
+            given_groups: vec![Group::default()],
             goals: Vec::new(),
             journeys: vec![Journey::default()],
             choices: Vec::new(),
@@ -68,13 +70,23 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
-        group.check()?;
+        let local = self.checked_group(&group)?;
         if let Some(steering) = &group.steering {
             self.agents.memory.widen(steering.words());
         }
-        self.step.solids.add(group.solid.0.clone());
-        self.groups.push(group);
+        self.step.solids.add(local.solid.0.clone());
+        self.groups.push(local);
+        self.given_groups.push(group);
         Ok(GroupId(self.groups.len() as u32 - 1))
+    }
+
+    /// Returns a group in local coordinates.
+    pub(super) fn checked_group(&self, group: &Group) -> Result<Group, Error> {
+        group.check()?;
+        if group.has_places() {
+            self.check_position("origin of the group", group.origin)?;
+        }
+        localized(group, self.settings.origin)
     }
 
     /// Sets the field that governs a group, or removes it, from the next step on. An interactive program calls it while
@@ -85,8 +97,9 @@ impl World {
     /// unchanged.
     pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
         known("group", group.index(), self.groups.len())?;
-        self.groups[group.index()].check_field(&field)?;
-        self.groups[group.index()].field = field;
+        let given = Group { field, ..self.group(group).clone() };
+        self.groups[group.index()].field = self.checked_group(&given)?.field;
+        self.given_groups[group.index()] = given;
         self.step.rest.end();
         for row in 0..self.agents.len() {
             if self.agents.group[row] == group && self.agents.script[row].is_none() {

@@ -33,8 +33,8 @@ impl TraceRequest {
     }
 }
 
-/// The trace of an agent: its preferred velocity and the reasons. Metres and seconds; positions are relative to
-/// [`Settings::origin`](crate::Settings::origin).
+/// The trace of an agent: its preferred velocity and the reasons. Metres and seconds; places are in local coordinates, as
+/// in [`World::relative_columns`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
     /// The agent's own number.
@@ -61,7 +61,7 @@ impl World {
     /// world.add_agent(Agent { group, number: Some(7), ..Agent::default() })?;
     /// world.request_traces(TraceRequest::All);
     /// world.step();
-    /// let trace = &world.traces()[0];
+    /// let trace = &world.relative_traces()[0];
     /// assert_eq!((trace.number, trace.entries[0].reason), (7, SteeringReason::Aim(Vec3::X * 9.0)));
     /// assert!(trace.steering.x > 0.0 && trace.preferred.x > 0.0);
     /// # Ok::<(), throng::Error>(())
@@ -72,7 +72,7 @@ impl World {
     }
 
     /// Returns the traces of the last sub-step for the [requested](Self::request_traces) agents, by number.
-    pub fn traces(&self) -> &[Trace] {
+    pub fn relative_traces(&self) -> &[Trace] {
         &self.step.traces
     }
 

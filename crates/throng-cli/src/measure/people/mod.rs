@@ -63,7 +63,7 @@ pub fn of(
     let walkable = match &asked.walkable {
         Some(path) => {
             let ground = args.changes.plan.ground(path)?;
-            if !args.quiet {
+            if !args.report.quiet {
                 note(&ground.notes);
             }
             ground.areas

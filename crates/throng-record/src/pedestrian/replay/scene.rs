@@ -1,6 +1,7 @@
 //! The place of a replay, and the model of its agents.
 
 use glam::DVec2;
+use throng::space::crossing;
 use throng::{Agent, Error, Group, Obstacle, Settings, Walkable, World};
 
 /// Spacing and greatest distance of the positions that are tried for an agent without room, metres.
@@ -47,7 +48,7 @@ impl ReplayScene {
                 (from + share * way).distance(*center) < *radius
             }
             Obstacle::Polygon { corners } => obstacle.covers(from) || obstacle.covers(to) || closed(corners, from, to),
-            Obstacle::Wall { points } => points.windows(2).any(|edge| meet(edge[0], edge[1], from, to)),
+            Obstacle::Wall { points } => points.windows(2).any(|edge| crossing(edge[0], edge[1], from, to).is_some()),
         });
         let on_ground = |at: DVec2| self.walkable.is_empty() || self.walkable.iter().any(|area| area.contains(at));
         obstacles || !on_ground(from) || !on_ground(to)
@@ -56,13 +57,7 @@ impl ReplayScene {
 
 /// Whether a segment crosses the boundary of a polygon.
 fn closed(corners: &[DVec2], from: DVec2, to: DVec2) -> bool {
-    (0..corners.len()).any(|k| meet(corners[k], corners[(k + 1) % corners.len()], from, to))
-}
-
-/// Whether two segments cross.
-fn meet(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {
-    let side = |from: DVec2, to: DVec2, of: DVec2| (to - from).perp_dot(of - from);
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+    (0..corners.len()).any(|k| crossing(corners[k], corners[(k + 1) % corners.len()], from, to).is_some())
 }
 
 /// Returns the nearest point (to 5 cm) at which a disc has room on the ground, within 2 m. Agents do not count.

@@ -31,7 +31,7 @@ impl Density {
         Self(vec![0.0; terrain.cost().len()])
     }
 
-    /// Returns the density of agents at these positions, metres from the world's origin. Each agent counts 1, spread
+    /// Returns the density of agents at these positions, metres from the origin. Each agent counts 1, spread
     /// over the cells within `radius` metres that are not solid, by the kernel `(1 - (d / radius)^2)^2`. Agents off the
     /// terrain do not count. The order of the agents does not matter.
     ///

@@ -6,7 +6,7 @@ use crate::Error;
 use crate::space::{check_polygon, is_inside, nearest_on_outline};
 use glam::DVec2;
 
-/// A goal of a flow. Metres, from the world's origin.
+/// A goal of a flow. Metres, from the origin.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Destination {
     /// A point: the flow slows down close to it and stops there.

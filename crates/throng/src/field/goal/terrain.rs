@@ -16,7 +16,7 @@ const MOST: usize = 1 << 24;
 pub(super) const TOUCH: f64 = 1e-6;
 /// Factor of the cost where bodies would reach into walls, so that an agent there takes the shortest way out.
 const MARGIN: f32 = 4.0;
-/// The box, the cells and the bodies of a [`Terrain`]. Metres, from the world's origin.
+/// The box, the cells and the bodies of a [`Terrain`]. Metres, from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TerrainSettings {
     /// The corner with the least coordinates.
@@ -79,7 +79,7 @@ pub struct Terrain {
 }
 
 impl Terrain {
-    /// Creates the terrain of a place in world coordinates; the terrain is relative to the world's origin.
+    /// Creates the terrain of a place in world coordinates; the terrain is relative to the origin.
     ///
     /// # Errors
     /// Values out of their limits; a box without width or height; more than 16 million cells.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// Maximum number of cubes.
 const MOST: usize = 1 << 24;
 
-/// The box, the cubes and the bodies of [`Voxels`]. Metres, from the world's origin.
+/// The box, the cubes and the bodies of [`Voxels`]. Metres, from the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoxelSettings {
     /// The corner with the least coordinates.

@@ -16,7 +16,7 @@ use glam::Vec3;
 /// assert_eq!(shear.at(Vec3::Z * 3.0, 0.0).0, 1.5);
 /// ```
 pub trait Amplitude: Send + Sync {
-    /// Returns the factor and its gradient at a place, metres from the world's origin, and a time, seconds since the
+    /// Returns the factor and its gradient at a place, metres from the origin, and a time, seconds since the
     /// start. If the gradient is not that of the factor, the resulting field is not free of divergence.
     fn at(&self, place: Vec3, time: f64) -> (f32, Vec3);
 }

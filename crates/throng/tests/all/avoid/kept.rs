@@ -8,9 +8,9 @@ use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::Obstacle;
 use throng::avoid::{
-    AnticipationVelocity, Avo, AvoidanceInput, AvoidanceNeighbour, BuiltFrom, ClearPath, CollisionFreeSpeed, Hrvo,
-    LocalModel, Moussaid2009, NearDisc, NearEdge, NoAvoidance, Orca, Orca3d, Outline, PowerLaw, Rng, Rvo, RvoLab,
-    SamplePattern, SocialForce, Vo, Workspace,
+    AnticipationVelocity, Avo, AvoidanceInput, AvoidanceNeighbour, BuiltFrom, CollisionFreeSpeed, Hrvo, LocalModel,
+    Moussaid2009, NearDisc, NearEdge, NoAvoidance, Orca, Orca3d, Outline, PowerLaw, Rng, Rvo, RvoLab, SamplePattern,
+    SocialForce, Vo, Workspace,
 };
 use throng::space::{Core, Disc};
 
@@ -23,7 +23,7 @@ fn models() -> Vec<(&'static str, Arc<dyn LocalModel>)> {
         ("anticipation velocity", Arc::new(AnticipationVelocity::default())),
         ("avo", Arc::new(Avo::default())),
         ("avo, slow", Arc::new(Avo { delay: 1.1, time_horizon: 4.0, ..Avo::default() })),
-        ("clearpath", Arc::new(ClearPath::default())),
+        ("clearpath", Arc::new(Vo::clear_path())),
         ("collision-free speed", Arc::new(CollisionFreeSpeed::default())),
         ("hrvo", Arc::new(Hrvo::default())),
         ("moussaid", Arc::new(Moussaid2009::default())),

@@ -526,7 +526,7 @@ fn crowds(results: &mut Results) {
     let jams = Governed::new(RoundJams { interval: 0.35, ..RoundJams::new(flow) }, 0.9);
     let mut groups = vec![star];
     for field in [led, jams, Governed::new(Uniform(Vec3::new(-1.0, 0.1, 0.0)), 0.45)] {
-        groups.push(world.add_group(Group { field: Some(field), ..Group::default() }).unwrap());
+        groups.push(world.add_group(Group { origin, field: Some(field), ..Group::default() }).unwrap());
     }
     let stops = [DVec2::new(6.0, 0.5), DVec2::new(-5.0, -5.0)].map(|at| {
         let goal = world.add_goal(Goal::Point { at: origin + at, tolerance: 0.3 }).unwrap();

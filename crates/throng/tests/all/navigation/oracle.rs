@@ -3,26 +3,8 @@
 
 use glam::DVec2;
 use throng::navigate::NavMesh;
+pub use throng::random::SplitMix64 as Dice;
 use throng::{Obstacle, Walkable};
-
-/// A small random number generator (splitmix64).
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    pub fn point(&mut self, low: DVec2, high: DVec2) -> DVec2 {
-        DVec2::new(self.between(low.x, high.x), self.between(low.y, high.y))
-    }
-}
 
 /// A rotated and moved room with obstacles of all kinds.
 pub struct Scene {

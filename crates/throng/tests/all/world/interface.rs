@@ -51,6 +51,27 @@ fn run(mut world: World, offset: DVec2) -> (Vec<DVec3>, Vec<Event>, Vec<Option<D
     (positions, events, by_id)
 }
 
+/// The crate's page lists every call of the world, and nothing else.
+#[test]
+fn the_page_of_the_crate_lists_every_call() {
+    let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = vec![source.join("world.rs")];
+    files.extend(std::fs::read_dir(source.join("world")).unwrap().map(|entry| entry.unwrap().path()));
+    let mut calls = std::collections::BTreeSet::new();
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let blocks = text.split("\nimpl World {").skip(1).map(|rest| rest.split("\n}").next().unwrap());
+        let functions = blocks.flat_map(|block| block.split("\n    pub fn ").skip(1));
+        calls.extend(functions.map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned()));
+    }
+    assert!(calls.len() > 60, "{calls:?}");
+    let page = std::fs::read_to_string(source.join("lib.rs")).unwrap();
+    let table = page.split("# The interface on one page").nth(1).unwrap().split("A program of its own").next().unwrap();
+    let listed: std::collections::BTreeSet<String> =
+        table.split("(World::").skip(1).map(|rest| rest.split(')').next().unwrap().to_owned()).collect();
+    assert_eq!(listed, calls);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(8))]
     #[test]

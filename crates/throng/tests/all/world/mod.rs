@@ -29,6 +29,7 @@ mod narrow;
 mod obstacles;
 mod oracle;
 mod order;
+mod origins;
 mod overlap;
 mod rules;
 mod saved;
