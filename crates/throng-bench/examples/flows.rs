@@ -66,7 +66,7 @@ fn corridor(seed: u64) -> Result<World, throng::Error> {
                 side * (5.0 + col as f64 * 0.68 + 0.2 * wobble(1)),
                 -2.6 + row as f64 * 0.74 + 0.2 * wobble(2),
             );
-            world.add_agent(Agent { position, journey, ..Agent::default() })?;
+            world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() })?;
         }
     }
     Ok(world)
@@ -88,7 +88,7 @@ fn door(width: f64, seed: u64) -> Result<World, throng::Error> {
         let wobble = |k: usize| ((i * 7919 + k * 104729 + seed as usize * 31) % 1000) as f64 / 1000.0 - 0.5;
         let position =
             DVec2::new(-10.0 + col as f64 * 0.8 + 0.3 * wobble(1), -4.0 + row as f64 * 0.8 + 0.3 * wobble(2));
-        world.add_agent(Agent { position, journey, ..Agent::default() })?;
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() })?;
     }
     Ok(world)
 }
@@ -100,7 +100,11 @@ fn point(n: usize) -> Result<World, throng::Error> {
     for i in 0..n {
         let a = i as f64 * 2.4;
         let r = 3.0 + (i as f64).sqrt() * 0.6;
-        world.add_agent(Agent { position: DVec2::new(a.cos(), a.sin()) * r, journey, ..Agent::default() })?;
+        world.add_agent(Agent {
+            position: (DVec2::new(a.cos(), a.sin()) * r).extend(0.0),
+            journey,
+            ..Agent::default()
+        })?;
     }
     Ok(world)
 }

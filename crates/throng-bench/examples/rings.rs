@@ -16,8 +16,15 @@ fn ring(count: usize, radius: f64, step: f64, sub_steps: SubSteps, horizon: f32)
         let position = DVec2::new(angle.cos(), angle.sin()) * radius;
         let goal = world.add_goal(Goal::Point { at: -position, tolerance: 0.1 })?;
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
-        let agent =
-            Agent { position, group, journey, preferred_speed: 1.5, max_speed: 1.5, radius: 0.2, ..Agent::default() };
+        let agent = Agent {
+            position: position.extend(0.0),
+            group,
+            journey,
+            preferred_speed: 1.5,
+            max_speed: 1.5,
+            radius: 0.2,
+            ..Agent::default()
+        };
         world.add_agent(agent)?;
     }
     let limit = 120.0 + 20.0 * radius;

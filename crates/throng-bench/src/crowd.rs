@@ -96,7 +96,7 @@ impl Crowd {
         world.reserve(self.people.len());
         for person in &self.people {
             world.add_agent(Agent {
-                position: person.position,
+                position: person.position.extend(0.0),
                 group,
                 journey: person.way.map_or(JourneyId::STAY, |way| ways[way]),
                 radius: self.radius as f32,

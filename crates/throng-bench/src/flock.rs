@@ -69,8 +69,7 @@ impl Flock {
         world.reserve(self.birds.len());
         for &Bird { position, heading } in &self.birds {
             world.add_agent(Agent {
-                position: DVec2::new(position.x, position.y),
-                altitude: position.z as f32,
+                position: DVec2::new(position.x, position.y).extend(position.z),
                 velocity: (DVec2::from_angle(heading) * Self::START_SPEED).as_vec2(),
                 heading: Some(heading as f32),
                 group,

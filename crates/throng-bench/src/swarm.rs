@@ -49,8 +49,7 @@ impl Insects {
         world.reserve(self.places.len());
         for &place in &self.places {
             world.add_agent(Agent {
-                position: place.truncate(),
-                altitude: place.z as f32,
+                position: place,
                 group,
                 radius: Self::RADIUS as f32,
                 preferred_speed: vehicle.max_speed,

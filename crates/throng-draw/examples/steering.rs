@@ -57,8 +57,7 @@ fn world() -> Result<World, Error> {
 
 fn agent(at: DVec3, group: GroupId, vehicle: &Vehicle) -> Agent {
     Agent {
-        position: at.truncate(),
-        altitude: at.z as f32,
+        position: at,
         group,
         preferred_speed: vehicle.max_speed,
         max_speed: vehicle.max_speed,

@@ -108,7 +108,9 @@ mod tests {
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         for number in [5, 2] {
             let position = origin + DVec2::new(f64::from(number), 0.25);
-            world.add_agent(Agent { position, journey, number: Some(number), ..Agent::default() }).unwrap();
+            world
+                .add_agent(Agent { position: position.extend(0.0), journey, number: Some(number), ..Agent::default() })
+                .unwrap();
         }
         let frame = Frame::of(&world);
         let seen: Vec<_> = frame.bodies.iter().map(|body| (body.number, body.position, body.goal)).collect();

@@ -14,7 +14,7 @@ use std::fmt::Debug;
 /// numbers. Rules that use only these give the same bits for the same scene.
 ///
 /// ```
-/// use glam::DVec2;
+/// use glam::DVec3;
 /// use std::sync::Arc;
 /// use throng::{Agent, AgentRef, Error, Rules, Settings, World};
 ///
@@ -30,7 +30,7 @@ use std::fmt::Debug;
 ///     fn act(&self, world: &mut World, figures: &mut [f64]) -> Result<(), Error> {
 ///         for id in world.agent_ids() {
 ///             let Some(agent) = world.agent(id).map(AgentRef::to_agent).filter(|agent| agent.position.length() > self.0) else { continue };
-///             world.replace(id, Agent { position: DVec2::ZERO, ..agent })?;
+///             world.replace(id, Agent { position: DVec3::ZERO, ..agent })?;
 ///             figures[0] += 1.0;
 ///         }
 ///         Ok(())
@@ -38,10 +38,10 @@ use std::fmt::Debug;
 /// }
 ///
 /// let mut world = World::new(Settings::default())?;
-/// let id = world.add_agent(Agent { position: DVec2::X * 9.0, ..Agent::default() })?;
+/// let id = world.add_agent(Agent::at([9.0, 0.0]))?;
 /// world.set_rules(Arc::new(Leash(5.0)))?;
 /// world.step();
-/// assert_eq!((world.figure("returns"), world.position(id)), (Some(1.0), Some(DVec2::ZERO)));
+/// assert_eq!((world.figure("returns"), world.position(id)), (Some(1.0), Some(DVec3::ZERO)));
 /// # Ok::<(), Error>(())
 /// ```
 pub trait Rules: Debug + Send + Sync {

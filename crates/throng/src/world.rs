@@ -329,8 +329,8 @@ impl World {
     }
 
     /// Returns the centre of an agent, world coordinates; `None` if it has been removed.
-    pub fn position(&self, id: AgentId) -> Option<DVec2> {
-        Some(self.agents.position[self.row(id)?].as_dvec2() + self.settings.origin)
+    pub fn position(&self, id: AgentId) -> Option<DVec3> {
+        self.agent(id).map(|agent| agent.position())
     }
 
     /// Returns the id of the agent in a row of [`agents`](Self::agents).

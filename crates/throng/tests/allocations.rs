@@ -83,8 +83,13 @@ fn a_step_of_a_swarm_allocates_nothing() {
                 let group = world.add_group(swarm.clone().group(midge())).unwrap();
                 for k in 0..COUNT {
                     let position = glam::DVec2::new(0.1 * f64::from(k % 50), 0.1 * f64::from(k / 50));
-                    let midge =
-                        Agent { position, altitude: 2.0, radius: 0.005, max_speed: 2.0, group, ..Agent::default() };
+                    let midge = Agent {
+                        position: position.extend(2.0),
+                        radius: 0.005,
+                        max_speed: 2.0,
+                        group,
+                        ..Agent::default()
+                    };
                     world.add_agent(midge).unwrap();
                 }
                 assert!(allocations(&mut world, 600) > 0, "they are counted");

@@ -29,7 +29,7 @@ fn meeting(model: Arc<dyn LocalModel>, others: u32) -> World {
         let goal = world.add_goal(Goal::Point { at: to, tolerance: 0.1 }).unwrap();
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         let velocity = (to - from).as_vec2().normalize() * 1.3;
-        world.add_agent(Agent { position: from, velocity, journey, group, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: from.extend(0.0), velocity, journey, group, ..Agent::default() }).unwrap();
     }
     world
 }

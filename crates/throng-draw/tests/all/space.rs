@@ -225,8 +225,8 @@ fn frames_hold_the_bases_of_flying_vehicles() {
     };
     for (k, locomotion) in [Locomotion::Banking, Locomotion::Ground].into_iter().enumerate() {
         let group = world.add_group(group(locomotion)).unwrap();
-        let (position, altitude) = (DVec2::new(0.0, 4.0 * k as f64), if k == 0 { 8.0 } else { 0.0 });
-        world.add_agent(Agent { position, altitude, group, ..Agent::default() }).unwrap();
+        let position = DVec3::new(0.0, 4.0 * k as f64, if k == 0 { 8.0 } else { 0.0 });
+        world.add_agent(Agent { position, group, ..Agent::default() }).unwrap();
     }
     (0..60).for_each(|_| world.step());
     let bodies = Frame::of(&world).bodies;

@@ -71,7 +71,7 @@ impl AgentPaths {
             let walk = &mut self.0[index];
             walk.radius = f64::from(agents.radius[row]);
             walk.times.push(world.time());
-            walk.places.push(place);
+            walk.places.push(place.truncate());
         }
     }
 

@@ -29,7 +29,14 @@ fn own_recording() -> People {
         let goal = world.add_goal(Goal::Point { at: position + 12.0 * way, tolerance: 0.05 }).unwrap();
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         let velocity = (f64::from(speed) * way).as_vec2();
-        let agent = Agent { position, velocity, group, journey, preferred_speed: speed, ..Agent::default() };
+        let agent = Agent {
+            position: position.extend(0.0),
+            velocity,
+            group,
+            journey,
+            preferred_speed: speed,
+            ..Agent::default()
+        };
         ids.push(world.add_agent(agent).unwrap());
         walks.push(Walk { number, radius: 0.2, times: vec![0.0], places: vec![position] });
     }
@@ -39,7 +46,7 @@ fn own_recording() -> People {
             let row = world.row(id).unwrap();
             if world.relative_columns().status[row] == throng::Status::Walking {
                 walk.times.push(world.time());
-                walk.places.push(world.position(id).unwrap());
+                walk.places.push(world.position(id).unwrap().truncate());
             }
         }
     }

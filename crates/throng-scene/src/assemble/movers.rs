@@ -63,7 +63,7 @@ pub(super) fn add(scene: &Scene, agents: &mut Vec<PlannedAgent>) -> Vec<Script> 
         let start = script.at(0.0);
         let heading = start.heading.rem_euclid(std::f64::consts::TAU) as f32;
         let agent = Agent {
-            position: start.at,
+            position: start.at.extend(0.0),
             heading: Some(heading),
             preferred_speed: 0.0,
             max_speed: mover.max_speed.unwrap_or(CATCH_UP * speed.max(LEAST)).min(1e3) as f32,

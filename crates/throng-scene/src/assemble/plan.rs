@@ -169,10 +169,8 @@ impl Scene {
             let middle = middle(&self.groups[i].place, &starts[i]);
             let journeys = goals.journeys_of(i, &starts[i], &sizes[i], middle)?;
             for (k, journey) in journeys.into_iter().enumerate() {
-                let (position, altitude) = (starts[i][k].truncate(), starts[i][k].z as f32);
-                let number = Some(agents.len() as u32);
-                let agent =
-                    throng::Agent { position, altitude, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
+                let (position, number) = (starts[i][k], Some(agents.len() as u32));
+                let agent = throng::Agent { position, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
                 let enters = count.enters.as_ref().map(|times| times[k]);
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }
@@ -274,7 +272,7 @@ fn all_bounds(
     let goals = goals.iter().flat_map(|goal| goal.corners().map_or_else(|| vec![goal.middle()], <[DVec2]>::to_vec));
     let bodies = agents.iter().flat_map(|planned| {
         let radius = f64::from(planned.agent.body().bounding_radius());
-        [planned.agent.position - radius, planned.agent.position + radius]
+        [planned.agent.position - radius, planned.agent.position + radius].map(|corner| corner.truncate())
     });
     bounds(ground.chain(solid).chain(goals).chain(bodies)).unwrap_or_default()
 }

@@ -107,7 +107,7 @@ impl CaptureTheFlag {
             let heading = world.draw(1000 * k + 999) * std::f32::consts::TAU;
             let (sin, cos) = libm::sincosf(heading);
             let velocity = Vec2::new(cos, sin) * self.start_speed;
-            world.replace(id, Agent { position, heading: Some(heading), velocity, ..agent })?;
+            world.replace(id, Agent { position: position.extend(0.0), heading: Some(heading), velocity, ..agent })?;
         }
         Ok(())
     }

@@ -56,13 +56,13 @@ impl Rules for MapDrive {
             let Some(agent) = world.agent(car).map(AgentRef::to_agent) else { continue };
             // the distance along the route: the car cannot be far from its last place
             let (length, along) = (f64::from(self.route.length()), figures[METRES]);
-            let here = (agent.position - self.origin).as_vec2().extend(0.0);
+            let here = (agent.position.truncate() - self.origin).as_vec2().extend(0.0);
             let near = self.route.nearest_near(here, along.rem_euclid(length) as f32, REACH);
             let ahead = (f64::from(near.along) - along + 0.5 * length).rem_euclid(length) - 0.5 * length;
             figures[METRES] = along + ahead;
             figures[LAPS] = (figures[METRES] / length).floor().max(figures[LAPS]);
 
-            let bumps = if world.no_room(agent.position, agent.radius).is_some() { 1.0 } else { 0.0 };
+            let bumps = if world.no_room(agent.position.truncate(), agent.radius).is_some() { 1.0 } else { 0.0 };
             figures[BUMPS] += f64::from(bumps > figures[BUMPING]);
             figures[BUMPING] = bumps;
 
@@ -72,7 +72,10 @@ impl Rules for MapDrive {
                 let position = self.route.at(near.along).truncate().as_dvec2() + self.origin;
                 let tangent = self.route.tangent_at(near.along, PathDirection::Forward);
                 let heading = Some(libm::atan2f(tangent.y, tangent.x));
-                world.replace(car, Agent { position, heading, velocity: Default::default(), ..agent })?;
+                world.replace(
+                    car,
+                    Agent { position: position.extend(0.0), heading, velocity: Default::default(), ..agent },
+                )?;
                 (figures[STUCK], figures[STILL]) = (figures[STUCK] + 1.0, 0.0);
             }
         }

@@ -41,11 +41,16 @@ impl Rules for MultiplePursuit {
                 else {
                     continue;
                 };
-                let position = on_ring(world, 1000 * k, center, self.ring, agent.radius);
+                let position = on_ring(world, 1000 * k, center.truncate(), self.ring, agent.radius);
                 let heading = world.draw(1000 * k + 999) * std::f32::consts::TAU;
                 world.replace(
                     hunter,
-                    Agent { position, heading: Some(heading), velocity: Default::default(), ..agent },
+                    Agent {
+                        position: position.extend(0.0),
+                        heading: Some(heading),
+                        velocity: Default::default(),
+                        ..agent
+                    },
                 )?;
                 figures[0] += 1.0;
             }

@@ -1,7 +1,7 @@
 //! Two teams, a ball and two goals (OpenSteer's "Michael's Simple Soccer").
 
 use crate::scene::SceneNames;
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use throng::motion::Steering;
 use throng::steer::{Arrive, Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use throng::{Agent, AgentId, AgentRef, Error, Rules, World};
@@ -54,7 +54,7 @@ impl Rules for Soccer {
             if agent.position.x.abs() > self.field.x + f64::from(agent.radius) {
                 figures[if agent.position.x < 0.0 { RED } else { BLUE }] += 1.0;
                 figures[GOALS] += 1.0;
-                world.replace(ball, Agent { position: DVec2::ZERO, velocity: Vec2::ZERO, ..agent })?;
+                world.replace(ball, Agent { position: DVec3::ZERO, velocity: Vec2::ZERO, ..agent })?;
             } else {
                 let velocity = self.bounced(&agent, world.settings().step);
                 world.set_velocity(ball, velocity.extend(0.0))?;
@@ -91,10 +91,11 @@ impl Soccer {
         let Some((kicker, goal)) = kickers.get((world.draw(0) * kickers.len() as f32) as usize) else {
             return Ok(None);
         };
-        let away = (ball.position - kicker.position).normalize_or_zero();
+        let (ball_at, kicker_at) = (ball.position.truncate(), kicker.position.truncate());
+        let away = (ball_at - kicker_at).normalize_or_zero();
         // to the nearest point of the goal
         let room = self.goal - f64::from(2.0 * ball.radius);
-        let to_goal = (DVec2::new(*goal, ball.position.y.clamp(-room, room)) - ball.position).normalize_or_zero();
+        let to_goal = (DVec2::new(*goal, ball_at.y.clamp(-room, room)) - ball_at).normalize_or_zero();
         let direction = if away.dot(to_goal) > 0.0 { away + to_goal } else { away };
         let Some(direction) = direction.as_vec2().try_normalize() else { return Ok(None) };
         // a kicked ball that already leaves the player is not kicked again
@@ -104,7 +105,7 @@ impl Soccer {
 
     /// Returns the velocity of the ball, reflected if the next step would take it beyond a line outside a goal.
     fn bounced(&self, ball: &Agent, seconds: f64) -> Vec2 {
-        let next = ball.position + ball.velocity.as_dvec2() * seconds;
+        let next = ball.position.truncate() + ball.velocity.as_dvec2() * seconds;
         let room = self.field - f64::from(ball.radius);
         let Vec2 { mut x, mut y } = ball.velocity;
         let in_goal = next.y.abs() < self.goal - f64::from(ball.radius);

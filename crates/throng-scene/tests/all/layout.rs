@@ -21,7 +21,7 @@ fn drawn_places_keep_clear_of_walls_and_of_each_other() {
 
 #[test]
 fn the_same_seed_gives_the_same_places_and_another_gives_others() {
-    let places = |seed: u64| -> Vec<[u64; 2]> {
+    let places = |seed: u64| -> Vec<[u64; 3]> {
         let mut scene = gallery::scene("crossing").unwrap();
         scene.seed = seed;
         let plan = scene.plan().unwrap();
@@ -37,7 +37,7 @@ fn a_ring_goes_to_the_opposite_side() {
     for planned in &plan.agents {
         let (goal, wait) = plan.journeys[planned.journey.unwrap()].stops[0];
         let throng::Goal::Point { at, .. } = plan.goals[goal] else { panic!() };
-        assert!((at + planned.agent.position).length() < 1e-12 && wait == 0.0);
+        assert!((at + planned.agent.position.truncate()).length() < 1e-12 && wait == 0.0);
     }
 }
 
@@ -52,7 +52,7 @@ fn laps_run_round_the_ring_from_where_each_agent_starts() {
         for (k, planned) in plan.agents.iter().enumerate() {
             let journey = &plan.journeys[planned.journey.unwrap()];
             assert!(journey.repeat && journey.stops.len() == 8);
-            let start = planned.agent.position - glam::DVec2::new(3.0, 4.0);
+            let start = planned.agent.position.truncate() - glam::DVec2::new(3.0, 4.0);
             assert!(start.distance(at(10.0 + 22.5 * k as f64)) < 1e-9);
             // successive sector centres are an eighth of a turn apart, the first within a quarter
             let mut last = start;
@@ -92,7 +92,7 @@ fn mistakes_of_rings_and_laps_are_named() {
 fn a_sphere_is_even_and_goes_to_its_antipodes() {
     let plan = gallery::scene("sphere").unwrap().plan().unwrap();
     let center = DVec3::new(0.0, 0.0, 10.0);
-    let place = |agent: &throng::Agent| agent.position.extend(agent.altitude.into()) - center;
+    let place = |agent: &throng::Agent| agent.position - center;
     let spots: Vec<DVec3> = plan.agents.iter().map(|planned| place(&planned.agent)).collect();
     for (planned, spot) in plan.agents.iter().zip(&spots) {
         let throng::Goal::Air { at, .. } = plan.goals[plan.journeys[planned.journey.unwrap()].stops[0].0] else {
@@ -114,7 +114,7 @@ fn agents_that_start_in_the_air_have_their_own_goals_there() {
         let text = format!("[[group]]\nplace.points = [[0, 0], [4, 0]]\naltitude = {{ uniform = [2, 5] }}\n{goal}\n");
         let plan = plan(&text);
         let of = |planned: &throng_scene::PlannedAgent| plan.journeys[planned.journey.unwrap()].stops[0].0;
-        plan.agents.iter().map(|planned| (plan.goals[of(planned)].clone(), planned.agent.altitude)).collect()
+        plan.agents.iter().map(|planned| (plan.goals[of(planned)].clone(), planned.agent.position.z as f32)).collect()
     };
     for (text, rise, in_air) in [
         ("goal.opposite = {}", 0.0, true),

@@ -141,7 +141,7 @@ fn what_is_said_is_so() {
         },
     );
     let back = steer::FollowPath {
-        way: PathDirection::Backward,
+        direction: PathDirection::Backward,
         seconds: 2.0,
         slowing_distance: 3.0,
         inner: 0.5,
@@ -164,7 +164,7 @@ fn what_is_said_is_so() {
         "hide = { from = [101, 50], obstacles = \"obstacles\", gap = 1, range = 9, slowing_distance = 2 }",
         steer::Hide { gap: 1.0, range: 9.0, slowing_distance: 2.0, ..steer::Hide::new(east, solid.clone()) },
     );
-    let follow = steer::FollowPath { way: PathDirection::Backward, seconds: 1.0, ..beat().into() };
+    let follow = steer::FollowPath { direction: PathDirection::Backward, seconds: 1.0, ..beat().into() };
     assert_steers("crowd_path = { path = \"beat\", direction = \"backward\", horizon = 1 }", steer::crowd_path(follow));
     assert_steers(
         "queue_at_door = { goal = [101, 50], door = \"goal\", obstacles = \"obstacles\" }",

@@ -42,7 +42,7 @@ pub fn open(count: usize, density: f64) -> World {
     for position in crowd(count, density) {
         let goals = [0, 1].map(|_| point(rng.point(-half, half)));
         let journey = round(&mut world, goals);
-        world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).expect("there is room");
     }
     settle(&mut world, 10.0);
     world
@@ -56,7 +56,7 @@ pub fn ring(count: usize) -> World {
     for k in 0..count {
         let position = DVec2::from_angle(std::f64::consts::TAU * k as f64 / count as f64) * radius;
         let journey = round(&mut world, [point(-position), point(position)]);
-        world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).expect("there is room");
     }
     settle(&mut world, radius / 1.3);
     world
@@ -76,7 +76,9 @@ pub fn corridor() -> World {
         for k in 0..200 {
             let at = DVec2::new(-side * (3.0 + 0.68 * f64::from(k / 8)), 0.7 * f64::from(k % 8) - 2.45);
             let position = at + rng.point(DVec2::splat(-0.1), DVec2::splat(0.1));
-            world.add_agent(Agent { position, journey, ..Agent::default() }).expect("there is room");
+            world
+                .add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() })
+                .expect("there is room");
         }
     }
     settle(&mut world, 20.0);

@@ -173,8 +173,8 @@ impl Columns {
     pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {
         self.slot.push(slot);
         self.number.push(number);
-        self.position.push((agent.position - origin).as_vec2());
-        self.altitude.push(agent.altitude);
+        self.position.push((agent.position.truncate() - origin).as_vec2());
+        self.altitude.push(agent.position.z as f32);
         self.velocity.push(agent.velocity);
         self.vertical_velocity.push(0.0);
         self.heading.push(heading);

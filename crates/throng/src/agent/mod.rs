@@ -26,7 +26,7 @@ pub use statistics::TripStatistics;
 
 use crate::navigate::Goal;
 use crate::{Error, Position};
-use glam::{DVec2, Vec2};
+use glam::{DVec3, Vec2};
 use serde::{Deserialize, Serialize};
 
 /// The description of an agent, for [`World::add_agent`](crate::World::add_agent).
@@ -34,10 +34,9 @@ use serde::{Deserialize, Serialize};
 /// Lengths are metres, times seconds, angles radians.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Agent {
-    /// Centre of the body, world coordinates.
-    pub position: DVec2,
-    /// Height of the centre above the ground; more than 0 for agents that fly. Limit: 0 to 20000.
-    pub altitude: f32,
+    /// Centre of the body, world coordinates; z is its height above the ground, more than 0 for agents that fly. Limit:
+    /// z from 0 to 20000.
+    pub position: DVec3,
     /// Velocity at the start, along the ground.
     pub velocity: Vec2,
     /// Direction of the body, counter-clockwise from +x; `None`: towards the first goal.
@@ -99,8 +98,7 @@ impl Agent {
     /// assert!(agent.position.x == 2.0 && agent.preferred_speed == 1.4 && agent.goal.is_some());
     /// ```
     pub fn at(place: impl Into<Position>) -> Self {
-        let Position(place) = place.into();
-        Self { position: place.truncate(), altitude: place.z as f32, ..Self::default() }
+        Self { position: place.into().0, ..Self::default() }
     }
 
     /// Sends the agent to a single goal: a place, or a [`Goal`].
@@ -172,8 +170,7 @@ impl Default for Agent {
     /// A pedestrian of typical size and speed, standing at the origin.
     fn default() -> Self {
         Self {
-            position: DVec2::ZERO,
-            altitude: 0.0,
+            position: DVec3::ZERO,
             velocity: Vec2::ZERO,
             heading: None,
             group: GroupId(0),

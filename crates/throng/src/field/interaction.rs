@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// or greet it.
 ///
 /// ```
-/// use glam::{DVec2, Vec3};
+/// use glam::Vec3;
 /// use throng::field::{Governed, Interaction, Uniform};
 /// use throng::{Agent, Group, Settings, World};
 /// let mut world = World::new(Settings::default())?;
@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// let around = vec![Interaction::new(singer.index(), away)];
 /// let field = Some(Governed { around, ..Governed::new(Uniform(Vec3::ZERO), 1.0) });
 /// let fans = world.add_group(Group { field, ..Group::default() })?;
-/// world.add_agent(Agent { position: DVec2::X, group: fans, ..Agent::default() })?;
+/// world.add_agent(Agent::at([1.0, 0.0]).group(fans))?;
 /// while world.time() < 4.0 {
 ///     world.step();
 /// }

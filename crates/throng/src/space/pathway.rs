@@ -211,13 +211,13 @@ impl Pathway {
     }
 
     /// Returns the unit vector of travel at a distance along the path. At a bend it is that of the segment ahead.
-    pub fn tangent_at(&self, along: f32, way: PathDirection) -> Vec3 {
-        self.segments[self.segment_ahead(along, way)].tangent * way.sign()
+    pub fn tangent_at(&self, along: f32, direction: PathDirection) -> Vec3 {
+        self.segments[self.segment_ahead(along, direction)].tangent * direction.sign()
     }
 
     /// Returns the radius at a distance along the path, metres. Where it changes it is that of the segment ahead.
-    pub fn radius_at(&self, along: f32, way: PathDirection) -> f32 {
-        self.segments[self.segment_ahead(along, way)].radius
+    pub fn radius_at(&self, along: f32, direction: PathDirection) -> f32 {
+        self.segments[self.segment_ahead(along, direction)].radius
     }
 
     /// Returns an equivalent distance along the path between 0 and its length.
@@ -232,10 +232,10 @@ impl Pathway {
         self.segments.partition_point(|segment| segment.along <= along).saturating_sub(1)
     }
 
-    fn segment_ahead(&self, along: f32, way: PathDirection) -> usize {
+    fn segment_ahead(&self, along: f32, direction: PathDirection) -> usize {
         let along = self.within(along);
         let segment = self.segment_at(along);
-        match way {
+        match direction {
             PathDirection::Backward if self.segments[segment].along == along => match segment {
                 0 if self.cyclic => self.segments.len() - 1,
                 0 => 0,

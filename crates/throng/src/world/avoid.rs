@@ -363,7 +363,7 @@ mod tests {
         let mut world = World::new(Settings::default()).unwrap();
         for (radius, _, _, priority, x, _) in both {
             let position = DVec2::new(x.into(), 0.0);
-            world.add_agent(Agent { radius, priority, position, ..Agent::default() }).unwrap();
+            world.add_agent(Agent { radius, priority, position: position.extend(0.0), ..Agent::default() }).unwrap();
         }
         world.step.shown = both
             .iter()

@@ -330,11 +330,11 @@ impl World {
         if !self.groups[agent.group.index()].guard {
             None
         } else if agent.core == Vec2::ZERO {
-            self.no_room(agent.position, agent.radius)
+            self.no_room(agent.position.truncate(), agent.radius)
         } else {
-            let center = agent.position - self.settings.origin;
+            let center = agent.position.truncate() - self.settings.origin;
             let core = Core::new(center, self.first_heading(agent), agent.core);
-            self.place.no_room_for(agent.position, &core, agent.body(), &self.walls)
+            self.place.no_room_for(agent.position.truncate(), &core, agent.body(), &self.walls)
         }
     }
 
@@ -440,9 +440,9 @@ impl World {
     /// Returns the heading that an agent starts with: its own heading, or the direction of its first goal.
     pub(super) fn first_heading(&self, agent: &Agent) -> f32 {
         let towards_goal = || {
-            let leg = self.first_leg(agent.journey, agent.position.extend(agent.altitude.into()))?;
+            let leg = self.first_leg(agent.journey, agent.position)?;
             let stop = self.journeys[agent.journey.index()].stops[leg as usize];
-            direction(self.goals[stop.goal.index()].middle() - agent.position)
+            direction(self.goals[stop.goal.index()].middle() - agent.position.truncate())
         };
         agent.heading.map(within_a_turn).or_else(towards_goal).unwrap_or(0.0)
     }
@@ -463,8 +463,8 @@ impl World {
     }
 
     pub(super) fn check(&self, agent: &Agent) -> Result<(), Error> {
-        self.check_position("position", agent.position)?;
-        check_altitude("altitude", agent.altitude.into())?;
+        self.check_position("position", agent.position.truncate())?;
+        check_altitude("altitude", agent.position.z)?;
         agent.check()?;
         known("group", agent.group.index(), self.groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;
@@ -475,7 +475,7 @@ impl World {
             self.check_goal(goal)?;
         }
         match self.no_room_for(agent) {
-            Some(why) => Err(Error::NoRoom { at: agent.position, radius: agent.radius, why }),
+            Some(why) => Err(Error::NoRoom { at: agent.position.truncate(), radius: agent.radius, why }),
             None => Ok(()),
         }
     }

@@ -99,12 +99,12 @@ impl World {
         let (row, Position(place)) = (self.row(id).ok_or(Error::Gone)?, place.into());
         self.check_position("position", place.truncate())?;
         check_altitude("altitude", place.z)?;
-        let there = crate::Agent { position: place.truncate(), altitude: place.z as f32, ..self.to_agent(row) };
+        let there = crate::Agent { position: place, ..self.to_agent(row) };
         if let Some(why) = self.no_room_for(&there) {
-            return Err(Error::NoRoom { at: there.position, radius: there.radius, why });
+            return Err(Error::NoRoom { at: there.position.truncate(), radius: there.radius, why });
         }
-        self.agents.position[row] = (there.position - self.settings.origin).as_vec2();
-        self.agents.altitude.set(row, there.altitude);
+        self.agents.position[row] = (there.position.truncate() - self.settings.origin).as_vec2();
+        self.agents.altitude.set(row, there.position.z as f32);
         if self.agents.status[row] == Status::Stranded {
             // the goal may be reachable from there
             self.agents.status[row] = Status::Walking;

@@ -77,12 +77,12 @@ impl World {
     /// The world is unchanged: a clone makes the sub-step.
     ///
     /// ```
-    /// use glam::{DVec2, Vec2};
+    /// use glam::{DVec3, Vec2};
     /// use throng::{Agent, Settings, World};
     /// let mut world = World::new(Settings::default())?;
     /// let id = world.add_agent(Agent::default())?;
     /// let velocity = Vec2::new(-1.0, 0.0);
-    /// world.add_agent(Agent { position: DVec2::new(2.0, 0.0), velocity, number: Some(7), ..Agent::default() })?;
+    /// world.add_agent(Agent { position: DVec3::new(2.0, 0.0, 0.0), velocity, number: Some(7), ..Agent::default() })?;
     /// let why = world.explain(id).expect("it is there");
     /// assert_eq!((why.preferred, why.neighbours[0].number), (Vec2::ZERO, 7));
     /// assert!((why.collision(why.preferred).expect("it is in the way").0 - 1.733).abs() < 1e-3);

@@ -355,7 +355,7 @@ mod tests {
             for ((x, y), heading, (length, width), disc, altitude) in all as Vec<One> {
                 let body = if disc { Body::disc(width) } else { Body::capsule(length, width) };
                 let position = DVec2::new(x, y);
-                let agent = Agent { position, altitude, heading: Some(heading), group, ..Agent::default() };
+                let agent = Agent { position: position.extend(f64::from(altitude)), heading: Some(heading), group, ..Agent::default() };
                 world.add_agent(agent.with_body(body)).unwrap();
             }
             world.perceive(0.1);

@@ -36,8 +36,7 @@ impl World {
     pub(super) fn to_agent(&self, row: usize) -> Agent {
         let agents = &self.agents;
         Agent {
-            position: self.world_position(row),
-            altitude: agents.altitude[row],
+            position: self.world_place(row),
             velocity: agents.velocity[row],
             heading: Some(agents.heading[row]),
             group: agents.group[row],

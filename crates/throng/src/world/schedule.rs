@@ -30,7 +30,7 @@ impl Schedule {
     }
 
     pub(super) fn any_flies(&self) -> bool {
-        self.entries.iter().any(|(_, agent)| agent.altitude != 0.0)
+        self.entries.iter().any(|(_, agent)| agent.position.z != 0.0)
     }
 
     pub(super) fn has(&self, number: u32) -> bool {
@@ -71,11 +71,11 @@ impl World {
         let largest = self.agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let settled = self.agents.len();
         for (time, agent) in due {
-            let at = (agent.position - self.settings.origin).as_vec2();
+            let at = (agent.position.truncate() - self.settings.origin).as_vec2();
             let core = Core::new(at.as_dvec2(), self.first_heading(&agent), agent.core);
             let touches = |other: usize| {
                 let d = if agent.core == Vec2::ZERO && self.agents.is_disc(other) {
-                    self.agents.center(other).distance(core.center.extend(agent.altitude.into()))
+                    self.agents.center(other).distance(core.center.extend(agent.position.z))
                 } else {
                     core.separation(&self.agents.core_of(other)).distance
                 };

@@ -400,7 +400,8 @@ mod tests {
             let gathering = journey(&mut world, middle);
             for at in 0..70u32 {
                 let mut agent = Agent {
-                    position: middle + (DVec2::new(f64::from(at % 10), f64::from(at / 10)) - 4.5) * cluster.spacing,
+                    position: (middle + (DVec2::new(f64::from(at % 10), f64::from(at / 10)) - 4.5) * cluster.spacing)
+                        .extend(0.0),
                     velocity: Vec2::new(0.0, cluster.velocity),
                     group: usual_group,
                     radius: 0.2,
@@ -420,7 +421,9 @@ mod tests {
         }
         for &(position, to) in &crowd.walkers {
             let journey = journey(&mut world, to);
-            world.add_agent(Agent { position, journey, group: usual_group, ..Agent::default() }).unwrap();
+            world
+                .add_agent(Agent { position: position.extend(0.0), journey, group: usual_group, ..Agent::default() })
+                .unwrap();
         }
         world
     }
@@ -428,7 +431,7 @@ mod tests {
     fn make(change: &RowChange, crowd: &Crowd, world: &mut World) {
         match *change {
             RowChange::Add(position) => {
-                let _ = world.add_agent(Agent { position, ..Agent::default() });
+                let _ = world.add_agent(Agent::at(position));
             }
             RowChange::Remove(nth) => {
                 world.remove_agent(world.id(nth % world.agents.len()));

@@ -89,7 +89,6 @@ impl World {
             let other = changed(agent.number.unwrap_or_default(), agent)?;
             *agent = Agent {
                 position: agent.position,
-                altitude: agent.altitude,
                 velocity: agent.velocity,
                 heading: agent.heading,
                 group: agent.group,

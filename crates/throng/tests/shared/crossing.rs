@@ -25,7 +25,7 @@ pub fn crossing(count: u32, group: Group) -> World {
         let preferred_speed = 1.3 + 0.2 * (mixed % 101) as f32 / 101.0;
         let body = Agent { radius: 0.25, preferred_speed, max_speed: 2.0, ..Agent::default() };
         let journey = journeys[mixed as usize % journeys.len()];
-        world.add_agent(Agent { position: (place - 0.5 * side) * 2.0, group, journey, ..body }).unwrap();
+        world.add_agent(Agent { position: ((place - 0.5 * side) * 2.0).extend(0.0), group, journey, ..body }).unwrap();
     }
     world
 }

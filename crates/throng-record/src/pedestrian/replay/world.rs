@@ -161,15 +161,17 @@ impl<'a> Replay<'a> {
         let mut here = std::mem::take(&mut self.here);
         here.retain_mut(|one| {
             let Some(row) = self.world.row(one.id) else { return false };
-            let (status, place) =
-                (self.world.relative_columns().status[row], self.world.position(one.id).unwrap_or(one.place));
+            let (status, place) = (
+                self.world.relative_columns().status[row],
+                self.world.position(one.id).unwrap_or(one.place.extend(0.0)),
+            );
             let walk = &mut self.out.walks[one.walk];
             for &time in &self.times[first..self.taken] {
                 let share = ((time - before) / (now - before)).clamp(0.0, 1.0);
                 walk.times.push(time);
-                walk.places.push(one.place.lerp(place, share));
+                walk.places.push(one.place.lerp(place.truncate(), share));
             }
-            one.place = place;
+            one.place = place.truncate();
             if one.pauses_until.is_some() {
                 return true;
             }
@@ -184,7 +186,7 @@ impl<'a> Replay<'a> {
             let leaves = over && (!stays || recorded_left);
             if leaves {
                 self.out.stranded += usize::from(status == Status::Stranded);
-                self.out.left[one.walk] = Some((now, place));
+                self.out.left[one.walk] = Some((now, place.truncate()));
                 self.world.remove_agent(one.id);
             }
             !leaves
@@ -271,7 +273,7 @@ impl<'a> Replay<'a> {
         let velocity: Vec2 = velocity.as_vec2();
         let heading = (velocity.length() > 0.1).then(|| velocity.y.atan2(velocity.x));
         let id = self.world.add_agent(Agent {
-            position,
+            position: position.extend(0.0),
             velocity,
             heading,
             group: self.group,

@@ -121,7 +121,7 @@ impl Watched {
                 self.agents.resize(number + 1, CheckedAgent::default());
             }
             let Some(place) = world.position(world.id(row)) else { continue };
-            self.agents[number].step(place, full, columns.status[row]);
+            self.agents[number].step(place.truncate(), full, columns.status[row]);
         }
     }
 
@@ -169,7 +169,7 @@ fn outside_goal(world: &World) -> usize {
         let last = world.journey(world.relative_columns().journey[*row]).stops.last();
         let Some(Goal::Area { corners }) = last.map(|stop| &goals[stop.goal.index()]) else { return false };
         let (Some(area), Some(place)) = (Area::new(corners.clone()), world.position(id)) else { return false };
-        status == Status::Arrived && !area.contains(place) && distance(&area, place) > ROUNDING
+        status == Status::Arrived && !area.contains(place.truncate()) && distance(&area, place.truncate()) > ROUNDING
     };
     (0..world.relative_columns().len()).filter(outside).count()
 }

@@ -76,7 +76,7 @@ pub fn note_silence(groups: &[throng::Group], agents: &[PlannedAgent], origin: D
         let Some(governed) = group.field.as_ref().filter(|governed| governed.around.is_empty()) else { continue };
         let led = || agents.iter().filter(|planned| planned.group == i && planned.journey.is_none());
         let silent = led().filter(|planned| {
-            let place = (planned.agent.position - origin).as_vec2().extend(planned.agent.altitude);
+            let place = (planned.agent.position - origin.extend(0.0)).as_vec3();
             governed.field.velocity(place, 0.0) == Vec3::ZERO
         });
         let (silent, all) = (silent.count(), led().count());

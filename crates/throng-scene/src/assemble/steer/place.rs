@@ -40,16 +40,16 @@ impl BehaviourContext<'_> {
     fn follow(
         &self,
         path: &str,
-        way: Option<Direction>,
+        direction: Option<Direction>,
         horizon: Option<f64>,
         at: &Path,
     ) -> Result<steer::FollowPath, Problem> {
         let standard = steer::FollowPath::from(self.path(path, at)?);
-        let way = way.map_or(standard.way, |way| match way {
+        let direction = direction.map_or(standard.direction, |direction| match direction {
             Direction::Forward => PathDirection::Forward,
             Direction::Backward => PathDirection::Backward,
         });
-        Ok(steer::FollowPath { way, seconds: or(horizon, standard.seconds), ..standard })
+        Ok(steer::FollowPath { direction, seconds: or(horizon, standard.seconds), ..standard })
     }
 }
 

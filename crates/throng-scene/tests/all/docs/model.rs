@@ -3,7 +3,7 @@
 use glam::Vec2;
 use std::sync::Arc;
 use throng::avoid::{AvoidanceInput, LocalModel, Workspace, time_to_disc};
-use throng::{Agent, Error, Group, Journey, Settings, Stop, World};
+use throng::{Agent, Error, Group, Settings, World};
 
 /// Brakes so that the first collision on the preferred path is at least `horizon` seconds away.
 #[derive(Debug)]
@@ -38,9 +38,7 @@ fn the_model_of_the_page_runs() -> Result<(), Error> {
     let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
     let group = world.add_group(Group { model: Arc::new(Brake { horizon: 2.0 }), ..Group::default() })?;
     for (from, to) in [([-5.0, 0.0], [5.0, 0.0]), ([0.0, -4.0], [0.0, 6.0])] {
-        let goal = world.add_goal(to.into())?;
-        let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
-        world.add_agent(Agent { position: from.into(), group, journey, ..Agent::default() })?;
+        world.add_agent(Agent::at(from).goal(to).group(group))?;
     }
     while !world.finished() && world.time() < 60.0 {
         world.step();

@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// let path = Pathway::new(&[Vec3::Y * -5.0, Vec3::ZERO, Vec3::X * 9.0], 1.0, false)?;
 /// let steer = |follow: FollowPath| follow.steer(&SteeringInput::default(), &mut [0.0; 3], &mut TraceRecorder::default());
 /// assert!(steer(FollowPath::from(path.clone())).expect("it stands").force.x > 0.0);
-/// let back = FollowPath { way: PathDirection::Backward, ..FollowPath::from(path) };
+/// let back = FollowPath { direction: PathDirection::Backward, ..FollowPath::from(path) };
 /// assert!(steer(back).expect("it stands").force.y < 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
@@ -32,7 +32,7 @@ pub struct FollowPath {
     /// The path, metres in the coordinates of the [`SteeringInput`].
     pub path: Arc<Pathway>,
     /// The direction along the path.
-    pub way: PathDirection,
+    pub direction: PathDirection,
     /// How far ahead the agent's position is predicted, and how far along the path the agent aims, seconds at its
     /// speed. Limit: > 0.
     pub seconds: f32,
@@ -52,7 +52,7 @@ impl From<Pathway> for FollowPath {
 
 impl From<Arc<Pathway>> for FollowPath {
     fn from(path: Arc<Pathway>) -> Self {
-        Self { path, way: PathDirection::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
+        Self { path, direction: PathDirection::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
     }
 }
 
@@ -72,12 +72,12 @@ impl Behaviour for FollowPath {
         let known_along = (*known > 0.0).then_some(*along);
         let now = self.find(view.position(), known_along, reach);
         (*known, *along) = (1.0, now.along);
-        let left = match self.way {
+        let left = match self.direction {
             PathDirection::Forward => path.length() - now.along,
             PathDirection::Backward => now.along,
         };
         let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.seconds;
-        let aim = path.at(now.along + ahead * self.way.sign());
+        let aim = path.at(now.along + ahead * self.direction.sign());
         self.tell(now, ahead, why);
         if !path.is_cyclic() && left <= ahead {
             let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(aim)) };
@@ -122,7 +122,7 @@ impl FollowPath {
         if !why.is_requested() {
             return;
         }
-        let (path, sign) = (&*self.path, self.way.sign());
+        let (path, sign) = (&*self.path, self.direction.sign());
         let off = |corner: &Segment| {
             let off = (corner.along - now.along) * sign;
             let off = if path.is_cyclic() { off.rem_euclid(path.length()) } else { off };
@@ -131,8 +131,8 @@ impl FollowPath {
         let mut corners: Vec<(f32, Vec3)> = path.segments().iter().filter_map(off).collect();
         corners.sort_by(|a, b| a.0.total_cmp(&b.0));
         let ends = [now.point, path.at(now.along + ahead * sign)];
-        let way = ends[..1].iter().copied().chain(corners.into_iter().map(|corner| corner.1)).chain([ends[1]]);
-        way.for_each(|corner| why.note(|| SteeringReason::Via(corner)));
+        let corners = ends[..1].iter().copied().chain(corners.into_iter().map(|corner| corner.1)).chain([ends[1]]);
+        corners.for_each(|corner| why.note(|| SteeringReason::Via(corner)));
     }
 
     /// Returns the distance in the path's direction from one distance along the path to another; on a ring, the shorter
@@ -141,6 +141,6 @@ impl FollowPath {
         let (length, walked) = (self.path.length(), to - from);
         let half = 0.5 * length;
         let shorter = if self.path.is_cyclic() { (walked + half).rem_euclid(length) - half } else { walked };
-        shorter * self.way.sign()
+        shorter * self.direction.sign()
     }
 }

@@ -7,7 +7,7 @@
 //! separation, as in the authors' later model (Wang, Ren, Jin, Manocha, *BSwarm*, SCA 2015).
 //!
 //! ```
-//! use glam::{DVec2, Vec3};
+//! use glam::{DVec3, Vec3};
 //! use throng::steer::Target;
 //! use throng::steer::swarm::{Aggregate, Swarm, midge};
 //! use throng::{Agent, Settings, SubSteps, World};
@@ -15,8 +15,8 @@
 //! let swarm = Swarm::default().with(Aggregate::from(Target::Point(Vec3::Z * 2.0)));
 //! let group = world.add_group(swarm.group(midge()))?;
 //! for x in 0..20 {
-//!     let position = DVec2::new(0.5 * f64::from(x) - 5.0, 0.0);
-//!     world.add_agent(Agent { position, altitude: 2.0, radius: 0.005, max_speed: 2.0, group, ..Agent::default() })?;
+//!     let position = DVec3::new(0.5 * f64::from(x) - 5.0, 0.0, 2.0);
+//!     world.add_agent(Agent { position, radius: 0.005, max_speed: 2.0, group, ..Agent::default() })?;
 //! }
 //! while world.time() < 10.0 {
 //!     world.step();

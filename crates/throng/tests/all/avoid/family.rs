@@ -59,7 +59,8 @@ fn turning(model: Arc<dyn LocalModel>) -> Result<f64, throng::Error> {
         let goal = world.add_goal(Goal::Point { at: glam::DVec2::new(5.0 * side, 0.05 * side), tolerance: 0.1 })?;
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
         let position = glam::DVec2::new(-5.0 * side, 0.05 * side);
-        let agent = Agent { position, group, journey, max_acceleration: 1000.0, ..Agent::default() };
+        let agent =
+            Agent { position: position.extend(0.0), group, journey, max_acceleration: 1000.0, ..Agent::default() };
         world.add_agent(agent)?;
     }
     let mut turned = 0.0;

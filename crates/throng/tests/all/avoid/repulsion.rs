@@ -152,7 +152,14 @@ fn meeting(model: Arc<dyn LocalModel>, step: f64, aside: f64) -> Result<Meeting,
         let goal = world.add_goal(Goal::Point { at: DVec2::new(9.0 * side, aside * side), tolerance: 0.2 })?;
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
         let position = DVec2::new(-9.0 * side, aside * side);
-        world.add_agent(Agent { position, group, journey, preferred_speed: 1.3, radius: 0.17, ..Agent::default() })?;
+        world.add_agent(Agent {
+            position: position.extend(0.0),
+            group,
+            journey,
+            preferred_speed: 1.3,
+            radius: 0.17,
+            ..Agent::default()
+        })?;
     }
     let (mut path, mut next, mut least) = (Vec::new(), 1.0, f64::INFINITY);
     while !world.finished() && world.time() < 60.0 {

@@ -538,7 +538,9 @@ fn crowds(results: &mut Results) {
         let group = if k % 10 == 0 { groups[0] } else { groups[1 + draw.index(3)] };
         let governed = number(&mut draw, 0.3, 1.0);
         let journey = journeys[usize::from(k % 4 == 0)];
-        world.add_agent(Agent { position, group, journey, governed, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), group, journey, governed, ..Agent::default() })
+            .unwrap();
     }
     for _ in 0..80 {
         world.step();

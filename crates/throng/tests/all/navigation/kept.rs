@@ -375,7 +375,7 @@ fn fill(world: &mut World, (low, high): ((f64, f64), (f64, f64)), apart: f64, li
         let place = low + DVec2::new(f64::from(k % columns), f64::from(k / columns)) * apart;
         let position = at(place.x, place.y);
         if world.is_free(position.extend(0.0), like.radius * 1.05) {
-            world.add_agent(Agent { position, ..like.clone() }).unwrap();
+            world.add_agent(Agent { position: position.extend(0.0), ..like.clone() }).unwrap();
         }
     }
 }
@@ -431,7 +431,13 @@ fn through_doors() -> World {
     let keyframe = |time: f64, y: f64| Keyframe { time, at: at(8.0, y), heading: 0.643_501_108_793_284_4 };
     let keyframes = vec![keyframe(0.0, 6.35), keyframe(4.0, 5.6), keyframe(9.0, 5.6), keyframe(11.0, 6.35)];
     let script = Some(world.add_script(Script { keyframes, repeat: true }).unwrap());
-    let leaf = Agent { position: at(8.0, 6.35), script, heading: Some(0.643_501_1), avoids: 0, ..Agent::default() };
+    let leaf = Agent {
+        position: at(8.0, 6.35).extend(0.0),
+        script,
+        heading: Some(0.643_501_1),
+        avoids: 0,
+        ..Agent::default()
+    };
     world.add_agent(Agent { max_turn_rate: 2.0, ..leaf }.with_body(Body::rectangle(0.3, 0.5))).unwrap();
     fill(&mut world, ((0.5, 0.5), (3.4, 4.0)), 0.9, &Agent { journey: right, ..Agent::default() });
     fill(&mut world, ((5.0, 1.0), (7.0, 5.0)), 1.1, &Agent { journey: left, radius: 0.2, ..Agent::default() });
@@ -462,7 +468,7 @@ fn narrow() -> World {
     for (x, to) in [(-1.0, 6.5), (-1.8, 7.5), (6.0, -1.5), (6.8, -2.5)] {
         let journey = journey(&mut world, &[(there(to, 0.1), 0.0)], false);
         let position = at(x, 0.05 * x);
-        world.add_agent(Agent { position, journey, radius: 0.14, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, radius: 0.14, ..Agent::default() }).unwrap();
     }
     world
 }
@@ -482,7 +488,7 @@ fn stranded() -> World {
         let row = world.relative_columns().len() as f64;
         for (x, radius) in [(1.0, 0.15), (2.0, 0.36)] {
             let position = at(x, 1.0 + row * 0.55);
-            world.add_agent(Agent { position, journey, radius, ..Agent::default() }).unwrap();
+            world.add_agent(Agent { position: position.extend(0.0), journey, radius, ..Agent::default() }).unwrap();
         }
     }
     world
@@ -499,7 +505,8 @@ fn in_the_air() -> World {
     for k in 0..8 {
         let (x, y, journey) = if k % 2 == 0 { (1.0, 1.0, over) } else { (6.0, 5.0, down) };
         let position = at(x, y + 0.4 * f64::from(k));
-        let agent = Agent { position, altitude: 0.5 * k as f32, group, journey, radius: 0.2, ..Agent::default() };
+        let agent =
+            Agent { position: position.extend(0.5 * f64::from(k)), group, journey, radius: 0.2, ..Agent::default() };
         world.add_agent(agent).unwrap();
     }
     world

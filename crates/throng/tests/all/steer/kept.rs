@@ -267,8 +267,13 @@ fn place() -> Vec<Named> {
     let open = Arc::new(Pathway::with_radii(&corners, &[0.8, 0.5, 1.0, 0.6], false).unwrap());
     let ring = Arc::new(Pathway::new(&corners[..4], 0.7, true).unwrap());
     let along = |path: &Arc<Pathway>| FollowPath::from(path.clone());
-    let quick =
-        FollowPath { seconds: 1.5, slowing_distance: 3.0, inner: 0.4, way: PathDirection::Backward, ..along(&open) };
+    let quick = FollowPath {
+        seconds: 1.5,
+        slowing_distance: 3.0,
+        inner: 0.4,
+        direction: PathDirection::Backward,
+        ..along(&open)
+    };
     let rocks = [(4.0, 1.0, 1.5), (-4.0, 2.0, 1.2), (0.0, -6.0, 2.5), (3.0, -5.0, 0.6), (1.0, 6.5, 1.4)];
     let solid = |at: Vec2| rocks.iter().any(|&(x, y, radius)| at.distance(Vec2::new(x, y)) < radius);
     let map = Arc::new(Raster::of(Vec2::splat(-10.0), Vec2::splat(10.0), 0.4, solid).unwrap());
@@ -303,7 +308,7 @@ fn place() -> Vec<Named> {
         ("follow a ring", along(&ring).into()),
         (
             "follow a ring, back",
-            avoids(FollowPath { way: PathDirection::Backward, seconds: 1.0, inner: 0.7, ..along(&ring) }),
+            avoids(FollowPath { direction: PathDirection::Backward, seconds: 1.0, inner: 0.7, ..along(&ring) }),
         ),
         ("stay on a path", avoids(StayOnPath { path: open.clone(), seconds: 0.5 })),
         ("stay on a ring", avoids(StayOnPath { path: ring.clone(), seconds: 1.5 })),

@@ -41,7 +41,7 @@ fn they_say_which_part_of_a_path_they_follow() {
     let path = Pathway::new(&corners, 1.0, true).unwrap();
     let motion = Motion::moving(Vec3::new(9.0, 0.5, 0.0), Vec3::X * 1.8);
     // 1.8 m/s for a second
-    let follow = |way| FollowPath { way, seconds: 1.0, ..path.clone().into() };
+    let follow = |way| FollowPath { direction: way, seconds: 1.0, ..path.clone().into() };
     let near = |found: Vec<Vec3>, expected: &[Vec3]| {
         let same = found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| a.distance(*b) < 1e-4);
         assert!(same, "{found:?} and not {expected:?}");

@@ -28,8 +28,7 @@ pub fn empty() -> World {
 pub fn add(world: &mut World, group: GroupId, vehicle: &Vehicle, places: &[Vec3]) {
     for place in places {
         let agent = Agent {
-            position: DVec2::new(place.x.into(), place.y.into()),
-            altitude: place.z,
+            position: DVec2::new(place.x.into(), place.y.into()).extend(f64::from(place.z)),
             radius: 0.005,
             preferred_speed: vehicle.max_speed,
             max_speed: vehicle.max_speed,

@@ -73,7 +73,7 @@ fn an_agent_that_rests_on_the_goal_of_another_makes_way() {
         for direction in 0..6 {
             let mut world = world(0.05, DVec2::new(-800.0, 60.0));
             let goal = world.settings().origin;
-            world.add_agent(Agent { position: goal + DVec2::new(off, 0.0), ..Agent::default() }).unwrap();
+            world.add_agent(Agent::at(goal + DVec2::new(off, 0.0))).unwrap();
             let agent = walker(&mut world, goal + DVec2::from_angle(0.2 + f64::from(direction)) * 4.0, goal);
             world.add_agent(agent).unwrap();
             run(&mut world, 30.0, assert_free);

@@ -9,8 +9,14 @@ fn plough(world: &mut World, from: DVec2, to: DVec2, (begins, ends): (f64, f64),
     let keyframe = |time, at| Keyframe { time, at, heading: 0.0 };
     let script = Script { keyframes: vec![keyframe(begins, from), keyframe(ends, to)], repeat: false };
     let script = world.add_script(script).unwrap();
-    let agent =
-        Agent { position: from, script: Some(script), preferred_speed: 0.0, radius, avoids: 0, ..Agent::default() };
+    let agent = Agent {
+        position: from.extend(0.0),
+        script: Some(script),
+        preferred_speed: 0.0,
+        radius,
+        avoids: 0,
+        ..Agent::default()
+    };
     world.add_agent(agent).unwrap()
 }
 
@@ -19,7 +25,7 @@ fn all_within(world: &World, at: DVec2, distance: f64) -> bool {
     let agents = world.relative_columns();
     let arrived =
         (0..agents.len()).filter(|&row| agents.status[row] == Status::Arrived && agents.script[row].is_none());
-    arrived.into_iter().all(|row| world.position(world.id(row)).unwrap().distance(at) <= distance)
+    arrived.into_iter().all(|row| world.position(world.id(row)).unwrap().distance(at.extend(0.0)) <= distance)
 }
 
 #[test]
@@ -30,7 +36,7 @@ fn agents_that_are_pushed_out_of_their_area_come_back() {
     let journey = journey_into(&mut world, Goal::Area { corners });
     for k in 0..6 {
         let position = origin + DVec2::new(-6.0 - f64::from(k / 3), 0.6 * f64::from(k % 3) - 0.6);
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     plough(&mut world, origin + DVec2::new(0.0, -9.0), origin + DVec2::new(0.0, 9.0), (15.0, 33.0), 1.0);
     run_for(&mut world, 15.0, |_| {});
@@ -55,7 +61,7 @@ fn agents_that_are_pushed_off_their_point_have_not_arrived_until_they_are_back()
     let journey = journey_to(&mut world, DVec2::ZERO);
     for k in 0..9 {
         let position = DVec2::from_angle(0.7 * f64::from(k)) * 5.0;
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     plough(&mut world, DVec2::new(-9.0, 0.1), DVec2::new(9.0, 0.1), (20.0, 38.0), 0.8);
     run_for(&mut world, 20.0, |_| {});
@@ -74,12 +80,12 @@ fn agents_that_begin_in_their_area_stay_where_they_are() {
     let journey = journey_into(&mut world, Goal::Area { corners });
     let places = [DVec2::new(0.5, 0.5), DVec2::new(-1.5, 1.0), DVec2::new(1.0, -2.0)];
     for position in places {
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     run_for(&mut world, 5.0, |_| {});
     assert_eq!(world.summary().arrived, 3);
     for (row, place) in places.iter().enumerate() {
-        assert!(world.position(world.id(row)).unwrap().distance(*place) < 0.01);
+        assert!(world.position(world.id(row)).unwrap().distance((*place).extend(0.0)) < 0.01);
     }
 }
 
@@ -96,7 +102,7 @@ fn an_area_with_a_corner_is_filled_round_it() {
     let journey = journey_into(&mut world, Goal::Area { corners: corners.to_vec() });
     for k in 0..28 {
         let position = DVec2::new(0.55 * f64::from(k / 2) - 0.5, 0.5 * f64::from(k % 2) - 0.25);
-        world.add_agent(Agent { position, journey, radius: 0.2, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, radius: 0.2, ..Agent::default() }).unwrap();
     }
     run(&mut world, 90.0, |_| {});
     run_for(&mut world, 30.0, |_| {});

@@ -37,7 +37,7 @@ fn heap(case: u64, count: usize, spread: f64, step: f64, sub_steps: SubSteps) ->
         let radius = draw.between(0.12, 0.35) as f32;
         let stays = draw.index(3) == 0;
         let journey = if stays { throng::JourneyId::STAY } else { journey };
-        world.add_agent(Agent { position: last, radius, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: last.extend(0.0), radius, journey, ..Agent::default() }).unwrap();
     }
     world
 }
@@ -140,7 +140,7 @@ fn a_heap_in_a_corner_parts_without_entering_the_walls() {
     let mut draw = Draw::new(6);
     for _ in 0..10 {
         let position = origin + draw.point(DVec2::splat(0.4), DVec2::splat(0.9));
-        world.add_agent(Agent { position, radius: 0.2, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), radius: 0.2, ..Agent::default() }).unwrap();
     }
     let walls = crate::world::oracle::obstacles(&world);
     run_for(&mut world, 20.0, |world| {

@@ -105,7 +105,7 @@ fn mixed(case: u64, step: f64, sub_steps: SubSteps, order: u64) -> World {
         taken.push((position, body.bounding_radius().into()));
         let preferred_speed = draw.between(0.3, 2.0) as f32;
         let mut agent = Agent {
-            position,
+            position: position.extend(0.0),
             heading: Some(draw.between(-3.0, 3.0) as f32),
             journey: journey_to(&mut world, goal),
             preferred_speed,
@@ -187,7 +187,7 @@ fn capsules_and_rectangles_get_where_they_want() {
         for k in 0..16 {
             let position = DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 16.0) * 4.0;
             let journey = journey_to(&mut world, -position);
-            let agent = Agent { position, journey, max_turn_rate: 3.0, ..Agent::default() };
+            let agent = Agent { position: position.extend(0.0), journey, max_turn_rate: 3.0, ..Agent::default() };
             world.add_agent(agent.with_body(body)).unwrap();
         }
         run(&mut world, 60.0, |_| ());
@@ -206,7 +206,7 @@ fn a_long_body_passes_a_narrow_door() {
         world.add_obstacle(Obstacle::Wall { points: wall }).unwrap();
     }
     let journey = journey_to(&mut world, DVec2::new(5.0, 1.0));
-    let agent = Agent { position: DVec2::new(-4.0, 2.0), journey, max_turn_rate: 2.0, ..Agent::default() };
+    let agent = Agent { position: DVec2::new(-4.0, 2.0).extend(0.0), journey, max_turn_rate: 2.0, ..Agent::default() };
     world.add_agent(agent.with_body(Body::capsule(2.0, 0.6))).unwrap();
     run(&mut world, 40.0, |_| ());
     let summary = world.summary();
@@ -250,11 +250,13 @@ fn the_unguarded_overlap_each_other_and_are_seen_to_the_guarded_are_not() {
         world.add_obstacle(Obstacle::Wall { points: wall }).unwrap();
         for (x, group) in [(-1.0, ghosts), (1.0, other)] {
             let journey = journey_to(&mut world, DVec2::new(-x, 0.0));
-            world.add_agent(Agent { position: DVec2::new(x, 0.0), journey, group, ..Agent::default() }).unwrap();
+            world
+                .add_agent(Agent { position: DVec2::new(x, 0.0).extend(0.0), journey, group, ..Agent::default() })
+                .unwrap();
         }
         // nothing keeps an unguarded agent out of a wall, at the start either
         let at = DVec2::new(2.07, 2.0);
-        world.add_agent(Agent { position: at, group: ghosts, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: at.extend(0.0), group: ghosts, ..Agent::default() }).unwrap();
         run(&mut world, 5.0, |_| ());
         let summary = world.summary();
         assert_eq!(summary.least_separation < 0.5, !guard, "{summary:?}");

@@ -44,7 +44,9 @@ fn gathering(count: usize, seed: u64, radii: &[f32]) -> World {
         let spot = free_spot(&mut draw, &[], &taken, (origin - half, origin + half), f64::from(radius)).unwrap();
         taken.push((spot, f64::from(radius)));
         let preferred_speed = draw.between(0.8, 1.6) as f32;
-        world.add_agent(Agent { position: spot, journey, radius, preferred_speed, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: spot.extend(0.0), journey, radius, preferred_speed, ..Agent::default() })
+            .unwrap();
     }
     world
 }
@@ -71,7 +73,9 @@ fn a_queue_walks_without_wagging() {
     for k in 0..20 {
         let position = origin - along * (0.5 * f64::from(k));
         let preferred_speed = 1.2 + 0.05 * (k % 4) as f32;
-        world.add_agent(Agent { position, journey, preferred_speed, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), journey, preferred_speed, ..Agent::default() })
+            .unwrap();
     }
     run_for(&mut world, 3.0, assert_free);
     let mut turned = [0.0; 20];
@@ -114,7 +118,7 @@ fn a_scattered_crowd_with_nowhere_to_go_never_moves() {
         let area = (DVec2::new(-54.0, 46.0), DVec2::new(-46.0, 54.0));
         let Some(spot) = free_spot(&mut draw, &[], &taken, area, 0.2) else { continue };
         taken.push((spot, 0.2));
-        world.add_agent(Agent { position: spot, ..Agent::default() }).unwrap();
+        world.add_agent(Agent::at(spot)).unwrap();
     }
     run_for(&mut world, 5.0, |_| {});
     for _ in 0..100 {

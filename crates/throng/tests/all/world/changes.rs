@@ -14,7 +14,7 @@ fn agree(world: &World, there: &BTreeMap<AgentId, u32>, gone: &[AgentId]) {
         assert_eq!(world.relative_columns().number[row], number);
         assert_eq!(world.id(row), id);
         let expected = world.relative_columns().position[row].as_dvec2() + world.settings().origin;
-        assert_eq!(world.position(id), Some(expected));
+        assert_eq!(world.position(id), Some(expected.extend(0.0)));
     }
     for &id in gone {
         assert_eq!((world.row(id), world.position(id)), (None, None), "{id:?} was removed");
@@ -31,7 +31,7 @@ fn ids_stay_valid_and_stale_ids_name_no_agent() {
     for round in 0..600u32 {
         if draw.index(5) < 3 {
             let position = origin + draw.point(DVec2::splat(-30.0), DVec2::splat(30.0));
-            let agent = Agent { position, journey: draw.one_of(&journeys), ..Agent::default() };
+            let agent = Agent { position: position.extend(0.0), journey: draw.one_of(&journeys), ..Agent::default() };
             let id = world.add_agent(agent).unwrap();
             let number = world.relative_columns().number[world.row(id).unwrap()];
             assert_eq!(there.insert(id, number), None, "{id:?} names an agent already");
@@ -57,10 +57,10 @@ fn an_exit_takes_the_id_with_it() {
     let exit = Goal::Exit { corners: crate::world::common::rectangle(DVec2::new(3.0, 0.0), DVec2::splat(1.0), 0.0) };
     let journey = crate::world::common::journey_into(&mut world, exit);
     let leaving = world.add_agent(Agent { journey, ..Agent::default() }).unwrap();
-    let staying = world.add_agent(Agent { position: DVec2::new(0.0, 5.0), ..Agent::default() }).unwrap();
+    let staying = world.add_agent(Agent::at(DVec2::new(0.0, 5.0))).unwrap();
     run(&mut world, 10.0, |_| {});
     assert_eq!(world.row(leaving), None);
-    assert_eq!(world.position(staying), Some(DVec2::new(0.0, 5.0)));
+    assert_eq!(world.position(staying), Some(DVec2::new(0.0, 5.0).extend(0.0)));
     let new = world.add_agent(Agent::default()).unwrap();
     assert_ne!(new, leaving);
     assert_eq!((world.row(leaving), world.row(new)), (None, Some(1)));
@@ -89,7 +89,8 @@ fn the_crowd_goes_on_when_an_agent_is_removed() {
 #[test]
 fn a_number_is_free_again_when_its_agent_is_gone_and_not_before() {
     let mut world = world(0.05, DVec2::ZERO);
-    let numbered = |number, x| Agent { number: Some(number), position: DVec2::new(x, 0.0), ..Agent::default() };
+    let numbered =
+        |number, x| Agent { number: Some(number), position: DVec2::new(x, 0.0).extend(0.0), ..Agent::default() };
     let id = world.add_agent(numbered(7, 0.0)).unwrap();
     assert_eq!(world.add_agent(numbered(7, 1.0)), Err(Error::NumberTaken { number: 7 }));
     assert_eq!(world.schedule_agent(1.0, numbered(7, 1.0)), Err(Error::NumberTaken { number: 7 }));
@@ -101,12 +102,13 @@ fn a_number_is_free_again_when_its_agent_is_gone_and_not_before() {
 #[test]
 fn numbers_at_their_end_are_given_once() {
     let mut world = world(0.05, DVec2::ZERO);
-    let numbered = |number, x| Agent { number: Some(number), position: DVec2::new(x, 0.0), ..Agent::default() };
+    let numbered =
+        |number, x| Agent { number: Some(number), position: DVec2::new(x, 0.0).extend(0.0), ..Agent::default() };
     let last = u32::MAX - 1;
     world.add_agent(numbered(last, 0.0)).unwrap();
     assert_eq!(world.add_agent(numbered(last, 1.0)), Err(Error::NumberTaken { number: last }));
     // no number is left for an agent without one
-    for agent in [numbered(u32::MAX, 2.0), Agent { position: DVec2::new(3.0, 0.0), ..Agent::default() }] {
+    for agent in [numbered(u32::MAX, 2.0), Agent::at(DVec2::new(3.0, 0.0))] {
         let message = world.add_agent(agent).unwrap_err().to_string();
         assert!(message.contains("number is 4294967295"), "{message}");
     }

@@ -48,7 +48,9 @@ fn room_at_speed(widths: [f64; 2], count: usize, look_ahead: bool, preferred_spe
     draw.shuffle(&mut places);
     let agents = places.into_iter().take(count).map(|[x, y]| {
         let journey = journeys[usize::from(x > 0.0)];
-        world.add_agent(Agent { position: at(x, y), group, journey, preferred_speed, ..Agent::default() }).unwrap()
+        world
+            .add_agent(Agent { position: at(x, y).extend(0.0), group, journey, preferred_speed, ..Agent::default() })
+            .unwrap()
     });
     let agents = agents.collect();
     (world, agents)
@@ -62,7 +64,7 @@ fn leave(mut world: World, agents: &[AgentId]) -> ([usize; 2], [f64; 2]) {
     run(&mut world, 300.0, |world| {
         for (side, &id) in sides.iter_mut().zip(agents) {
             match world.position(id) {
-                Some(place) => *side = (place - MIDDLE).dot(DVec2::from_angle(ANGLE)),
+                Some(place) => *side = (place.truncate() - MIDDLE).dot(DVec2::from_angle(ANGLE)),
                 None if *side != 0.0 => {
                     let exit = usize::from(*side > 0.0);
                     counts[exit] += 1;
@@ -99,8 +101,10 @@ fn agents_that_change_to_the_far_exit_get_on() {
 #[test]
 fn without_a_queue_the_nearest_exit_is_taken() {
     let (world, agents) = room([0.9, 1.8], 6, true);
-    let nearest: Vec<bool> =
-        agents.iter().map(|&id| (world.position(id).unwrap() - MIDDLE).dot(DVec2::from_angle(ANGLE)) > 0.0).collect();
+    let nearest: Vec<bool> = agents
+        .iter()
+        .map(|&id| (world.position(id).unwrap().truncate() - MIDDLE).dot(DVec2::from_angle(ANGLE)) > 0.0)
+        .collect();
     let east = nearest.iter().filter(|&&east| east).count();
     assert_eq!(leave(world, &agents).0, [6 - east, east]);
 }
@@ -108,7 +112,9 @@ fn without_a_queue_the_nearest_exit_is_taken() {
 #[test]
 fn agents_that_do_not_look_ahead_keep_to_their_goals() {
     let (world, agents) = room([0.9, 1.8], 60, false);
-    let east = agents.iter().filter(|&&id| (world.position(id).unwrap() - MIDDLE).dot(DVec2::from_angle(ANGLE)) > 0.0);
+    let east = agents
+        .iter()
+        .filter(|&&id| (world.position(id).unwrap().truncate() - MIDDLE).dot(DVec2::from_angle(ANGLE)) > 0.0);
     let east = east.count();
     assert_eq!(leave(world, &agents).0, [60 - east, east]);
 }

@@ -26,7 +26,7 @@ pub fn journey_into(world: &mut World, goal: Goal) -> JourneyId {
 
 /// A pedestrian on the way from one point to another.
 pub fn walker(world: &mut World, from: DVec2, to: DVec2) -> Agent {
-    Agent { position: from, journey: journey_to(world, to), ..Agent::default() }
+    Agent { position: from.extend(0.0), journey: journey_to(world, to), ..Agent::default() }
 }
 
 /// Corners of a rectangle between two points, turned about `center`.

@@ -21,7 +21,7 @@ fn hall(width: f64, people: usize, origin: DVec2, angle: f64, seed: u64) -> (Wor
     for k in 0..people {
         let (x, y) = (-8.5 + 0.9 * (k / 10) as f64, -4.05 + 0.9 * (k % 10) as f64);
         let position = place(x + draw.between(-0.2, 0.2), y + draw.between(-0.2, 0.2));
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     (world, journey)
 }
@@ -65,7 +65,15 @@ fn of_two_at_a_door_the_nearer_goes_first() {
             for (post, away) in [(-side, 0.5 + lead), (side, 0.5)] {
                 let from = DVec2::new(-0.25, 0.0) - DVec2::from_angle(slant * post) * away;
                 let position = origin + DVec2::from_angle(angle).rotate(from);
-                world.add_agent(Agent { position, journey, group, radius: 0.2, ..Agent::default() }).unwrap();
+                world
+                    .add_agent(Agent {
+                        position: position.extend(0.0),
+                        journey,
+                        group,
+                        radius: 0.2,
+                        ..Agent::default()
+                    })
+                    .unwrap();
             }
             let label = format!("{lead} m nearer, {slant} rad off, side {side}, keep right {keep_right}");
             let mut last = None;

@@ -12,7 +12,7 @@ fn they_enter_when_their_time_comes() {
     let times = [2.0, 0.0, 0.55, 1.0, 7.3];
     for (k, time) in times.into_iter().enumerate() {
         let position = origin + DVec2::new(2.0 * k as f64, 0.0);
-        world.schedule_agent(time, Agent { position, ..Agent::default() }).unwrap();
+        world.schedule_agent(time, Agent::at(position)).unwrap();
     }
     assert_eq!(world.summary().agents, 5, "those to come count");
     while world.time() < 9.0 {
@@ -30,10 +30,10 @@ fn they_enter_when_their_time_comes() {
 #[test]
 fn an_entry_waits_while_its_place_is_taken() {
     let mut world = world(0.05, DVec2::ZERO);
-    let blocker = world.add_agent(Agent { position: DVec2::new(0.25, 0.0), ..Agent::default() }).unwrap();
+    let blocker = world.add_agent(Agent::at(DVec2::new(0.25, 0.0))).unwrap();
     world.schedule_agent(0.5, Agent { number: Some(50), ..Agent::default() }).unwrap();
     // agents do not wait for places other than their own
-    world.schedule_agent(0.5, Agent { position: DVec2::new(5.0, 0.0), ..Agent::default() }).unwrap();
+    world.schedule_agent(0.5, Agent::at(DVec2::new(5.0, 0.0))).unwrap();
     run_for(&mut world, 3.0, assert_free);
     assert_eq!(world.relative_columns().len(), 2);
     assert!(!world.finished());
@@ -66,7 +66,7 @@ fn several_sources_feed_a_crossing_and_all_agents_leave() {
         let exit = Goal::Exit { corners: rectangle(origin - from, DVec2::splat(2.0), 0.4) };
         let journey = journey_into(&mut world, exit);
         for k in 0..25 {
-            let agent = Agent { position: origin + from, journey, ..Agent::default() };
+            let agent = Agent { position: (origin + from).extend(0.0), journey, ..Agent::default() };
             world.schedule_agent(0.2 * f64::from(k), agent).unwrap();
         }
     }
@@ -90,7 +90,7 @@ fn an_exit_lets_only_its_own_people_out() {
     let mut world = world(0.05, DVec2::ZERO);
     let corners = rectangle(DVec2::ZERO, DVec2::splat(2.0), 0.2);
     let journey = journey_into(&mut world, Goal::Exit { corners });
-    world.add_agent(Agent { position: DVec2::new(-4.0, 1.0), journey, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: DVec2::new(-4.0, 1.0).extend(0.0), journey, ..Agent::default() }).unwrap();
     let passer = walker(&mut world, DVec2::new(-5.0, -0.2), DVec2::new(5.0, 0.1));
     let passer = world.add_agent(passer).unwrap();
     run(&mut world, 30.0, assert_free);

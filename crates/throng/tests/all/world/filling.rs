@@ -41,7 +41,7 @@ fn is_in(corners: &[DVec2], p: DVec2) -> bool {
 fn inside(world: &World, journey: JourneyId, area: &[DVec2]) -> usize {
     let agents = world.relative_columns();
     let mine = (0..agents.len()).filter(|&row| agents.journey[row] == journey);
-    mine.filter(|&row| is_in(area, world.position(world.id(row)).unwrap())).count()
+    mine.filter(|&row| is_in(area, world.position(world.id(row)).unwrap().truncate())).count()
 }
 
 /// Puts this number of agents at random in a rectangle of the plan.
@@ -53,7 +53,7 @@ fn fill(world: &mut World, pose: Pose, draw: &mut Draw, (low, high): (DVec2, DVe
         }
         let position = pose.point(draw.point(low, high));
         if world.is_free(position.extend(0.0), agent.radius * 1.02) {
-            world.add_agent(Agent { position, ..agent.clone() }).unwrap();
+            world.add_agent(Agent { position: position.extend(0.0), ..agent.clone() }).unwrap();
             placed += 1;
         }
     }
@@ -117,7 +117,7 @@ fn failures(seeds: std::ops::Range<u64>) -> Vec<String> {
             let agents = world.relative_columns();
             for row in (0..count).filter(|&row| agents.speed(row) >= 0.05) {
                 let standing = agents.travel[row].standing();
-                let off = standing.map(|s| s.at.distance(world.position(world.id(row)).unwrap()));
+                let off = standing.map(|s| s.at.distance(world.position(world.id(row)).unwrap().truncate()));
                 failed.push(format!(
                     "  {row}: {:?} at {:.2} m/s, {off:?} off {standing:?}",
                     agents.status[row],

@@ -56,8 +56,7 @@ fn world(groups: &[Group], all: &[One], instructions: SimdLevel) -> World {
         let (group, vehicle) = groups[index % groups.len()];
         let altitude = if vehicle.locomotion == Locomotion::Ground { 0.0 } else { z };
         let agent = Agent {
-            position: DVec2::new(x, y),
-            altitude,
+            position: DVec2::new(x, y).extend(f64::from(altitude)),
             heading: Some(heading),
             group,
             preferred_speed: 5.0,
@@ -118,8 +117,7 @@ fn birds(
         let across = (1.0 - height * height).sqrt() * (0.3 + 0.7 * (7.0 * part).fract());
         let agent = Agent {
             number: Some(number),
-            position: DVec2::from_angle(turn) * across * 20.0,
-            altitude: (height * 20.0 + 30.0) as f32,
+            position: (DVec2::from_angle(turn) * across * 20.0).extend(height * 20.0 + 30.0),
             heading: Some((turn % 6.0 - 3.0) as f32),
             group,
             radius: 0.5,

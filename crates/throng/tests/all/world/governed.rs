@@ -37,7 +37,9 @@ fn agents_without_a_journey_follow_the_field() {
         let mut world = with_settings(step, SubSteps::Auto, origin);
         let group = led(&mut world, whirl, 1.0);
         let position = origin + DVec2::X * 5.0;
-        world.add_agent(Agent { position, group, velocity: Vec2::Y * 1.2, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), group, velocity: Vec2::Y * 1.2, ..Agent::default() })
+            .unwrap();
         let around = TAU * 5.0 / 1.2;
         run_for(&mut world, around, |world| {
             let (place, velocity) = only(world);
@@ -84,11 +86,11 @@ fn a_field_with_nothing_to_say_leaves_the_own_way() {
     let group = led(&mut world, field, 1.0);
     let journey = journey_to(&mut world, DVec2::X * 6.0);
     world.add_agent(Agent { group, journey, ..Agent::default() }).unwrap();
-    let idle = world.add_agent(Agent { group, position: DVec2::Y * 9.0, ..Agent::default() }).unwrap();
+    let idle = world.add_agent(Agent { group, position: (DVec2::Y * 9.0).extend(0.0), ..Agent::default() }).unwrap();
     run_for(&mut world, 8.0, |_| {});
     assert_eq!(world.relative_columns().status[0], Status::Arrived);
     assert!(only(&world).0.distance(Vec2::X * 6.0) < 0.3 && only(&world).1 == Vec2::ZERO);
-    assert_eq!(world.agent(idle).map(AgentRef::to_agent).unwrap().position, DVec2::Y * 9.0);
+    assert_eq!(world.agent(idle).map(AgentRef::to_agent).unwrap().position, (DVec2::Y * 9.0).extend(0.0));
 }
 
 #[test]
@@ -119,7 +121,7 @@ fn mill(instructions: SimdLevel) -> World {
         let crosses = taken.len() > 120;
         let journey = if crosses { journey_to(&mut world, -position) } else { JourneyId::STAY };
         let group = if crosses { Agent::default().group } else { group };
-        world.add_agent(Agent { position, journey, group, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, group, ..Agent::default() }).unwrap();
     }
     world.set_simd_level(instructions);
     world
@@ -176,7 +178,14 @@ fn ratios_are_those_of_the_place_and_of_the_agent() {
         let position = DVec2::new(0.0, y);
         let journey = journey_to(&mut world, DVec2::new(1e4, y));
         world
-            .add_agent(Agent { position, group, journey, governed, preferred_speed: 1.0, ..Agent::default() })
+            .add_agent(Agent {
+                position: position.extend(0.0),
+                group,
+                journey,
+                governed,
+                preferred_speed: 1.0,
+                ..Agent::default()
+            })
             .unwrap();
         run_for(&mut world, 2.0, |_| {});
         let (_, velocity) = only(&world);
@@ -196,14 +205,15 @@ fn fields_go_with_their_sources() {
         let leaders = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
         let way = DVec2::from_angle(heading);
         let journey = journey_to(&mut world, origin + way * 1e4);
-        world.add_agent(Agent { position: origin, group: leaders, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: origin.extend(0.0), group: leaders, journey, ..Agent::default() }).unwrap();
         let followers = around(&mut world, Interaction { carried: 1.0, ..Interaction::new(leaders.index(), behind) });
         let position = origin + way.perp() * 4.0;
-        let follower = world.add_agent(Agent { position, group: followers, ..Agent::default() }).unwrap();
+        let follower =
+            world.add_agent(Agent { position: position.extend(0.0), group: followers, ..Agent::default() }).unwrap();
         run_for(&mut world, 20.0, |_| {});
         let leader = world.members(leaders)[0];
         let offset = world.position(follower).unwrap() - world.position(leader).unwrap();
-        assert!(offset.distance(-2.0 * way) < 0.15, "{offset} is behind {way}");
+        assert!(offset.distance((-2.0 * way).extend(0.0)) < 0.15, "{offset} is behind {way}");
     }
 }
 
@@ -216,7 +226,12 @@ fn the_mean_of_all_that_is_said_counts() {
         let posts = world.add_group(Group::default()).unwrap();
         for x in [-3.0, 6.0] {
             world
-                .add_agent(Agent { position: DVec2::new(x, 5.0), heading: Some(0.0), group: posts, ..Agent::default() })
+                .add_agent(Agent {
+                    position: DVec2::new(x, 5.0).extend(0.0),
+                    heading: Some(0.0),
+                    group: posts,
+                    ..Agent::default()
+                })
                 .unwrap();
         }
         let about = Interaction { reach, weight, ..Interaction::new(posts.index(), Uniform(Vec3::Y)) };
@@ -241,7 +256,12 @@ fn people_look_where_a_field_says() {
         let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
         let posts = world.add_group(Group::default()).unwrap();
         world
-            .add_agent(Agent { position: DVec2::new(3.0, 40.0), group: posts, heading: Some(1.0), ..Agent::default() })
+            .add_agent(Agent {
+                position: DVec2::new(3.0, 40.0).extend(0.0),
+                group: posts,
+                heading: Some(1.0),
+                ..Agent::default()
+            })
             .unwrap();
         let to_it = |place: Vec3, _: f64| -place;
         let looks: Arc<dyn Field> = Arc::new(to_it);

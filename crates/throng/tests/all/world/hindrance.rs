@@ -76,7 +76,9 @@ fn agents_behind_a_slow_one_queue_and_are_not_stuck() {
         let position = DVec2::new(-0.6 * f64::from(k), 0.0);
         // the first agent walks 5 cm a second
         let preferred_speed = if k == 0 { 0.05 } else { 1.3 };
-        world.add_agent(Agent { position, journey, group, preferred_speed, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), journey, group, preferred_speed, ..Agent::default() })
+            .unwrap();
     }
     run_for(&mut world, 30.0, |_| {});
     assert_eq!(hindrance(&world, 0), Hindrance::None, "nothing is in the way of the slow one");

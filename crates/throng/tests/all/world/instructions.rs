@@ -71,7 +71,7 @@ fn crowd(kind: &Kind) -> World {
     }
     for _ in 0..kind.count {
         let mut agent = Agent {
-            position: draw.point(-half, half),
+            position: draw.point(-half, half).extend(0.0),
             journey: draw.one_of(&journeys),
             group: draw.one_of(&groups),
             radius: 0.15,

@@ -19,7 +19,12 @@ fn meeting(change: impl Fn(usize, Agent) -> Agent) -> ([f64; 2], f64) {
         let goal = world.add_goal(goal).unwrap();
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         let position = origin - along * (7.0 * side) + off;
-        world.add_agent(change(index, Agent { position, journey, group, radius: 0.2, ..Agent::default() })).unwrap();
+        world
+            .add_agent(change(
+                index,
+                Agent { position: position.extend(0.0), journey, group, radius: 0.2, ..Agent::default() },
+            ))
+            .unwrap();
     }
     let (mut strayed, mut least) = ([0.0f64; 2], f64::INFINITY);
     run_for(&mut world, 20.0, |world| {
@@ -101,12 +106,12 @@ fn resting_agents_make_way_for_walking_agents() {
     let origin = world.settings().origin;
     for k in 0..45 {
         let at = DVec2::new(f64::from(k % 9) - 4.0, 0.6 * f64::from(k / 9) - 1.2);
-        world.add_agent(Agent { position: origin + at, ..Agent::default() }).unwrap();
+        world.add_agent(Agent::at(origin + at)).unwrap();
     }
     let walker =
         crate::world::common::walker(&mut world, origin + DVec2::new(-9.0, 0.1), origin + DVec2::new(9.0, -0.2));
     let id = world.add_agent(walker).unwrap();
     run_for(&mut world, 30.0, crate::world::oracle::assert_free);
-    let left = world.position(id).unwrap().distance(origin + DVec2::new(9.0, -0.2));
+    let left = world.position(id).unwrap().distance((origin + DVec2::new(9.0, -0.2)).extend(0.0));
     assert!(left < 0.11, "{left} m from its goal");
 }

@@ -32,7 +32,7 @@ fn scene(seed: u64, offset: DVec2, origin: DVec2) -> World {
 }
 
 /// Runs the scene with changes from outside; returns what the world tells, with the offset taken away.
-fn run(mut world: World, offset: DVec2) -> (Vec<DVec3>, Vec<Event>, Vec<Option<DVec2>>) {
+fn run(mut world: World, offset: DVec2) -> (Vec<DVec3>, Vec<Event>, Vec<Option<DVec3>>) {
     let ids: Vec<AgentId> = world.agents().map(|agent| agent.id()).collect();
     let mut events = Vec::new();
     for step in 0..60 {
@@ -47,7 +47,7 @@ fn run(mut world: World, offset: DVec2) -> (Vec<DVec3>, Vec<Event>, Vec<Option<D
         events.extend_from_slice(world.events());
     }
     let positions = world.agents().map(|agent| agent.position() - offset.extend(0.0)).collect();
-    let by_id = ids.iter().map(|&id| world.position(id).map(|at| at - offset)).collect();
+    let by_id = ids.iter().map(|&id| world.position(id).map(|at| at - offset.extend(0.0))).collect();
     (positions, events, by_id)
 }
 
@@ -62,7 +62,9 @@ fn the_page_of_the_crate_lists_every_call() {
         let text = std::fs::read_to_string(&file).unwrap();
         let blocks = text.split("\nimpl World {").skip(1).map(|rest| rest.split("\n}").next().unwrap());
         let functions = blocks.flat_map(|block| block.split("\n    pub fn ").skip(1));
-        calls.extend(functions.map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned()));
+        calls.extend(
+            functions.map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned()),
+        );
     }
     assert!(calls.len() > 60, "{calls:?}");
     let page = std::fs::read_to_string(source.join("lib.rs")).unwrap();
@@ -110,7 +112,7 @@ fn agents_come_in_the_order_of_their_ids_whatever_the_rows() {
         let row = world.row(agent.id()).unwrap();
         let columns = world.relative_columns();
         assert_eq!(agent.position(), position);
-        assert_eq!(agent.position().truncate(), world.position(agent.id()).unwrap());
+        assert_eq!(agent.position().truncate(), world.position(agent.id()).unwrap().truncate());
         assert_eq!(agent.velocity().truncate(), columns.velocity[row]);
         assert_eq!((agent.number(), agent.heading()), (columns.number[row], columns.heading[row]));
         assert_eq!(
@@ -159,7 +161,7 @@ fn a_new_goal_is_reached_also_after_an_end_and_after_loading() {
     world.set_goal(id, [2.0, 3.0]).unwrap();
     let saved = world.save();
     arrive(&mut world);
-    assert!(world.position(id).unwrap().distance(DVec2::new(2.0, 3.0)) < 0.2);
+    assert!(world.position(id).unwrap().distance(DVec2::new(2.0, 3.0).extend(0.0)) < 0.2);
     let mut other = World::new(settings(DVec2::ZERO)).unwrap();
     other.load(&saved).unwrap();
     arrive(&mut other);
@@ -203,7 +205,7 @@ fn set_positions_are_where_agents_are_and_refused_ones_change_nothing() {
     let ids: Vec<AgentId> = world.agents().map(|agent| agent.id()).collect();
     (0..5).for_each(|_| world.step());
     world.set_position(ids[1], [-3.0, -8.0]).unwrap();
-    assert_eq!(world.position(ids[1]), Some(DVec2::new(-3.0, -8.0)));
+    assert_eq!(world.position(ids[1]), Some(DVec3::new(-3.0, -8.0, 0.0)));
     let before = world.state_hash();
     for wrong in [[0.0, 3.0], [40.0, 0.0], [f64::NAN, 0.0], [1e9, 0.0]] {
         assert!(world.set_position(ids[1], wrong).is_err(), "{wrong:?}");

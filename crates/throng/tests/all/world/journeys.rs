@@ -24,7 +24,7 @@ fn stretches(world: &mut World, limit: f64) -> Vec<(u32, Status, f64, DVec2)> {
     let mut all: Vec<(u32, Status, f64, DVec2)> = Vec::new();
     run(world, limit, |world| {
         let (leg, status) = (world.relative_columns().travel[0].leg, world.relative_columns().status[0]);
-        let at = world.position(world.id(0)).unwrap() - world.settings().origin;
+        let at = world.position(world.id(0)).unwrap().truncate() - world.settings().origin;
         match all.last_mut() {
             Some(last) if (last.0, last.1) == (leg, status) => last.2 += world.settings().step,
             _ => all.push((leg, status, world.settings().step, at)),
@@ -38,7 +38,7 @@ fn stops_are_visited_in_order_and_waits_last_as_long_as_they_say() {
     let mut world = world(0.05, DVec2::new(-6000.0, 6000.0));
     let journey = through(&mut world, &triangle(), false);
     let position = world.settings().origin;
-    world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     let all = stretches(&mut world, 60.0);
     let order: Vec<(u32, Status)> = all.iter().map(|&(leg, status, ..)| (leg, status)).collect();
     use Status::{Arrived, Waiting, Walking};
@@ -56,7 +56,7 @@ fn a_round_goes_on_and_on() {
     let mut world = world(0.05, DVec2::new(100.0, -100.0));
     let journey = through(&mut world, &triangle(), true);
     let position = world.settings().origin;
-    world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     let all = stretches(&mut world, 100.0);
     assert!(!world.finished(), "a round has no end");
     let starts = all.iter().filter(|&&(leg, status, ..)| (leg, status) == (0, Status::Walking)).count();
@@ -104,7 +104,7 @@ fn many_share_a_round_with_waits_and_none_is_left_behind() {
     let journey = world.add_journey(Journey { stops: goals, repeat: true }).unwrap();
     for k in 0..12 {
         let position = world.settings().origin + DVec2::from_angle(f64::from(k) * 0.52) * 4.0;
-        world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     let mut visits = [0; 12];
     let mut legs = [0; 12];

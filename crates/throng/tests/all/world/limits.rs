@@ -109,7 +109,7 @@ fn a_car_brakes_for_people_that_cross_its_way() {
             max_acceleration: 2.0,
             max_turn_rate: 0.35,
             priority: 0.8,
-            position: turned(-14.0, 0.0),
+            position: turned(-14.0, 0.0).extend(0.0),
             journey: journey_into(&mut world, Goal::Point { at: turned(18.0, 0.0), tolerance: 1.0 }),
             ..Agent::default()
         };
@@ -266,7 +266,7 @@ fn with_a_turn_limit_no_agent_walks_sideways() {
 #[test]
 fn standing_agents_keep_their_heading_to_the_bit() {
     let mut world = world(0.05, DVec2::new(12.0, 4000.0));
-    let agent = Agent { position: DVec2::new(11.0, 4001.0), heading: Some(2.5), ..Agent::default() };
+    let agent = Agent { position: DVec2::new(11.0, 4001.0).extend(0.0), heading: Some(2.5), ..Agent::default() };
     let id = world.add_agent(agent).unwrap();
     let start = world.position(id);
     for _ in 0..400 {

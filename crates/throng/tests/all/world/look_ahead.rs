@@ -74,7 +74,7 @@ fn leave_at(off: f64, turned: f64) -> f64 {
     world.set_walkable(vec![Walkable { outer, holes: vec![] }]).unwrap();
     let corners = vec![at(0.0, 10.0), at(3.0, 10.0), at(3.0, 12.0), at(0.0, 12.0)];
     let journey = journey_into(&mut world, Goal::Exit { corners });
-    world.add_agent(Agent { position: at(-8.0, -off), journey, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: at(-8.0, -off).extend(0.0), journey, ..Agent::default() }).unwrap();
     let mut last = corner;
     run_for(&mut world, 25.0, |world| last = Snapshot::of(world).positions.first().copied().unwrap_or(last));
     assert!(world.finished(), "it leaves");

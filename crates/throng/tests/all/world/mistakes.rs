@@ -38,9 +38,9 @@ fn agents_out_of_range() {
     let good = Agent::default();
     let nan = f32::NAN;
     let bad = [
-        ("position", Agent { position: DVec2::new(NAN, 0.0), ..good.clone() }),
-        ("position", Agent { position: DVec2::new(INFINITE, -INFINITE), ..good.clone() }),
-        ("position", Agent { position: DVec2::new(1e7, 0.0), ..good.clone() }),
+        ("position", Agent { position: DVec2::new(NAN, 0.0).extend(0.0), ..good.clone() }),
+        ("position", Agent { position: DVec2::new(INFINITE, -INFINITE).extend(0.0), ..good.clone() }),
+        ("position", Agent { position: DVec2::new(1e7, 0.0).extend(0.0), ..good.clone() }),
         ("velocity", Agent { velocity: Vec2::new(0.0, nan), ..good.clone() }),
         ("velocity", Agent { velocity: Vec2::new(f32::INFINITY, f32::NEG_INFINITY), ..good.clone() }),
         ("heading", Agent { heading: Some(nan), ..good.clone() }),
@@ -75,7 +75,7 @@ fn huge_numbers_do_no_harm() {
     let journey = journey_to(&mut world, DVec2::new(5.0, 1.0));
     let position = DVec2::new(-2.0, 0.0);
     for huge in [f32::MAX, 1e30, 1e12] {
-        let plain = Agent { journey, position, ..Agent::default() };
+        let plain = Agent { journey, position: position.extend(0.0), ..Agent::default() };
         let _ = world.add_agent(Agent { velocity: Vec2::new(huge, -huge), ..plain.clone() });
         let _ = world.add_agent(Agent { heading: Some(huge), ..plain.clone() });
         let _ = world.add_agent(Agent { heading: Some(-huge), max_turn_rate: 1.0, ..plain.clone() });
@@ -107,7 +107,7 @@ fn what_is_not_there_is_named() {
     assert_names(small.add_journey(Journey { stops, repeat: false }), &["goal", "1"]);
     let theirs = large.add_obstacle(Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 }).unwrap();
     assert!(!small.remove_obstacle(theirs));
-    let agent = large.add_agent(Agent { position: DVec2::new(4.0, 4.0), ..Agent::default() }).unwrap();
+    let agent = large.add_agent(Agent::at(DVec2::new(4.0, 4.0))).unwrap();
     assert!(!small.remove_agent(agent));
     assert_eq!((small.row(agent), small.position(agent)), (None, None));
 }
@@ -173,7 +173,7 @@ fn no_room_says_where_and_why() {
     for (x, why) in
         [(200.5, "inside an obstacle"), (201.1, "overlap a wall"), (209.9, "overlap a wall"), (250.0, "outside")]
     {
-        let agent = Agent { position: DVec2::new(x, 0.0), ..Agent::default() };
+        let agent = Agent::at(DVec2::new(x, 0.0));
         let at = x.to_string();
         assert_names(world.add_agent(agent.clone()), &[why, &at, "0.13"]);
         assert_names(world.schedule_agent(1.0, agent), &[why, &at]);

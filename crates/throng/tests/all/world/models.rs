@@ -47,8 +47,13 @@ fn ring(models: &[Arc<dyn LocalModel>], count: usize, step: f64, turn: f64) -> W
         let goal = world.add_goal(Goal::Point { at: middle - at, tolerance: 0.2 }).unwrap();
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
         let radius = 0.15 + 0.05 * (k % 4) as f32;
-        let agent =
-            Agent { position: middle + at, journey, group: groups[k % groups.len()], radius, ..Agent::default() };
+        let agent = Agent {
+            position: (middle + at).extend(0.0),
+            journey,
+            group: groups[k % groups.len()],
+            radius,
+            ..Agent::default()
+        };
         world.add_agent(agent).unwrap();
     }
     world

@@ -13,7 +13,7 @@ fn mover(world: &mut World, body: Body, keyframes: &[Keyframe], repeat: bool) ->
     let script = world.add_script(Script { keyframes: keyframes.to_vec(), repeat }).unwrap();
     let first = keyframes[0];
     let agent = Agent {
-        position: first.at,
+        position: first.at.extend(0.0),
         heading: Some(first.heading as f32),
         script: Some(script),
         preferred_speed: 0.0,
@@ -30,7 +30,7 @@ fn off(world: &World, id: AgentId, script: usize) -> (f64, f64) {
     let there = world.scripts()[script].at(world.time());
     let row = world.row(id).unwrap();
     let turn = f64::from(world.relative_columns().heading[row]) - there.heading;
-    (world.position(id).unwrap().distance(there.at), (turn + PI).rem_euclid(TAU) - PI)
+    (world.position(id).unwrap().distance(there.at.extend(0.0)), (turn + PI).rem_euclid(TAU) - PI)
 }
 
 #[test]
@@ -65,7 +65,12 @@ fn a_door_that_is_blocked_waits_and_catches_up() {
     let path = [keyframe(0.0, (-1.5, 0.0), 0.0), keyframe(2.0, (0.4, 0.0), 0.0), keyframe(20.0, (0.4, 0.0), 0.0)];
     let leaf = mover(&mut world, Body::rectangle(1.0, 0.6), &path, false);
     // in contact with the wall
-    let stands = Agent { position: DVec2::new(0.795, 0.0), preferred_speed: 0.0, max_speed: 0.001, ..Agent::default() };
+    let stands = Agent {
+        position: DVec2::new(0.795, 0.0).extend(0.0),
+        preferred_speed: 0.0,
+        max_speed: 0.001,
+        ..Agent::default()
+    };
     let person = world.add_agent(stands).unwrap();
     run_for(&mut world, 6.0, |_| ());
     let (away, _) = off(&world, leaf, 0);
@@ -95,7 +100,7 @@ fn doors_that_turn_crush_no_agent() {
         for k in 0..14 {
             let position = DVec2::new(-3.0 - 0.5 * f64::from(k / 4), 0.5 * f64::from(k % 4) - 0.75);
             let journey = journey_to(&mut world, DVec2::new(8.0 + 0.5 * f64::from(k / 4), -position.y));
-            world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+            world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
         }
         run(&mut world, 90.0, |_| ());
         let summary = world.summary();
@@ -115,7 +120,9 @@ fn a_mover_that_leaves_the_ground_is_in_no_wall_figure() {
         let journey = journey_to(&mut world, DVec2::new(8.0, -3.0));
         let straight = world.add_group(Group { look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap();
         let position = DVec2::new(-8.0, -3.0);
-        world.add_agent(Agent { position, journey, group: straight, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), journey, group: straight, ..Agent::default() })
+            .unwrap();
         if moves {
             let group = world.add_group(Group { guard, ..Group::default() }).unwrap();
             let path = [keyframe(0.0, (-8.0, 12.0), 0.0), keyframe(10.0, (14.0, 12.0), 0.0)];

@@ -43,7 +43,7 @@ impl Place {
         let to = self.at(to.0, to.1);
         let journey = journey_to(&mut self.world, to);
         let position = self.at(from.0, from.1);
-        self.world.add_agent(Agent { position, journey, group: self.group, ..like }).unwrap();
+        self.world.add_agent(Agent { position: position.extend(0.0), journey, group: self.group, ..like }).unwrap();
     }
 
     /// Builds two halls; the wall between them is as thick as the passage through it is long.

@@ -96,7 +96,7 @@ fn agents_that_an_obstacle_touches_are_pushed_out() {
             world.add_obstacle(obstacle.clone()).unwrap();
             let mut fastest: f32 = 0.0;
             run_for(&mut world, 15.0, |world| fastest = world.relative_columns().velocity[0].length().max(fastest));
-            let distance = distance_to(&obstacle, world.position(id).unwrap());
+            let distance = distance_to(&obstacle, world.position(id).unwrap().truncate());
             assert!(distance >= 0.2 * (1.0 - 1e-4), "case {case}, walks {walks}: {distance} m");
             assert!(world.finished() && world.stranded().is_empty(), "case {case}, walks {walks}");
             assert!(fastest <= 1.8 + 1e-3, "case {case}: {fastest} m/s");
@@ -108,7 +108,7 @@ fn agents_that_an_obstacle_touches_are_pushed_out() {
 fn an_obstacle_on_the_centre_of_an_agent_is_refused() {
     let mut world = world(0.04, DVec2::new(1e4, 1e4));
     let position = world.settings().origin + DVec2::new(3.0, 4.0);
-    world.add_agent(Agent { position, ..Agent::default() }).unwrap();
+    world.add_agent(Agent::at(position)).unwrap();
     let corners = rectangle(position, DVec2::splat(1.0), 0.3);
     let through = wall(&[position - DVec2::new(2.0, 1.0), position + DVec2::new(4.0, 2.0)]);
     for obstacle in [Obstacle::Circle { center: position, radius: 0.1 }, Obstacle::Polygon { corners }, through] {
@@ -156,14 +156,15 @@ fn ground_that_changes_under_a_crowd_is_kept_to() {
         let center = origin + draw.point(DVec2::splat(-6.0), DVec2::splat(6.0));
         let obstacle =
             Obstacle::rectangle(center, draw.point(DVec2::splat(0.2), DVec2::splat(2.0)), 0.1 * f64::from(round));
-        let clear = |row| distance_to(&obstacle, world.position(world.id(row)).unwrap()) > 0.4;
+        let clear = |row| distance_to(&obstacle, world.position(world.id(row)).unwrap().truncate()) > 0.4;
         if (0..world.relative_columns().len()).all(clear) {
             added.push(world.add_obstacle(obstacle).unwrap());
         }
         run_for(&mut world, 0.5, |world| {
             assert_free(world);
             let rim = wall(&[&outer[..], &outer[..1]].concat());
-            let inside = |row| distance_to(&rim, world.position(world.id(row)).unwrap()) > 0.2 * (1.0 - 1e-4);
+            let inside =
+                |row| distance_to(&rim, world.position(world.id(row)).unwrap().truncate()) > 0.2 * (1.0 - 1e-4);
             assert!((0..world.relative_columns().len()).all(inside));
         });
         if round % 3 == 2 && !added.is_empty() {

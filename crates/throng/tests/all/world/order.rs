@@ -39,7 +39,7 @@ fn crossing(count: u32, order: u64) -> (World, Vec<(u32, AgentId)>) {
             let place = DVec2::new(f64::from(number) % side, (f64::from(number) / side).floor());
             let position = place * 2.0 + draw.point(DVec2::ZERO, DVec2::ONE);
             let journey = journey_to(&mut world, draw.point(DVec2::ZERO, DVec2::splat(2.0 * side)));
-            Agent { position, journey, number: Some(number), ..Agent::default() }
+            Agent { position: position.extend(0.0), journey, number: Some(number), ..Agent::default() }
         })
         .collect();
     Draw::new(order).shuffle(&mut agents);

@@ -54,7 +54,7 @@ pub fn populate(world: &mut World, draw: &mut Draw, area: (DVec2, DVec2), count:
         let journey = journey_to(world, goal);
         let preferred_speed = draw.between(0.3, 2.5) as f32;
         let agent = Agent {
-            position,
+            position: position.extend(0.0),
             journey,
             radius,
             preferred_speed,
@@ -116,7 +116,7 @@ pub fn busy(order: u64) -> World {
         let Some(position) = free_spot(&mut draw, &obstacles, &taken, area, f64::from(radius)) else { continue };
         taken.push((position, f64::from(radius)));
         let agent = Agent {
-            position,
+            position: position.extend(0.0),
             radius,
             group: groups[draw.index(2)],
             journey: journeys[draw.index(journeys.len())],
@@ -158,7 +158,7 @@ pub fn packed(order: u64) -> World {
         let radius = draw.one_of(&[0.15f32, 0.2, 0.25]);
         let spot = free_spot(&mut draw, &obstacles, &[], area, f64::from(radius)).unwrap();
         let journey = journey_to(&mut world, origin * 2.0 - spot);
-        agents.push(Agent { position: spot, radius, journey, number: Some(number), ..Agent::default() });
+        agents.push(Agent { position: spot.extend(0.0), radius, journey, number: Some(number), ..Agent::default() });
         if number % 10 == 9 {
             let twin = Agent { number: Some(1000 + number), ..agents[agents.len() - 1].clone() };
             agents.push(twin);

@@ -122,8 +122,7 @@ fn filled(group: Group, balls: &[(Vec3, f32)], step: f64, seed: u64) -> World {
         let position = at.truncate().as_dvec2();
         let speeds = (1.0f32.min(max_speed), max_speed);
         let agent = Agent {
-            position,
-            altitude: at.z,
+            position: position.extend(f64::from(at.z)),
             radius,
             group,
             preferred_speed: speeds.0,
@@ -406,7 +405,7 @@ fn walkers_go_round_what_is_solid_to_their_group_only() {
             let journey = crate::world::common::journey_to(&mut world, to);
             for group in [group, throng::GroupId::DEFAULT] {
                 let position = glam::DVec2::new(0.0, if group == throng::GroupId::DEFAULT { 10.0 } else { 0.0 });
-                world.add_agent(Agent { position, journey, group, ..Agent::default() }).unwrap();
+                world.add_agent(Agent { position: position.extend(0.0), journey, group, ..Agent::default() }).unwrap();
             }
             let mut least = f64::INFINITY;
             for _ in 0..300 {

@@ -13,7 +13,7 @@ fn drones(world: &mut World) -> GroupId {
 
 fn fly(world: &mut World, group: GroupId, from: DVec3, to: DVec3) -> Agent {
     let journey = journey_into(world, Goal::Air { at: to, tolerance: 0.1 });
-    Agent { position: from.truncate(), altitude: from.z as f32, group, journey, radius: 0.25, ..Agent::default() }
+    Agent { position: from, group, journey, radius: 0.25, ..Agent::default() }
 }
 
 /// Places spread evenly over a sphere.
@@ -103,7 +103,7 @@ fn a_saved_flight_goes_on_with_the_same_bits() {
 fn the_state_hash_knows_altitudes() {
     let hash = |altitude: f32| {
         let mut world = world(0.05, DVec2::ZERO);
-        world.add_agent(Agent { altitude, ..Agent::default() }).unwrap();
+        world.add_agent(Agent::at([0.0, 0.0, altitude.into()])).unwrap();
         world.state_hash()
     };
     assert!(hash(0.0) != hash(1.0) && hash(1.0) != hash(2.0));
@@ -117,7 +117,9 @@ fn under(drones_too: bool) -> World {
         let (side, y) = (if k % 2 == 0 { 1.0 } else { -1.0 }, f64::from(k / 2) * 0.7);
         let journey = journey_to(&mut world, DVec2::new(5.0 * side, y));
         let position = DVec2::new(-5.0 * side, y + 0.1 * side);
-        world.add_agent(Agent { position, journey, number: Some(k), ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent { position: position.extend(0.0), journey, number: Some(k), ..Agent::default() })
+            .unwrap();
     }
     for k in 0..if drones_too { 20 } else { 0 } {
         let (from, height) = (f64::from(k) * 0.4, 0.5 + f64::from(k % 5));
@@ -147,7 +149,7 @@ fn on_the_ground_a_model_of_space_walks() {
     for k in 0..16 {
         let along = DVec2::from_angle(f64::from(k) / 16.0 * std::f64::consts::TAU) * 6.0;
         let journey = journey_to(&mut world, -along);
-        world.add_agent(Agent { position: along, journey, group, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: along.extend(0.0), journey, group, ..Agent::default() }).unwrap();
     }
     run(&mut world, 40.0, |world| {
         assert!(
@@ -167,7 +169,7 @@ fn flying_agents_land_rise_and_keep_their_altitude_on_the_way_to_a_goal_on_the_g
     let lands = fly(&mut world, group, DVec3::new(0.0, 0.0, 6.0), DVec3::new(4.0, 0.0, 0.0));
     let rises = fly(&mut world, group, DVec3::new(0.0, 5.0, 0.0), DVec3::new(0.0, 5.0, 4.0));
     let journey = journey_to(&mut world, DVec2::new(4.0, -5.0));
-    let keeps = Agent { position: DVec2::new(0.0, -5.0), altitude: 3.0, journey, ..lands.clone() };
+    let keeps = Agent { position: DVec2::new(0.0, -5.0).extend(3.0), journey, ..lands.clone() };
     for agent in [lands, rises, keeps] {
         world.add_agent(agent).unwrap();
     }
@@ -190,7 +192,7 @@ fn walls_and_oblong_bodies_stand_upright_without_end() {
     let mut world = world(0.05, DVec2::ZERO);
     let group = drones(&mut world);
     world.add_obstacle(Obstacle::Wall { points: vec![DVec2::new(0.0, -3.0), DVec2::new(0.0, 3.0)] }).unwrap();
-    let car = Agent { position: DVec2::new(2.0, 3.5), ..Agent::default() }.with_body(Body::rectangle(2.0, 1.0));
+    let car = Agent::at(DVec2::new(2.0, 3.5)).with_body(Body::rectangle(2.0, 1.0));
     world.add_agent(car).unwrap();
     let drone = fly(&mut world, group, DVec3::new(-3.0, 0.0, 5.0), DVec3::new(3.0, 0.0, 8.0));
     world.add_agent(drone).unwrap();
@@ -232,7 +234,7 @@ fn an_agent_among_standing_agents_takes_off() {
     let journey = journey_into(&mut world, Goal::Air { at: DVec3::new(0.0, 0.0, 6.0), tolerance: 0.2 });
     let flier = world.add_agent(Agent { journey, ..Agent::default() }).unwrap();
     for k in 0..30 {
-        world.add_agent(Agent { position: DVec2::new(3.0 + f64::from(k), 1.0), ..Agent::default() }).unwrap();
+        world.add_agent(Agent::at(DVec2::new(3.0 + f64::from(k), 1.0))).unwrap();
     }
     let arrived = (0..1200).any(|_| {
         world.step();

@@ -19,8 +19,7 @@ fn world() -> World {
 
 fn agent(at: (f64, f64, f32), group: throng::GroupId, vehicle: &Vehicle) -> Agent {
     Agent {
-        position: DVec2::new(at.0, at.1),
-        altitude: at.2,
+        position: DVec2::new(at.0, at.1).extend(f64::from(at.2)),
         group,
         preferred_speed: vehicle.max_speed,
         max_speed: vehicle.max_speed,

@@ -28,7 +28,9 @@ fn stranded_agents_are_reported_with_the_reason() {
     // an area in the block, and an agent in the cell
     let corners = rectangle(at(0.0, 8.0), DVec2::splat(1.0), 0.2);
     let journey = journey_into(&mut world, Goal::Area { corners });
-    world.add_agent(Agent { number: Some(5), position: at(-3.0, 3.0), journey, ..Agent::default() }).unwrap();
+    world
+        .add_agent(Agent { number: Some(5), position: at(-3.0, 3.0).extend(0.0), journey, ..Agent::default() })
+        .unwrap();
     let caught = Agent { number: Some(60), ..walker(&mut world, at(10.1, 0.2), at(0.0, 0.0)) };
     world.add_agent(caught).unwrap();
 
@@ -57,8 +59,8 @@ fn a_door_too_narrow_is_no_way_for_the_thick_and_one_for_the_thin() {
     world.add_obstacle(Obstacle::Wall { points: vec![ring[0], middle - along * 0.35] }).unwrap();
     world.add_obstacle(Obstacle::Wall { points: [&[middle + along * 0.35], &ring[1..]].concat() }).unwrap();
     let journey = journey_to(&mut world, origin + side * 8.0);
-    let thin = Agent { position: origin, journey, radius: 0.3, ..Agent::default() };
-    let thick = Agent { position: origin + along * 1.5, radius: 0.4, ..thin.clone() };
+    let thin = Agent { position: origin.extend(0.0), journey, radius: 0.3, ..Agent::default() };
+    let thick = Agent { position: (origin + along * 1.5).extend(0.0), radius: 0.4, ..thin.clone() };
     world.add_agent(thin).unwrap();
     world.add_agent(thick).unwrap();
     run(&mut world, 40.0, assert_free);

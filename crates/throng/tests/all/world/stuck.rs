@@ -140,7 +140,8 @@ fn crowds_that_meet_in_a_corridor_squeeze_past_each_other() {
                     (2.5 + length * f64::from(k) / f64::from(each), f64::from(k % lanes) / f64::from(lanes - 1));
                 let place = turn(side * x + draw.between(-0.02, 0.02), (half - 0.22) * (2.0 * y - 1.0));
                 let preferred_speed = draw.between(1.1, 1.6) as f32;
-                let agent = Agent { radius: 0.2, preferred_speed, position: place, journey, ..Agent::default() };
+                let agent =
+                    Agent { radius: 0.2, preferred_speed, position: place.extend(0.0), journey, ..Agent::default() };
                 world.add_agent(agent).unwrap();
             }
         }
@@ -173,7 +174,7 @@ fn occupied_goals_count_as_reached_next_to_their_occupants() {
     let journey = journey_to(&mut world, origin);
     for k in 0..9 {
         let spoke = DVec2::from_angle(0.2 + 0.7 * f64::from(k)) * if k == 0 { 0.05 } else { 3.0 + 0.3 * f64::from(k) };
-        world.add_agent(Agent { position: origin + spoke, journey, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: (origin + spoke).extend(0.0), journey, ..Agent::default() }).unwrap();
     }
     assert_all_arrive(&mut world, 30.0, "one goal");
 }
@@ -189,7 +190,7 @@ fn an_agent_with_a_wall_on_the_right_gets_by_on_the_left() {
         world.add_obstacle(Obstacle::Wall { points: vec![turn(0.0, 0.0), turn(0.0, -30.0)] }).unwrap();
         // 1 cm off the wall's end, on the way
         let off = DVec2::from_angle(2.2 + 0.1 * case as f64) * 0.21;
-        world.add_agent(Agent { position: turn(off.x, off.y), avoids: 0, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: turn(off.x, off.y).extend(0.0), avoids: 0, ..Agent::default() }).unwrap();
         let agent = walker(&mut world, turn(-4.0, -1.0), turn(4.0, -1.0));
         world.add_agent(agent).unwrap();
         assert_all_arrive(&mut world, 60.0, &format!("an end of a wall at {angle} rad"));
@@ -211,7 +212,7 @@ fn a_crowd_arrives_in_a_dead_end_too() {
         for k in 0..40 {
             let y = (half - 0.25) * if k % 2 == 0 { 1.0 } else { -1.0 };
             let position = turn(-2.0 - 0.35 * f64::from(k) + draw.between(-0.1, 0.1), y);
-            world.add_agent(Agent { position, journey, ..Agent::default() }).unwrap();
+            world.add_agent(Agent { position: position.extend(0.0), journey, ..Agent::default() }).unwrap();
         }
         assert_all_arrive(&mut world, 160.0, &format!("a passage of {width} m"));
     }
@@ -235,7 +236,15 @@ fn roundabout((gap, count, body, step, side): (f64, u32, f64, f64, f64), group: 
         let stops = (1..9).map(|stop| Stop { goal: goals[(eighth + stop) % 8], wait: 0.0 }).collect();
         let journey = world.add_journey(Journey { stops, repeat: true }).unwrap();
         let position = origin + spoke(f64::from(k) / f64::from(count)) * radius;
-        world.add_agent(Agent { position, journey, group, radius: body as f32, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent {
+                position: position.extend(0.0),
+                journey,
+                group,
+                radius: body as f32,
+                ..Agent::default()
+            })
+            .unwrap();
     }
     world
 }

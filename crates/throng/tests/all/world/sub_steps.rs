@@ -16,9 +16,9 @@ fn parts_of_next(world: &mut World) -> u64 {
 fn pair(step: f64, apart: f64) -> World {
     let mut world = with_settings(step, SubSteps::Auto, DVec2::new(-44.0, 5000.0));
     let position = world.settings().origin;
-    world.add_agent(Agent { position, radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: position.extend(0.0), radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
     let position = position + DVec2::new(0.0, apart);
-    world.add_agent(Agent { position, radius: 0.3, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: position.extend(0.0), radius: 0.3, ..Agent::default() }).unwrap();
     world
 }
 
@@ -85,7 +85,7 @@ fn when_the_pair_has_parted_the_steps_get_longer() {
     let crowded = parts_of_next(&mut world);
     world.remove_agent(first);
     let position = world.settings().origin - DVec2::new(8.0, 0.0);
-    world.add_agent(Agent { position, radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
+    world.add_agent(Agent { position: position.extend(0.0), radius: 0.2, max_speed: 2.0, ..Agent::default() }).unwrap();
     let free = parts_of_next(&mut world);
     assert_eq!((crowded, free), (8, 4));
 }

@@ -1,7 +1,7 @@
 //! Groups and agents that are changed while the world runs.
 
 use crate::world::common::{Draw, journey_to, run_for, world};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::sync::Arc;
 use throng::avoid::{Hrvo, LocalModel, NoAvoidance, Orca};
 use throng::motion::Vehicle;
@@ -21,7 +21,7 @@ fn crossing(group: Group) -> (World, GroupId) {
     for k in 0..60 {
         let position = origin + DVec2::new(f64::from(k % 10) * 1.2, f64::from(k / 10) * 1.2);
         let journey = journey_to(&mut world, origin + draw.point(DVec2::splat(-12.0), DVec2::splat(22.0)));
-        world.add_agent(Agent { position, journey, group, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position: position.extend(0.0), journey, group, ..Agent::default() }).unwrap();
     }
     (world, group)
 }
@@ -63,7 +63,7 @@ fn agents_change_and_so_do_scheduled_agents() {
     let mut world = world(0.05, DVec2::ZERO);
     let journey = journey_to(&mut world, DVec2::X * 300.0);
     for (k, y) in [0.0, 5.0, 10.0].into_iter().enumerate() {
-        let agent = Agent { position: DVec2::Y * y, journey, preferred_speed: 1.0, ..Agent::default() };
+        let agent = Agent { position: (DVec2::Y * y).extend(0.0), journey, preferred_speed: 1.0, ..Agent::default() };
         match k {
             2 => world.schedule_agent(5.0, agent).unwrap(),
             _ => drop(world.add_agent(agent).unwrap()),
@@ -74,7 +74,7 @@ fn agents_change_and_so_do_scheduled_agents() {
     world
         .adjust(|number, agent| {
             (agent.preferred_speed, agent.max_speed) = (1.5 + number as f32 * 0.1, 2.0);
-            (agent.position, agent.journey, agent.heading) = (DVec2::splat(77.0), JourneyId::STAY, Some(3.0));
+            (agent.position, agent.journey, agent.heading) = (DVec3::splat(77.0), JourneyId::STAY, Some(3.0));
         })
         .unwrap();
     assert_eq!(world.relative_columns().position, places);

@@ -83,7 +83,7 @@ proptest! {
                 Whiskers::parallel(solid.clone(), 3.0, 0.4).into(),
                 Hide::new(goal, solid).into(),
                 FollowPath::from(path.clone()).into(),
-                FollowPath { way: PathDirection::Backward, ..FollowPath::from(path.clone()) }.into(),
+                FollowPath { direction: PathDirection::Backward, ..FollowPath::from(path.clone()) }.into(),
                 StayOnPath { path: Arc::new(path), seconds: 0.5 }.into(),
             ]
         };
