@@ -10,6 +10,7 @@
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
 use glam::Vec2;
+use std::fmt;
 
 /// Velocity obstacles that end at a time horizon, solved exactly by [`closest_outside`].
 ///
@@ -22,7 +23,7 @@ use glam::Vec2;
 /// let shares = Vo::clear_path();
 /// assert!(shares.reciprocal && !wary.reciprocal);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Vo {
     /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
     pub time_horizon: f32,
@@ -30,6 +31,16 @@ pub struct Vo {
     pub time_horizon_obstacles: f32,
     /// Whether the agent leaves its neighbours their shares of the avoidance, instead of doing all of it.
     pub reciprocal: bool,
+}
+
+/// Its name is that of the model in the papers.
+impl fmt::Debug for Vo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct(if self.reciprocal { "ClearPath" } else { "Vo" })
+            .field("time_horizon", &self.time_horizon)
+            .field("time_horizon_obstacles", &self.time_horizon_obstacles)
+            .finish()
+    }
 }
 
 impl Default for Vo {

@@ -10,8 +10,10 @@ use throng::perceive::SimdLevel;
 use throng::{Agent, AgentRef, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
 
 fn led(world: &mut World, field: impl Field + 'static, ratio: f32) -> GroupId {
+    let origin = world.settings().origin;
     world
         .add_group(Group {
+            origin,
             field: Some(Governed::new(field, ratio)),
             look_ahead: false,
             keep_right: 0.0,
