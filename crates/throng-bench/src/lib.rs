@@ -19,6 +19,7 @@ mod crowd;
 mod flock;
 mod floor;
 mod lap;
+mod mixed;
 mod place;
 mod rng;
 mod swarm;

@@ -1,5 +1,6 @@
 //! The reference works by name.
 
+use crate::mixed::mix;
 use crate::place::{bricks, sort, uniform};
 use crate::{Crowd, Dice, Flock, Insects, Person, floor};
 use glam::DVec2;
@@ -23,6 +24,8 @@ enum Kind {
         /// Whether agents have throng's interaction rules and a limited acceleration.
         interaction: bool,
     },
+    /// A crowd with interaction rules, some vehicles and doors.
+    Mixed(fn(usize) -> Crowd),
     Flock(fn(usize) -> Flock),
     Insects(fn(usize) -> Insects),
 }
@@ -46,6 +49,18 @@ pub const WORKS: &[Work] = &[
         about: "the same with keeping right, detours, standoffs and accelerations, as throng does by default",
         sizes: &[10_000],
         kind: Kind::Crowd { crowd: |count| crossing(count, false), interaction: true },
+    },
+    Work {
+        name: "mixed",
+        about: "crossing-rules with one vehicle in 500 agents and one door in 2000",
+        sizes: &[10_000],
+        kind: Kind::Mixed(|count| crossing(count, false)),
+    },
+    Work {
+        name: "shared-goals",
+        about: "crossing-rules with two goals, far away on either side, that all agents share",
+        sizes: &[10_000],
+        kind: Kind::Crowd { crowd: two_goals, interaction: true },
     },
     density("density-0.1", "0.1 per m2, bodies of 0.2 m, bound far away in random directions", |n| packed(n, 0.1)),
     density("density-0.25", "the same, 0.25 per m2", |n| packed(n, 0.25)),
@@ -114,14 +129,14 @@ impl Work {
     pub fn crowd(&self, count: usize) -> Option<Crowd> {
         match self.kind {
             Kind::Crowd { crowd, .. } => Some(crowd(count)),
-            Kind::Flock(_) | Kind::Insects(_) => None,
+            Kind::Mixed(_) | Kind::Flock(_) | Kind::Insects(_) => None,
         }
     }
 
     /// Returns the birds of a work of birds; the same for the same count.
     pub fn flock(&self, count: usize) -> Option<Flock> {
         match self.kind {
-            Kind::Crowd { .. } | Kind::Insects(_) => None,
+            Kind::Crowd { .. } | Kind::Mixed(_) | Kind::Insects(_) => None,
             Kind::Flock(flock) => Some(flock(count)),
         }
     }
@@ -130,7 +145,7 @@ impl Work {
     pub fn insects(&self, count: usize) -> Option<Insects> {
         match self.kind {
             Kind::Insects(insects) => Some(insects(count)),
-            Kind::Crowd { .. } | Kind::Flock(_) => None,
+            Kind::Crowd { .. } | Kind::Mixed(_) | Kind::Flock(_) => None,
         }
     }
 
@@ -146,6 +161,12 @@ impl Work {
             }
             Kind::Crowd { crowd, interaction: false } => {
                 crowd(count).world(Group { guard, ..Crowd::bare() }, f32::INFINITY)
+            }
+            Kind::Mixed(crowd) => {
+                let group = Group { guard, ..Crowd::interaction() };
+                let mut world = crowd(count).world(group, Agent::default().max_acceleration)?;
+                mix(&mut world)?;
+                Ok(world)
             }
             Kind::Flock(flock) => flock(count).world(guard),
             Kind::Insects(insects) => insects(count).world(guard),
@@ -165,6 +186,14 @@ fn crossing(count: usize, sorted: bool) -> Crowd {
         sort(&mut places);
     }
     outward(places, RADIUS)
+}
+
+/// The same places, with one of two goals for each agent: all goals are shared.
+fn two_goals(count: usize) -> Crowd {
+    let crowd = crossing(count, false);
+    let goals = vec![DVec2::NEG_X * 15_000.0, DVec2::X * 15_000.0];
+    let person = |(k, person): (usize, Person)| Person { way: Some(k % 2), ..person };
+    Crowd::open(crowd.people.into_iter().enumerate().map(person).collect(), crowd.radius, goals)
 }
 
 /// A crowd of `density` agents per square metre, as far as bodies of 0.2 m can be packed.

@@ -26,10 +26,12 @@ const WARM_UP: u32 = 5;
 const STEPS: u32 = 5;
 
 /// The counted runs: a work, its number of agents, and whether the guard is on.
-const COUNTED: [(&str, usize, bool); 8] = [
+const COUNTED: [(&str, usize, bool); 10] = [
     ("crossing", 2_000, false),
     ("crossing", 2_000, true),
     ("crossing-rules", 1_000, true),
+    ("mixed", 1_000, true),
+    ("shared-goals", 1_000, true),
     ("density-4", 500, true),
     ("at-rest", 1_000, true),
     ("rooms", 100, true),
@@ -43,7 +45,8 @@ fn main() {
     }
     let name = "an_agent_step_takes_no_more_instructions_than_it_did";
     let test = an_agent_step_takes_no_more_instructions_than_it_did;
-    outside::run(vec![outside::test(name, &[Need::Program("valgrind")], test)]);
+    let whole = Need::Build(option_env!("CARGO_INCREMENTAL") == Some("0"), "a build with CARGO_INCREMENTAL=0");
+    outside::run(vec![outside::test(name, &[Need::Program("valgrind"), whole], test)]);
 }
 
 /// Valgrind counts the instructions of this function, by name.

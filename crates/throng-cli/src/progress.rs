@@ -2,6 +2,7 @@
 
 use crate::out::escaped;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
@@ -17,6 +18,8 @@ const SILENCE: Duration = Duration::from_secs(2);
 /// A progress bar.
 pub struct Progress {
     bar: ProgressBar,
+    /// The updates that were due, one for each interval that began before the last of them.
+    due: AtomicU64,
 }
 
 impl Progress {
@@ -26,7 +29,13 @@ impl Progress {
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg}  {elapsed} (ETA {eta})") {
             bar.set_style(style);
         }
-        Self { bar }
+        Self { bar, due: AtomicU64::new(0) }
+    }
+
+    /// Whether it is time for the next update. Work whose progress is costly to compute asks first.
+    pub fn is_due(&self) -> bool {
+        let now = (self.bar.elapsed().as_secs_f64() * f64::from(RATE)) as u64 + 1;
+        !self.bar.is_hidden() && self.due.fetch_max(now, Ordering::Relaxed) < now
     }
 
     /// Shows the completed share of the work, 0 to 1, and a message.

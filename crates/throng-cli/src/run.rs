@@ -89,10 +89,11 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let mut swarms = Swarms::of(scene, args.report.json || !args.report.quiet);
     let progress = Progress::new(args.report.quiet);
     let show = |world: &World| {
-        progress.show(share(world, scene.time.limit), || {
+        if progress.is_due() {
             let counts = world.counts();
-            format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents)
-        });
+            let message = || format!("{:.1} s, {}/{} arrived", world.time(), counts.arrived, counts.agents);
+            progress.show(share(world, scene.time.limit), message);
+        }
     };
     let mut stepping = Duration::ZERO;
     // The first step plans the ways of all agents, which can take long.

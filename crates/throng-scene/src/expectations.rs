@@ -126,8 +126,11 @@ impl Expectations {
     }
 
     fn arrivals(&mut self, world: &World) {
+        if self.reached.is_some() || self.needed(0).is_none() {
+            return;
+        }
         let counts = world.counts();
-        if self.reached.is_none() && self.needed(counts.agents).is_some_and(|needed| counts.arrived >= needed) {
+        if self.needed(counts.agents).is_some_and(|needed| counts.arrived >= needed) {
             self.reached = Some(world.time());
         }
     }

@@ -202,6 +202,11 @@ struct StepMemory {
     interaction: Vec<intend::InteractionRules>,
     preferred: Velocities,
     avoiding: Vec<avoid::AvoidScratch>,
+    irregular: avoid_simd::Irregular,
+    /// Velocities that queueing agents expect of the agents ahead, by row; empty if few agents queue.
+    relaxed: Vec<Vec2>,
+    /// Rows that turn on the scalar path, with their headings and the sums of their turns before the motion.
+    turners: Vec<(usize, f32, f64)>,
     chosen_velocities: Velocities,
     /// Chosen velocities in the order of the grid.
     by_place: Vec<Vec2>,

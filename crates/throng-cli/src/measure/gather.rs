@@ -63,7 +63,9 @@ fn simulated(args: &MeasureArgs, loaded: &Loaded) -> Result<Vec<Measured>, Failu
             break;
         }
         world.step();
-        progress.show(share(&world, to.min(scene.time.limit)), || format!("{time:.1} s"));
+        if progress.is_due() {
+            progress.show(share(&world, to.min(scene.time.limit)), || format!("{time:.1} s"));
+        }
     }
     progress.done();
     Ok(groups)

@@ -51,8 +51,8 @@ impl Default for TileScratch {
 
 impl Grid {
     /// Finds the `k` nearest neighbours within `range` of each point in `places`, which are in the order of cells. A
-    /// point is not its own neighbour. Writes `k + 1` values per point to the first part of `found`: the number of
-    /// neighbours and their rows, nearest first. Writes to the second part how many of these may be within `close`.
+    /// point is not its own neighbour. Writes `k + 1` values per point to the first part of `found`, which has at least this
+    /// number of values for each: the number of neighbours and their rows, nearest first. Writes to the second part how many of these may be within `close`.
     /// Calls `left` with the place and the results of each point that needs the scalar search.
     ///
     /// # Panics
@@ -81,13 +81,14 @@ fn many<S: Simd>(
     (found, close_counts): (&mut [u32], &mut [u16]),
     mut left: impl FnMut(usize, &mut [u32], &mut u16),
 ) {
+    let stride = found.len() / places.len().max(1);
     let mut start = places.start;
     let mut most = S::f32s::LEN;
     while start < places.end {
         // a tile that continued in the next row of cells would be as wide as the grid
         let end = (start + most).min(places.end).min(grid.end_of_row(start));
         let rows = start - places.start..end - places.start;
-        let out = &mut found[rows.start * (k + 1)..rows.end * (k + 1)];
+        let out = &mut found[rows.start * stride..rows.end * stride];
         let close_counts = &mut close_counts[rows];
         let missing = match PointTile::new(simd, grid, start, end).nearest((k, range, close), pack, (out, close_counts))
         {
@@ -99,7 +100,7 @@ fn many<S: Simd>(
             None => 1,
         };
         for lane in ones(missing) {
-            left(start + lane, &mut out[lane * (k + 1)..(lane + 1) * (k + 1)], &mut close_counts[lane]);
+            left(start + lane, &mut out[lane * stride..(lane + 1) * stride], &mut close_counts[lane]);
         }
         start = end;
         most = (2 * most).min(S::f32s::LEN);
@@ -287,11 +288,12 @@ impl<'a, S: Simd> PointTile<'a, S> {
         for (all, &key) in places.iter_mut().zip(keys) {
             (key & PLACE).store_slice(&mut all[..S::u32s::LEN]);
         }
-        for (lane, list) in out.chunks_exact_mut(k + 1).enumerate() {
+        let stride = out.len() / self.count;
+        for (lane, list) in out.chunks_exact_mut(stride).enumerate() {
             // the first key is that of the point itself
             list[0] = counts[lane].saturating_sub(1);
-            for (at, row) in list.iter_mut().enumerate().skip(1) {
-                *row = pack.row[places[at][lane] as usize];
+            for (row, places) in list[1..=k].iter_mut().zip(&places[1..]) {
+                *row = pack.row[places[lane] as usize];
             }
         }
         alike.to_bitmask()

@@ -1,7 +1,7 @@
 //! Stages 4, guard, and 5, motion: agents move to where the guard finds no overlap.
 
-use super::World;
-use crate::agent::Status;
+use super::{StepMemory, World};
+use crate::agent::{Columns, Status};
 use crate::guard::{self, BodyPose, GuardedBodies, Report, RowContacts};
 use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
 use glam::{Vec2, Vec3};
@@ -175,20 +175,11 @@ impl World {
                     agents.altitude.set(row, place.z);
                 }
                 attitude.basis.heading()
-            } else if agents.is_disc(row) {
-                let facing = match step.sources.looks.get(row) {
-                    Some(&looks) if looks != Vec2::ZERO => looks,
-                    _ => faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]),
-                };
-                turn(before, facing, seconds, agents.max_turn_rate[row])
             } else {
-                agents.spin.set(row, wrap(target.heading - before) / seconds);
-                target.heading
+                turned_heading(agents, step, row, before, seconds)
             };
-            agents.heading[row] = heading;
+            add_turn(agents, row, before, heading);
             if agents.status[row] == Status::Walking {
-                let turned = f64::from((heading - before).abs());
-                agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
                 agents.course_turned[row] += f64::from(angle_between(velocity_before, agents.velocity[row]));
                 agents.walked[row] += f64::from((target.place() - from).length());
             }
@@ -204,6 +195,35 @@ impl World {
             guard::within_reach(row, &self.bodies(), self.chosen_place(row, seconds))
         };
         velocity(from, target.place(), self.step.chosen_velocities.at(row), seconds)
+    }
+}
+
+/// Returns the heading of an agent that does not steer after its motion, and records the spin of a body that is not a disc.
+fn turned_heading(agents: &mut Columns, step: &StepMemory, row: usize, before: f32, seconds: f32) -> f32 {
+    if !agents.is_disc(row) {
+        let heading = step.targets[row].heading;
+        agents.spin.set(row, wrap(heading - before) / seconds);
+        return heading;
+    }
+    let facing = match step.sources.looks.get(row) {
+        Some(&looks) if looks != Vec2::ZERO => looks,
+        _ => faces(agents.velocity[row], step.preferred.ground[row], agents.max_turn_rate[row]),
+    };
+    turn(before, facing, seconds, agents.max_turn_rate[row])
+}
+
+/// Turns an agent that does not steer and has moved, from its heading before.
+pub(super) fn turn_walker(agents: &mut Columns, step: &StepMemory, row: usize, before: f32, seconds: f32) {
+    let heading = turned_heading(agents, step, row, before, seconds);
+    add_turn(agents, row, before, heading);
+}
+
+/// Sets the heading of an agent, and adds the turn of a walking agent to its trip.
+fn add_turn(agents: &mut Columns, row: usize, before: f32, heading: f32) {
+    agents.heading[row] = heading;
+    if agents.status[row] == Status::Walking {
+        let turned = f64::from((heading - before).abs());
+        agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
     }
 }
 

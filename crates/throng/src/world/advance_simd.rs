@@ -1,8 +1,8 @@
-//! Motion with SIMD, one agent in each element: discs on the ground without a limit on turning. The bits are the same
-//! as those of the [scalar path](super::advance).
+//! Motion with SIMD, one agent in each element: agents on the ground that do not steer. The bits are the same as those of
+//! the [scalar path](super::advance), which turns agents with a limit on turning and bodies that are not discs.
 
 use super::World;
-use super::advance::SEEN;
+use super::advance::{SEEN, turn_walker};
 use crate::agent::{Column, Status};
 use crate::guard::{BodyPose, Solids};
 use crate::motion::{Turning, angles};
@@ -26,21 +26,29 @@ struct Moving<'a> {
 }
 
 impl World {
-    /// Returns the SIMD level for motion if all agents can use it: discs that stay on the ground and have no limit on
-    /// turning.
+    /// Returns the SIMD level for motion if all agents can use it: they stay on the ground and do not steer, and the guard
+    /// has chosen the headings of bodies that are not discs.
     pub(super) fn lanes_to_move(&self) -> Option<Level> {
-        let agents = &self.agents;
-        let plain = agents.all_discs()
-            && !self.in_space_now()
-            && !self.any_steers()
-            && !self.any_looks_about()
-            && agents.max_turn_rate.uniform() == Some(f32::INFINITY);
-        self.instructions.level().filter(|_| plain)
+        let plain = !self.in_space_now() && !self.any_steers() && !self.any_looks_about();
+        let headed = self.agents.core.uniform() == Some(Vec2::ZERO) || self.is_guarded();
+        self.instructions.level().filter(|_| plain && headed)
+    }
+
+    /// Notes the agents whose turning the kernel cannot do, with their headings and the sums of their turns.
+    fn note_turners(&mut self) {
+        let Self { agents, step, .. } = self;
+        step.turners.clear();
+        if agents.core.uniform() != Some(Vec2::ZERO) || agents.max_turn_rate.uniform() != Some(f32::INFINITY) {
+            let turns = |&row: &usize| !agents.is_disc(row) || agents.max_turn_rate[row] != f32::INFINITY;
+            let rows = (0..agents.len()).filter(turns);
+            step.turners.extend(rows.map(|row| (row, agents.heading[row], agents.turned[row])));
+        }
     }
 
     /// Moves all agents at this SIMD level.
     pub(super) fn advance_many(&mut self, level: Level, seconds: f32) {
         let is_guarded = self.is_guarded();
+        self.note_turners();
         let Self { agents, step, .. } = self;
         let (targets, reach, chosen_velocities, status) =
             (&step.targets, &step.reach, &step.chosen_velocities.ground, &agents.status);
@@ -64,6 +72,10 @@ impl World {
                 dispatch!(level, simd => move_all(simd, &mut moving, (targets, chosen_velocities, status), turning, seconds));
             };
         parallel::ranges(moving, |rows, all| step.rest.each(rows, all, move_part));
+        for &(row, before, turned) in &step.turners {
+            agents.turned[row] = turned;
+            turn_walker(agents, step, row, before, seconds);
+        }
     }
 }
 

@@ -13,8 +13,8 @@ use std::ops::Range;
 
 /// Extra avoidance share, beyond 0.5, of the agent farther from the common goal, and of an agent that stands or steps
 /// aside.
-const YIELD_TO_FIRST: f32 = 0.15;
-const YIELD_AT_REST: f32 = 0.3;
+pub(super) const YIELD_TO_FIRST: f32 = 0.15;
+pub(super) const YIELD_AT_REST: f32 = 0.3;
 /// Part of the preferred change of velocity of an agent with the right of way that the yielding agent anticipates,
 /// divided by the extra share of the yielding agent.
 const GRANT: f32 = 2.0;
@@ -66,12 +66,14 @@ impl World {
         let mut scratch = std::mem::take(&mut self.step.avoiding);
         let mut by_place = std::mem::take(&mut self.step.by_place);
         chosen_velocities.resize(self.agents.len(), self.in_space_now());
+        self.relax_queues();
+        let common = if self.vehicles_limit_all() { None } else { self.common(seconds) };
         let world = &*self;
         if world.vehicles_limit_all() {
             parallel::ranges(chosen_velocities.rows(), |rows, chosen_velocities| {
                 world.choose_preferred(rows, chosen_velocities)
             });
-        } else if let Some(common) = world.common(seconds) {
+        } else if let Some(common) = common {
             let Self { step: StepMemory { rest, grid, near, .. }, .. } = world;
             by_place.resize(self.agents.len(), Vec2::ZERO);
             // neighbour lists are in the order of the grid
@@ -105,6 +107,23 @@ impl World {
             );
         }
         (self.step.chosen_velocities, self.step.avoiding, self.step.by_place) = (chosen_velocities, scratch, by_place);
+    }
+
+    /// Computes the relaxed velocities of all agents, if many agents queued in the last sub-step: each has several others
+    /// in its queue behind it.
+    fn relax_queues(&mut self) {
+        let queues =
+            self.step.avoiding.iter_mut().map(|scratch| std::mem::take(&mut scratch.lanes.queues)).sum::<usize>();
+        let mut relaxed = std::mem::take(&mut self.step.relaxed);
+        relaxed.clear();
+        if queues > self.agents.len() {
+            relaxed.resize(self.agents.len(), Vec2::ZERO);
+            let world = &*self;
+            parallel::ranges(&mut relaxed[..], |rows, all| {
+                rows.zip(all).for_each(|(row, relaxed)| *relaxed = world.relaxed(row, GRANTED));
+            });
+        }
+        self.step.relaxed = relaxed;
     }
 
     /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
@@ -284,7 +303,8 @@ impl World {
         }
         let velocity = agents.velocity_near(other, agents.position[row].as_dvec2());
         let queues = yields < YIELD_AT_REST;
-        let wanted = if queues { self.relaxed(other, GRANTED) } else { self.step.preferred.ground[other] } - velocity;
+        let relaxed = || self.step.relaxed.get(other).copied().unwrap_or_else(|| self.relaxed(other, GRANTED));
+        let wanted = if queues { relaxed() } else { self.step.preferred.ground[other] } - velocity;
         let nearer = wanted.dot(agents.position[other] - agents.position[row]) < 0.0;
         if nearer { wanted * (GRANT * yields) } else { Vec2::ZERO }
     }

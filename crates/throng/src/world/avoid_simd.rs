@@ -1,14 +1,15 @@
 //! Avoidance with SIMD, one agent in each element: agents on the ground with a plain ORCA model. The bits are the same
-//! as those of the [scalar path](super::avoid), which handles all other agents.
+//! as those of the [scalar path](super::avoid), which handles all other agents and their neighbours.
 
 use super::World;
-use super::avoid::Visibility;
+use super::avoid::{Visibility, YIELD_AT_REST, YIELD_TO_FIRST};
 use super::neighbour_data::{GOAL, WALKS};
 use super::squeeze::may_squeeze;
 use crate::agent::Group;
 use crate::avoid::{
     HalfPlane, LocalModel, MOST, MOST_WALLS, MOST_WITH_WALLS, Orca, SimdAgents, SimdInputs, Workspace, choose, margin,
 };
+use crate::navigate::Turn;
 use crate::simd::{LANES, Vec2s, load, load_pairs, ones, set};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -22,6 +23,8 @@ pub(super) struct LaneScratch {
     fallback: [Vec<HalfPlane>; 2],
     sight: Visibility,
     workspace: Workspace,
+    /// Pairs of which one queues behind the other.
+    pub queues: usize,
 }
 
 /// What all agents share where avoidance uses SIMD.
@@ -44,19 +47,59 @@ pub(super) struct AvoidanceShared {
     step: f32,
 }
 
-impl World {
-    /// Returns what all agents share, if avoidance can use SIMD.
-    pub(super) fn common(&self, seconds: f32) -> Option<AvoidanceShared> {
-        let agents = &self.agents;
-        let plain = agents.all_discs()
-            && !self.in_space_now()
-            && agents.all_avoid()
+/// Agents that are not plain discs: the scalar path handles them and all agents that see them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Irregular {
+    /// By row; empty if there are none.
+    rows: Vec<bool>,
+}
+
+impl Irregular {
+    fn holds(&self, row: u32) -> bool {
+        self.rows.get(row as usize) == Some(&true)
+    }
+
+    /// Finds the irregular agents. Returns whether all others avoid each other.
+    fn find(&mut self, world: &World) -> bool {
+        let agents = &world.agents;
+        self.rows.clear();
+        let regular = agents.core.uniform() == Some(Vec2::ZERO)
             && agents.script.uniform() == Some(None)
             && agents.spin.uniform() == Some(0.0)
             && agents.tracking_error.uniform() == Some(0.0)
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
-            && self.standoffs.is_empty()
-            && self.groups_in_use().all(|group| group.neighbours <= MOST);
+            && world.standoffs.is_empty()
+            && world.groups_in_use().all(|group| group.neighbours <= MOST);
+        if regular {
+            return agents.all_avoid();
+        }
+        let (mut layers, mut avoids) = (u32::MAX, u32::MAX);
+        self.rows.extend((0..agents.len()).map(|row| {
+            let regular = agents.core[row] == Vec2::ZERO
+                && agents.script[row].is_none()
+                && agents.spin[row] == 0.0
+                && agents.tracking_error[row] == 0.0
+                && agents.max_turn_rate[row] == f32::INFINITY
+                && agents.travel[row].turn == Turn::Free
+                && world.groups[agents.group[row].index()].neighbours <= MOST;
+            if regular {
+                layers &= agents.layers[row];
+                avoids &= agents.avoids[row];
+            }
+            !regular
+        }));
+        layers & avoids != 0
+    }
+}
+
+impl World {
+    /// Returns what all agents share, if avoidance can use SIMD, and finds the agents that cannot.
+    pub(super) fn common(&mut self, seconds: f32) -> Option<AvoidanceShared> {
+        let mut irregular = std::mem::take(&mut self.step.irregular);
+        let all_avoid = irregular.find(self);
+        self.step.irregular = irregular;
+        let agents = &self.agents;
+        let plain = all_avoid && !self.in_space_now();
         let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
         let level = self.instructions.level()?;
         plain.then(|| AvoidanceShared {
@@ -111,7 +154,9 @@ impl World {
                     .for_each(|(&row, chosen_velocity)| *chosen_velocity = left(row as usize).truncate());
                 continue;
             }
-            let own = self.view_many(simd, common, (start, rows), &mut scratch.views);
+            let (own, beside, queues) = self.view_many(simd, common, (start, rows, missing), &mut scratch.views);
+            missing |= beside;
+            scratch.queues += queues;
             scratch.views.clear_walls();
             if !common.open {
                 missing |= self.see_walls_of_many(common, rows, missing, scratch);
@@ -132,13 +177,14 @@ impl World {
         }
     }
 
-    /// Returns the rows with another local model, one bit for each row.
+    /// Returns the rows with another local model and the irregular ones, one bit for each row.
     fn misfits(&self, common: &AvoidanceShared, rows: &[u32]) -> u64 {
-        if common.alike {
+        if common.alike && self.step.irregular.rows.is_empty() {
             return 0;
         }
         let model = |row: u32| self.groups[self.agents.group[row as usize].index()].model.as_orca();
-        rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(model(row) != Some(common.orca)))
+        let fits = |row: u32| (common.alike || model(row) == Some(common.orca)) && !self.step.irregular.holds(row);
+        rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(!fits(row)))
     }
 
     /// Adds the half-planes of walls for rows that are not `missing`, and removes neighbours that walls hide. Returns
@@ -177,28 +223,34 @@ impl World {
         too_many
     }
 
-    /// Gathers the neighbour data of consecutive agents in the grid's order, starting at `start`, and returns their own
-    /// data.
+    /// Gathers the neighbour data of consecutive agents in the grid's order, starting at `start`, except those that are
+    /// `missing`. Returns their own data, which of them see irregular agents, one bit for each row, and the number of
+    /// pairs in queues.
     #[inline(always)]
     fn view_many<S: Simd>(
         &self,
         simd: S,
         common: &AvoidanceShared,
-        (start, rows): (usize, &[u32]),
+        (start, rows, missing): (usize, &[u32], u64),
         views: &mut SimdInputs,
-    ) -> SimdAgents<S> {
+    ) -> (SimdAgents<S>, u64, usize) {
         let (agents, step) = (&self.agents, &self.step);
+        let (any_irregular, mut beside) = (!step.irregular.rows.is_empty(), 0);
         let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
         let (mut count, mut most) = ([0.0; LANES], 0);
         let mut own_way = [[0.0; LANES]; 2];
+        let mut queues = 0;
         for (lane, &row) in rows.iter().enumerate() {
             let own = &step.shown[row as usize];
             (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
             set(&mut preferred, lane, self.relaxed(row as usize, common.step));
-            let neighbours = step.near.at(start + lane);
+            let neighbours = if missing >> lane & 1 == 0 { step.near.at(start + lane) } else { &[] };
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;
+            if any_irregular && neighbours.iter().any(|&other| step.irregular.holds(other)) {
+                beside |= 1 << lane;
+            }
             if common.squeeze {
                 set(&mut own_way, lane, own.way.direction);
             }
@@ -211,6 +263,7 @@ impl World {
                 keys[lane] = shown.way.key();
             }
         }
+        let splat = |value: f32| S::f32s::splat(simd, value);
         let lanes = |keys: &[u32; LANES]| S::u32s::from_slice(simd, &keys[..S::f32s::LEN]);
         let (own, zero) = (lanes(&own_keys), S::u32s::splat(simd, 0));
         let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
@@ -218,10 +271,7 @@ impl World {
         let [position, velocity] = load_pairs(simd, &own_motion);
         views.most = most;
         for (index, (others, keys)) in views.neighbours[..most].iter_mut().zip(&keys).enumerate() {
-            others.share = [0.5; LANES];
             let theirs = lanes(keys);
-            // if both walk to different goals, neither has the right of way
-            let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
             views.there[index] = there.to_bitmask();
             if common.squeeze {
@@ -233,23 +283,49 @@ impl World {
                     }
                 }
             }
-            let unlike = if common.equals { !equals & there } else { there };
-            for lane in ones(unlike.to_bitmask()) {
-                let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
-                let yields = self.yields(row, other);
-                let granted = self.granted(row, other, yields);
-                others.share[lane] = if common.equals { 0.5 + yields } else { self.share(row, other, yields) };
-                others.motion[lane][2] += granted.x;
-                others.motion[lane][3] += granted.y;
-            }
             if common.radius.is_none() {
                 for lane in ones(there.to_bitmask()) {
                     let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
                     others.radii[lane] = (agents.radius[row] + agents.radius[other]) * common.margin;
                 }
             }
+            others.share = [0.5; LANES];
+            // if both walk to different goals, neither has the right of way
+            let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
+            let unlike = (!equals & there).to_bitmask();
+            if common.equals && unlike == 0 {
+                continue;
+            }
+            let (mut left, mut sizes) = ([[0.0; LANES]; 2], [1.0; LANES]);
+            for lane in ones(unlike) {
+                let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                set(&mut left, lane, Vec2::new(step.shown[row].way.remaining, step.shown[other].way.remaining));
+                sizes[lane] = agents.radius[row] + agents.radius[other];
+            }
+            let left: Vec2s<S> = Vec2s::load(simd, &left);
+            // as `World::yields`
+            let [i_walk, they_walk] = [own, theirs].map(|keys| !(keys & walks).simd_eq(zero));
+            let same = ((own ^ theirs) & goal).simd_eq(zero);
+            let lead = (left.x - left.y) / load(simd, &sizes);
+            let first = splat(YIELD_TO_FIRST) * lead.max(splat(-1.0)).min(splat(1.0));
+            let rests = i_walk.select(splat(-YIELD_AT_REST), splat(YIELD_AT_REST));
+            let one_walks = (i_walk ^ they_walk) & !same;
+            let yields = (i_walk & they_walk & same).select(first, one_walks.select(rests, splat(0.0)));
+            others.share[..S::f32s::LEN].copy_from_slice((splat(0.5) + yields).as_slice());
+            let scalar = if common.equals { yields.simd_gt(splat(0.0)) & there } else { there };
+            for lane in ones(scalar.to_bitmask()) {
+                let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
+                let yields = yields.as_slice()[lane];
+                let granted = self.granted(row, other, yields);
+                queues += usize::from(yields > 0.0 && yields < YIELD_AT_REST);
+                if !common.equals {
+                    others.share[lane] = self.share(row, other, yields);
+                }
+                others.motion[lane][2] += granted.x;
+                others.motion[lane][3] += granted.y;
+            }
         }
         let max_speed = agents.max_speed.simd_of(simd, rows);
-        SimdAgents { position, velocity, preferred: Vec2s::load(simd, &preferred), max_speed }
+        (SimdAgents { position, velocity, preferred: Vec2s::load(simd, &preferred), max_speed }, beside, queues)
     }
 }

@@ -14,7 +14,7 @@ use std::ops::Range;
 impl World {
     /// Returns the SIMD level for preferred velocities, if they can use SIMD.
     pub(super) fn lanes_to_intend(&self) -> Option<Level> {
-        self.instructions.level().filter(|_| !self.in_space_now() && self.agents.script.uniform() == Some(None))
+        self.instructions.level().filter(|_| !self.in_space_now())
     }
 
     /// Computes the preferred velocities of a range of rows. Calls `left` for rows that the SIMD kernel cannot handle.
@@ -72,7 +72,7 @@ impl World {
             let way = &self.step.shown[row].way;
             let interaction = &interaction[agents.group[row].index()];
             let mut fit = way.is_plain() && way.direction != Vec2::ZERO && !interaction.governed;
-            fit &= travel.is_plain();
+            fit &= travel.is_plain() && agents.script[row].is_none();
             (mark[lane], stalled[lane]) = (travel.mark, travel.stalled);
             resolve |= u64::from(interaction.resolve) << lane;
             fits |= u64::from(fit) << lane;

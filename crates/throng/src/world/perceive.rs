@@ -133,8 +133,18 @@ impl World {
             list[0] = seen.iter().take_while(counts).count() as u32;
             *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
-        let many =
-            level.filter(|_| most <= MOST_NEIGHBOURS && !any_flies && long.rows.is_empty() && agents.all_avoid());
+        // the SIMD search finds the nearest centres: not enough for an agent that ignores others or is near a long body
+        let seen_by_all = AvoidedByAll::of(agents);
+        let is_other = |place: usize, list: &[u32]| {
+            let row = grid.order()[place] as usize;
+            let group = &groups[agents.group[row].index()];
+            group.nearest() > MOST_NEIGHBOURS
+                || !seen_by_all.holds(agents, row)
+                || long.may_reach(agents, row, &list[1..=list[0] as usize], (group.nearest(), group.neighbour_distance))
+        };
+        let alone = most <= MOST_NEIGHBOURS && seen_by_all.all(agents) && long.is_empty();
+        let any_fast = groups.iter().zip(&step.groups).any(|(group, &used)| used && group.nearest() <= MOST_NEIGHBOURS);
+        let many = level.filter(|_| any_fast && !any_flies);
         let lists = RowLists { all: &mut step.near.lists, stride: most + 1 };
         let all = (lists, &mut step.near.close[..]);
         parallel::ranges_with(all, scratch, |(pack, found), places, all| {
@@ -144,10 +154,16 @@ impl World {
                     return places.zip(all).for_each(|(place, (list, count))| plain(found, place, list, count));
                 };
                 let left = |place: usize, list: &mut [u32], count: &mut u16| plain(found, place, list, count);
-                grid.nearest_of_many(level, places.clone(), (most, range, close), pack, (lists, counts), left);
+                let k = most.min(MOST_NEIGHBOURS);
+                grid.nearest_of_many(level, places.clone(), (k, range, close), pack, (lists, counts), left);
                 if !alike {
+                    let all = lists.chunks_mut(most + 1).zip(&mut *counts);
+                    places.clone().zip(all).for_each(|(place, (list, count))| shorten(place, list, count));
+                }
+                if !alone {
                     let all = lists.chunks_mut(most + 1).zip(counts);
-                    places.zip(all).for_each(|(place, (list, count))| shorten(place, list, count));
+                    let others = places.zip(all).filter(|(place, (list, _))| is_other(*place, list));
+                    others.for_each(|(place, (list, count))| plain(found, place, list, count));
                 }
             });
         });
@@ -169,6 +185,32 @@ impl World {
     /// Returns the rows of the neighbours of an agent, nearest first.
     pub(super) fn neighbours(&self, row: usize) -> &[u32] {
         self.step.near.of(row)
+    }
+}
+
+/// The layers by which an agent's avoidance of all others is known without asking for each.
+struct AvoidedByAll {
+    /// Layers that every agent is on.
+    common: u32,
+    /// Whether every agent is on a layer.
+    any: bool,
+}
+
+impl AvoidedByAll {
+    fn of(agents: &Columns) -> Self {
+        let layers = agents.layers.values();
+        Self { common: layers.iter().fold(u32::MAX, |common, each| common & each), any: !layers.contains(&0) }
+    }
+
+    /// Whether an agent avoids all others.
+    fn holds(&self, agents: &Columns, row: usize) -> bool {
+        let avoids = agents.avoids[row];
+        avoids & self.common != 0 || self.any && avoids == u32::MAX
+    }
+
+    /// Whether every agent avoids all others, as far as it is known at once.
+    fn all(&self, agents: &Columns) -> bool {
+        agents.avoids.uniform().is_some_and(|avoids| avoids & self.common != 0)
     }
 }
 
@@ -264,6 +306,25 @@ impl LongBodies {
         numbers.clear();
         numbers.extend(rows.iter().map(|&row| agents.number[row]));
         self.grid.rebuild(points, numbers, cell);
+    }
+
+    /// Whether a long body may belong to the `k` nearest bodies of a row within `range`, given the bodies with the nearest
+    /// centres.
+    fn may_reach(&self, agents: &Columns, row: usize, nearest: &[u32], (k, range): (usize, f32)) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        if !agents.is_disc(row) || nearest.iter().any(|&other| !agents.is_disc(other as usize)) {
+            return true;
+        }
+        let at = agents.position[row];
+        let farthest = match nearest.last() {
+            Some(&last) if nearest.len() >= k => at.distance(agents.position[last as usize]) * 1.0001,
+            _ => range,
+        };
+        let mut any = false;
+        self.grid.within(at, farthest + self.reach, |_| any = true);
+        any
     }
 
     /// Merges long bodies into `found`, which holds the nearest discs to `row` by their centres. `found` then holds the

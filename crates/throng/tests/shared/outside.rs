@@ -1,7 +1,7 @@
 //! Tests that need a program or data from outside the repository: a target with `harness = false` lists them.
 //!
-//! A test that lacks a program or data is reported as ignored, with what it needs as its kind: `[needs valgrind]`.
-//! Where the environment variable `CI` is set, a test that lacks a program fails instead: a check that CI does not make
+//! A test that lacks a program, data or a setting is reported as ignored, with what it needs as its kind: `[needs
+//! valgrind]`. Where the environment variable `CI` is set, a test that lacks a program or a setting fails instead: a check that CI does not make
 //! is an error. Data beside the repository cannot be installed: where the folder `shared/data` does not exist, tests that
 //! need it stay ignored.
 
@@ -15,6 +15,8 @@ pub enum Need {
     Program(&'static str),
     /// A file or folder of real inputs, relative to `shared/data`.
     Data(&'static str),
+    /// A setting of the build, with its name.
+    Build(bool, &'static str),
 }
 
 impl Need {
@@ -22,12 +24,13 @@ impl Need {
         match self {
             Self::Program(name) => program(name).is_some(),
             Self::Data(name) => found(name).is_some(),
+            Self::Build(is_set, _) => is_set,
         }
     }
 
     fn label(self) -> String {
         match self {
-            Self::Program(name) => name.to_owned(),
+            Self::Program(name) | Self::Build(_, name) => name.to_owned(),
             Self::Data(name) => format!("shared/data/{name}"),
         }
     }
@@ -44,8 +47,8 @@ pub fn test(name: &str, needed: &[Need], body: fn()) -> Trial {
     }
     let needs = format!("needs {}", missing.join(", "));
     let reason = format!("{needs}, which is missing");
-    let program_is_missing = needed.iter().any(|need| matches!(need, Need::Program(_)) && !need.is_met());
-    let fails = is_ci() && (program_is_missing || found("").is_some());
+    let can_be_had = |need: &Need| !matches!(need, Need::Data(_)) || found("").is_some();
+    let fails = is_ci() && needed.iter().filter(|need| !need.is_met()).any(can_be_had);
     Trial::test(name, move || Err(reason.into())).with_kind(needs).with_ignored_flag(!fails)
 }
 

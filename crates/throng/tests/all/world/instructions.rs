@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{Orca, Vo};
 use throng::perceive::SimdLevel;
-use throng::{Agent, Group, Obstacle, SubSteps, World};
+use throng::{Agent, Body, Group, Keyframe, Obstacle, Script, SubSteps, World};
 
 /// The settings of a crowd.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ struct Kind {
     mixed: bool,
     /// Whether some agents do not move at all, and one group has another model.
     odd: bool,
+    /// Whether some agents are long, turn slowly, follow a script or ignore some layers.
+    irregular: bool,
     walls: bool,
     guard: bool,
     step: f64,
@@ -31,15 +33,16 @@ fn kind() -> impl Strategy<Value = Kind> {
     let step = prop_oneof![Just(0.1), Just(0.25), 0.01f64..0.2];
     (
         (any::<u64>(), 1usize..300, density, 1usize..20, step),
-        (any::<bool>(), prop::bool::weighted(0.3), prop::bool::weighted(0.3), any::<bool>()),
+        (any::<bool>(), prop::bool::weighted(0.3), any::<bool>(), prop::bool::weighted(0.3), any::<bool>()),
     )
-        .prop_map(|((seed, count, density, goals, step), (mixed, odd, walls, guard))| Kind {
+        .prop_map(|((seed, count, density, goals, step), (mixed, odd, irregular, walls, guard))| Kind {
             seed,
             count,
             density,
             goals,
             mixed,
             odd,
+            irregular,
             walls,
             guard,
             step,
@@ -60,6 +63,9 @@ fn crowd(kind: &Kind) -> World {
     if kind.odd {
         let vo = Group { model: Arc::new(Vo::default()), ..orca() };
         groups.push(world.add_group(vo).unwrap());
+    }
+    if kind.irregular {
+        groups.push(world.add_group(Group { neighbours: 25, ..orca() }).unwrap());
     }
     if kind.walls {
         for _ in 0..3 {
@@ -86,10 +92,32 @@ fn crowd(kind: &Kind) -> World {
         if kind.odd && draw.index(4) == 0 {
             (agent.preferred_speed, agent.journey) = (0.0, throng::JourneyId::STAY);
         }
+        if kind.irregular {
+            agent = irregular(&mut world, agent, &mut draw);
+        }
         // places in walls are refused: those agents are left out
         let _ = world.add_agent(agent);
     }
     world
+}
+
+/// Makes one of eight agents irregular.
+fn irregular(world: &mut World, agent: Agent, draw: &mut Draw) -> Agent {
+    match draw.index(40) {
+        0 => agent.with_body(Body::capsule(1.2, 0.3)),
+        1 => agent.with_body(Body::rectangle(2.0, 0.8)),
+        2 => Agent { max_turn_rate: 1.0, tracking_error: 0.1, ..agent },
+        3 => Agent { layers: 2, avoids: 3, ..agent },
+        4 => {
+            let at = agent.position.truncate();
+            let keyframe = |time: f64, at: DVec2| Keyframe { time, at, heading: time };
+            let keyframes = vec![keyframe(0.0, at), keyframe(2.0, at + DVec2::new(1.0, 2.0)), keyframe(4.0, at)];
+            let script = world.add_script(Script { keyframes, repeat: true }).unwrap();
+            let body = draw.one_of(&[Body::disc(0.2), Body::rectangle(1.0, 0.2)]);
+            Agent { script: Some(script), avoids: 0, max_turn_rate: 3.0, ..agent }.with_body(body)
+        }
+        _ => agent,
+    }
 }
 
 fn after(kind: &Kind, instructions: SimdLevel) -> Vec<[u32; 6]> {
@@ -117,11 +145,50 @@ proptest! {
 fn any_number_of_threads_gives_the_bits_of_the_scalar_path() {
     for (seed, density, guard) in [(1, 0.25, false), (2, 1.0, true), (3, 4.0, true)] {
         let (mixed, step) = (seed == 2, 0.1);
-        let kind = Kind { seed, count: 1500, density, goals: 12, mixed, odd: false, walls: false, guard, step };
+        let kind = Kind {
+            seed,
+            count: 1500,
+            density,
+            goals: 12,
+            mixed,
+            odd: false,
+            irregular: seed == 3,
+            walls: false,
+            guard,
+            step,
+        };
         let plain = with_threads(1, || after(&kind, SimdLevel::Plain));
         for threads in [1, 2, 3, 7] {
             let many = with_threads(threads, || after(&kind, SimdLevel::Best));
             assert!(many == plain, "{threads} threads, {kind:?}");
         }
+    }
+}
+
+/// While a few agents agree on who goes first, the rest of the crowd uses SIMD.
+#[test]
+fn standoffs_give_the_same_bits_too() {
+    let run = |instructions: SimdLevel| {
+        let mut world = with_settings(0.1, SubSteps::Fixed(2), DVec2::ZERO);
+        world.set_simd_level(instructions);
+        for side in [-1.0, 1.0] {
+            let points = [(-2.0, 12.0), (-2.0, 0.2), (2.0, 0.2), (2.0, 12.0)].map(|(x, y)| DVec2::new(x, y * side));
+            world.add_obstacle(Obstacle::Wall { points: points.to_vec() }).unwrap();
+        }
+        let mut draw = Draw::new(5);
+        for k in 0..60 {
+            let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let at = DVec2::new(side * draw.between(2.5, 9.0), draw.between(-5.0, 5.0));
+            let _ = world.add_agent(Agent::at(at).goal(DVec2::new(-side * 8.0, draw.between(-4.0, 4.0))).radius(0.14));
+        }
+        for _ in 0..400 {
+            world.step();
+        }
+        (bits(&world), world.summary().standoffs)
+    };
+    let plain = run(SimdLevel::Plain);
+    assert!(plain.1 > 3, "{} standoffs", plain.1);
+    for instructions in SimdLevel::ALL {
+        assert!(run(instructions) == plain, "{instructions:?}");
     }
 }

@@ -1,0 +1,30 @@
+//! Crowds with a few bodies of other kinds: vehicles and doors.
+
+use throng::{Agent, AgentRef, Body, Error, Keyframe, Script, World};
+
+/// One of this many agents is a vehicle.
+const VEHICLE: usize = 500;
+/// One of this many agents is a door.
+const DOOR: usize = 2000;
+
+/// Turns a few agents into vehicles, 4.2 by 1.8 m, that turn slowly, and into doors that swing.
+///
+/// # Errors
+/// Those of [`World::replace`].
+pub fn mix(world: &mut World) -> Result<(), Error> {
+    let all = world.agent_ids();
+    for &id in all.iter().skip(VEHICLE / 2).step_by(VEHICLE) {
+        let Some(agent) = world.agent(id).map(AgentRef::to_agent) else { continue };
+        world.replace(id, Agent { max_turn_rate: 0.5, ..agent }.with_body(Body::rectangle(4.2, 1.8)))?;
+    }
+    for &id in all.iter().skip(DOOR / 4).step_by(DOOR) {
+        let Some(agent) = world.agent(id).map(AgentRef::to_agent) else { continue };
+        let at = agent.position.truncate();
+        let keyframes = [0.0, std::f64::consts::FRAC_PI_2, 0.0].into_iter().zip([0.0, 2.0, 4.0]);
+        let keyframes = keyframes.map(|(heading, time)| Keyframe { time, at, heading }).collect();
+        let script = Some(world.add_script(Script { keyframes, repeat: true })?);
+        let door = Agent { script, avoids: 0, max_turn_rate: 3.0, ..agent };
+        world.replace(id, door.with_body(Body::rectangle(2.0, 0.3)))?;
+    }
+    Ok(())
+}
