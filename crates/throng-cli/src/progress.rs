@@ -32,7 +32,7 @@ impl Progress {
         Self { bar, due: AtomicU64::new(0) }
     }
 
-    /// Whether it is time for the next update. Work whose progress is costly to compute asks first.
+    /// Whether it is time for the next update. Where progress is costly to compute, ask first.
     pub fn is_due(&self) -> bool {
         let now = (self.bar.elapsed().as_secs_f64() * f64::from(RATE)) as u64 + 1;
         !self.bar.is_hidden() && self.due.fetch_max(now, Ordering::Relaxed) < now

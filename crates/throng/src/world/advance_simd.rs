@@ -34,7 +34,7 @@ impl World {
         self.instructions.level().filter(|_| plain && headed)
     }
 
-    /// Notes the agents whose turning the kernel cannot do, with their headings and the sums of their turns.
+    /// Notes the agents that the kernel cannot turn, with their headings and the sums of their turns.
     fn note_turners(&mut self) {
         let Self { agents, step, .. } = self;
         step.turners.clear();

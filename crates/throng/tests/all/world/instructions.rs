@@ -165,7 +165,7 @@ fn any_number_of_threads_gives_the_bits_of_the_scalar_path() {
     }
 }
 
-/// While a few agents agree on who goes first, the rest of the crowd uses SIMD.
+/// While a few agents agree on a right of way, the rest of the crowd uses SIMD.
 #[test]
 fn standoffs_give_the_same_bits_too() {
     let run = |instructions: SimdLevel| {
