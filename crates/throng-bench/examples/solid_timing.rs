@@ -34,12 +34,7 @@ fn time(solid: Barriers, count: u32) -> Result<f64, throng::Error> {
         let k = f64::from(k);
         let grid = [k % side, (k / side).floor() % side, (k / side / side).floor()].map(|i| i / side * SIZE);
         let position = DVec2::new(grid[0], grid[1]) - 0.5 * SIZE;
-        world.add_agent(Agent {
-            position: position.extend(1.0 + f64::from(grid[2])),
-            group,
-            radius: 0.01,
-            ..Agent::default()
-        })?;
+        world.add_agent(Agent { position: position.extend(1.0 + grid[2]), group, radius: 0.01, ..Agent::default() })?;
     }
     (0..30).for_each(|_| world.step());
     let steps = (0..60).map(|_| {

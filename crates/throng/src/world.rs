@@ -128,9 +128,9 @@ pub struct World {
     steps: u64,
     agents: Columns,
     slots: Slots,
-    /// Groups in local coordinates, and as they were given.
+    /// Groups as they were given, and in local coordinates.
     groups: Vec<Group>,
-    given_groups: Vec<Group>,
+    local_groups: Vec<Group>,
     goals: Vec<Goal>,
     journeys: Vec<Journey>,
     /// Journeys that are alternatives to each other.
@@ -353,12 +353,12 @@ impl World {
 
     /// Returns a group, as it was given.
     pub fn group(&self, id: GroupId) -> &Group {
-        &self.given_groups[id.index()]
+        &self.groups[id.index()]
     }
 
     /// Returns all groups, by index, as they were given.
     pub fn groups(&self) -> &[Group] {
-        &self.given_groups
+        &self.groups
     }
 
     /// Returns all goals, by index.

@@ -24,10 +24,10 @@ impl fmt::Debug for Adapted {
 impl World {
     /// Updates adaptive fields with the positions of the agents, when their interval has passed.
     pub(super) fn adapt(&mut self) {
-        self.adapted.resize(self.groups.len(), None);
+        self.adapted.resize(self.local_groups.len(), None);
         let mut positions = Vec::new();
-        for index in 0..self.groups.len() {
-            let Some(governed) = &self.groups[index].field else {
+        for index in 0..self.local_groups.len() {
+            let Some(governed) = &self.local_groups[index].field else {
                 self.adapted[index] = None;
                 continue;
             };
@@ -81,7 +81,7 @@ impl World {
             if memory.is_empty() {
                 return Some(None);
             }
-            let field = self.groups.get(index)?.field.as_ref()?.field.clone();
+            let field = self.local_groups.get(index)?.field.as_ref()?.field.clone();
             let adaptive = field.adaptive().filter(|adaptive| adaptive.memory().len() == memory.len())?;
             Some(Some(Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }))
         };

@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3};
 impl World {
     /// 4. Guard: finds targets at which no two guarded bodies overlap.
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
-        let Self { agents, step, groups, .. } = self;
+        let Self { agents, step, local_groups: groups, .. } = self;
         step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
         step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         let mut solids = std::mem::take(&mut self.step.solids);
@@ -93,7 +93,7 @@ impl World {
     /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
     /// agents are discs on the ground that avoid each other.
     fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<RowContacts<'a>> {
-        let Self { agents, step, groups, .. } = self;
+        let Self { agents, step, local_groups: groups, .. } = self;
         let sees_all = step.long.is_empty() && !agents.any_flies() && agents.all_avoid();
         move |row| {
             let group = &groups[agents.group[row].index()];
@@ -142,7 +142,7 @@ impl World {
     /// Moves all agents on the scalar path.
     fn advance_each(&mut self, seconds: f32, now: f64) {
         self.note_looks(now);
-        let Self { agents, groups, step, .. } = self;
+        let Self { agents, local_groups: groups, step, .. } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = step.targets[row];

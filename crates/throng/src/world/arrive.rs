@@ -30,7 +30,7 @@ impl World {
     /// Returns the status of an agent that has no stop to go to. It walks on if it steers, or if its journey has no stops
     /// at all and a field or the program moves it; otherwise it has arrived.
     fn status_without_stop(&self, row: usize) -> Status {
-        let group = &self.groups[self.agents.group[row].index()];
+        let group = &self.local_groups[self.agents.group[row].index()];
         let goes_nowhere = self.journeys[self.agents.journey[row].index()].stops.is_empty();
         let is_moved = group.field.is_some() || self.agents.commanded[row].is_some();
         let goes_on = group.steering.is_some() || is_moved && goes_nowhere;

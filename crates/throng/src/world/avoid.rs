@@ -154,7 +154,7 @@ impl World {
     }
 
     pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
-        &*self.groups[self.agents.group[row].index()].model
+        &*self.local_groups[self.agents.group[row].index()].model
     }
 
     /// Returns the velocity that the local model of an agent chooses.

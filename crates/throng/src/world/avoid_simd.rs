@@ -81,7 +81,7 @@ impl Irregular {
                 && agents.tracking_error[row] == 0.0
                 && agents.max_turn_rate[row] == f32::INFINITY
                 && agents.travel[row].turn == Turn::Free
-                && world.groups[agents.group[row].index()].neighbours <= MOST;
+                && world.local_groups[agents.group[row].index()].neighbours <= MOST;
             if regular {
                 layers &= agents.layers[row];
                 avoids &= agents.avoids[row];
@@ -182,7 +182,7 @@ impl World {
         if common.alike && self.step.irregular.rows.is_empty() {
             return 0;
         }
-        let model = |row: u32| self.groups[self.agents.group[row as usize].index()].model.as_orca();
+        let model = |row: u32| self.local_groups[self.agents.group[row as usize].index()].model.as_orca();
         let fits = |row: u32| (common.alike || model(row) == Some(common.orca)) && !self.step.irregular.holds(row);
         rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(!fits(row)))
     }

@@ -40,7 +40,7 @@ impl World {
             agents: Columns::default(),
             slots: Slots::default(),
             groups: vec![Group::default()],
-            given_groups: vec![Group::default()],
+            local_groups: vec![Group::default()],
             goals: Vec::new(),
             journeys: vec![Journey::default()],
             choices: Vec::new(),
@@ -75,9 +75,9 @@ impl World {
             self.agents.memory.widen(steering.words());
         }
         self.step.solids.add(local.solid.0.clone());
-        self.groups.push(local);
-        self.given_groups.push(group);
-        Ok(GroupId(self.groups.len() as u32 - 1))
+        self.local_groups.push(local);
+        self.groups.push(group);
+        Ok(GroupId(self.local_groups.len() as u32 - 1))
     }
 
     /// Returns a group in local coordinates.
@@ -96,10 +96,10 @@ impl World {
     /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
     /// unchanged.
     pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
-        known("group", group.index(), self.groups.len())?;
+        known("group", group.index(), self.local_groups.len())?;
         let given = Group { field, ..self.group(group).clone() };
-        self.groups[group.index()].field = self.checked_group(&given)?.field;
-        self.given_groups[group.index()] = given;
+        self.local_groups[group.index()].field = self.checked_group(&given)?.field;
+        self.groups[group.index()] = given;
         self.step.rest.end();
         for row in 0..self.agents.len() {
             if self.agents.group[row] == group && self.agents.script[row].is_none() {
@@ -327,7 +327,7 @@ impl World {
 
     /// Returns why an agent cannot be at its position; `None` if it can. Unguarded agents can be anywhere.
     pub(super) fn no_room_for(&self, agent: &Agent) -> Option<&'static str> {
-        if !self.groups[agent.group.index()].guard {
+        if !self.local_groups[agent.group.index()].guard {
             None
         } else if agent.core == Vec2::ZERO {
             self.no_room(agent.position.truncate(), agent.radius)
@@ -424,7 +424,7 @@ impl World {
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
-        if self.groups[agent.group.index()].steering.is_some() {
+        if self.local_groups[agent.group.index()].steering.is_some() {
             let (sin, cos) = libm::sincosf(heading);
             let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
             self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
@@ -466,7 +466,7 @@ impl World {
         self.check_position("position", agent.position.truncate())?;
         check_altitude("altitude", agent.position.z)?;
         agent.check()?;
-        known("group", agent.group.index(), self.groups.len())?;
+        known("group", agent.group.index(), self.local_groups.len())?;
         known("journey", agent.journey.index(), self.journeys.len())?;
         if let Some(script) = agent.script {
             known("script", script.index(), self.scripts.len())?;

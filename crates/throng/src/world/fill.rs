@@ -83,7 +83,7 @@ impl World {
     fn last_goal(&self, row: usize, leg: u32) -> Option<(GoalId, &Goal)> {
         let agents = &self.agents;
         let leg = self.legs.of(agents.journey[row], leg).filter(|leg| leg.is_last)?;
-        let stays = agents.script[row].is_none() && self.groups[agents.group[row].index()].steering.is_none();
+        let stays = agents.script[row].is_none() && self.local_groups[agents.group[row].index()].steering.is_none();
         stays.then(|| (leg.goal, &self.goals[leg.goal.index()]))
     }
 

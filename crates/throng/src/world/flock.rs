@@ -61,7 +61,7 @@ impl World {
 
     /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
     pub(super) fn is_bird(&self, row: usize) -> bool {
-        let group = &self.groups[self.agents.group[row].index()];
+        let group = &self.local_groups[self.agents.group[row].index()];
         group.neighbours == Group::ALL_NEIGHBOURS
             && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
     }
@@ -119,7 +119,7 @@ impl World {
         forces.resize(self.agents.len(), Vec3::ZERO);
         let world = &*self;
         parallel::ranges_with(&mut forces[..], &mut scratch, |scratch, places, forces| {
-            for (index, group) in world.groups.iter().enumerate().filter(|&(index, _)| world.step.groups[index]) {
+            for (index, group) in world.local_groups.iter().enumerate().filter(|&(index, _)| world.step.groups[index]) {
                 if group.neighbours == Group::ALL_NEIGHBOURS {
                     world.flock_of_group(index, places.clone(), scratch, forces, (seconds, now));
                 }
@@ -142,7 +142,7 @@ impl World {
         forces: &mut [Vec3],
         (seconds, now): (f32, f64),
     ) {
-        let (group, Flocks { lattice, birds, close, .. }) = (&self.groups[index], &self.step.flocks);
+        let (group, Flocks { lattice, birds, close, .. }) = (&self.local_groups[index], &self.step.flocks);
         let close = close.min(group.neighbour_distance);
         let flocking = group.steering.as_ref().and_then(|steering| steering.as_flocking());
         let mut force = |place: usize, flocking: &Flocking| {
@@ -178,7 +178,7 @@ impl World {
     /// Adds all agents within the distance to `neighbours`, if the agent's group searches for all.
     pub(super) fn look_at_all(&self, row: usize, neighbours: &mut Vec<SteeringNeighbour>) {
         let (agents, Flocks { lattice, birds, .. }) = (&self.agents, &self.step.flocks);
-        let group = &self.groups[agents.group[row].index()];
+        let group = &self.local_groups[agents.group[row].index()];
         if group.neighbours != Group::ALL_NEIGHBOURS {
             return;
         }

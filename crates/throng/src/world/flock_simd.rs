@@ -21,7 +21,7 @@ impl World {
     /// Returns the SIMD level and the vehicle step of all agents, if all are birds of one flock or insects of one
     /// swarm.
     pub(super) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
-        let group = &self.groups[self.agents.group.uniform()?.index()];
+        let group = &self.local_groups[self.agents.group.uniform()?.index()];
         let alike = self.agents.all_discs() && (self.is_bird(0) || self.swarm(0).is_some());
         let level = self.instructions.level().filter(|_| alike)?;
         Some((level, Stepping::of(&group.vehicle, seconds)?))
@@ -29,7 +29,7 @@ impl World {
 
     /// Returns the swarm of an agent that steers by a plain [`Swarm`] behaviour and avoids no other agent.
     fn swarm(&self, row: usize) -> Option<&Swarm> {
-        let group = &self.groups[self.agents.group[row].index()];
+        let group = &self.local_groups[self.agents.group[row].index()];
         group.steering.as_ref().filter(|_| !group.model.avoids())?.as_swarm()
     }
 
@@ -141,7 +141,7 @@ impl World {
 
     /// Moves all agents, if all are birds of one flock or insects of one swarm, and no agent is guarded.
     pub(super) fn fly_many(&mut self, level: Level, seconds: f32) {
-        let Self { agents, groups, step, .. } = self;
+        let Self { agents, local_groups: groups, step, .. } = self;
         let in_air = step.chosen_velocities.is_in_space();
         let flight = Flight {
             preferred: &step.preferred,

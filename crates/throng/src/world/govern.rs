@@ -29,13 +29,13 @@ impl World {
         let mut sources = std::mem::take(&mut self.step.sources);
         let Sources { all, wanted, .. } = &mut sources;
         wanted.clear();
-        wanted.resize(self.groups.len(), false);
+        wanted.resize(self.local_groups.len(), false);
         let governed = self.groups_in_use().filter_map(|group| group.field.as_ref());
         for around in governed.flat_map(|field| &field.around) {
             wanted.get_mut(around.source).into_iter().for_each(|wanted| *wanted = true);
         }
         all.iter_mut().for_each(Vec::clear);
-        all.resize(self.groups.len(), Vec::new());
+        all.resize(self.local_groups.len(), Vec::new());
         if wanted.contains(&true) {
             let agents = &self.agents;
             for row in (0..agents.len()).filter(|&row| wanted[agents.group[row].index()]) {
@@ -50,7 +50,7 @@ impl World {
 
     /// Returns the preferred velocity of an agent blended with the field of its group.
     pub(super) fn governed(&self, row: usize, own: Vec3, now: f64) -> Vec3 {
-        let Some(governed) = &self.groups[self.agents.group[row].index()].field else { return own };
+        let Some(governed) = &self.local_groups[self.agents.group[row].index()].field else { return own };
         if !self.step.shown[row].way.walks() {
             return own;
         }
@@ -100,7 +100,7 @@ impl World {
     }
 
     fn looks_about(&self, row: usize, now: f64) -> Vec2 {
-        let Some(governed) = &self.groups[self.agents.group[row].index()].field else { return Vec2::ZERO };
+        let Some(governed) = &self.local_groups[self.agents.group[row].index()].field else { return Vec2::ZERO };
         let place = self.agents.position[row];
         let mut sum = Vec2::ZERO;
         for around in governed.around.iter().filter(|around| around.looks.is_some()) {

@@ -87,7 +87,7 @@ impl World {
     /// Whether the progress of an agent is judged.
     fn is_judged(&self, row: usize) -> bool {
         let agents = &self.agents;
-        let group = &self.groups[agents.group[row].index()];
+        let group = &self.local_groups[agents.group[row].index()];
         agents.status[row] == Status::Walking
             && self.step.shown[row].way.has_goal()
             && agents.preferred_speed[row] > 0.0

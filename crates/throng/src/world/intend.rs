@@ -40,7 +40,7 @@ impl World {
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let mut interaction = std::mem::take(&mut self.step.interaction);
         interaction.clear();
-        interaction.extend(self.groups.iter().map(InteractionRules::of));
+        interaction.extend(self.local_groups.iter().map(InteractionRules::of));
         preferred.resize(self.agents.len(), self.in_space_now());
         let world = &*self;
         let level = self.lanes_to_intend();

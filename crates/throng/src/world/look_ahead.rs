@@ -203,7 +203,7 @@ impl World {
         scratch: &mut LookAheadScratch,
     ) -> LookAhead {
         let agents = &self.agents;
-        let group = &self.groups[agents.group[row].index()];
+        let group = &self.local_groups[agents.group[row].index()];
         let own = &self.step.shown[row];
         let (way, speed) = (&own.way, agents.preferred_speed[row]);
         if !group.look_ahead {
@@ -314,7 +314,7 @@ impl World {
         (common, walls): (&LookAheadShared, &mut WallsAhead),
     ) -> LookAhead {
         let (agents, range) = (&self.agents, sight.speed * sight.seconds);
-        let group = &self.groups[agents.group[row].index()];
+        let group = &self.local_groups[agents.group[row].index()];
         let at = agents.position[row].as_dvec2();
         walls.find(&self.walls, at, || self.range_of_walls(row));
         walls.keep(self.clear_of_walls(row));
@@ -373,7 +373,7 @@ impl World {
     /// Returns the distance that an agent's centre keeps from walls where there is space: half the breadth of its
     /// shoulders, or the clearance radius of its body if that is more.
     fn clear_of_walls(&self, row: usize) -> f32 {
-        self.agents.body(row).clearance_radius().max(0.5 * self.groups[self.agents.group[row].index()].shoulders)
+        self.agents.body(row).clearance_radius().max(0.5 * self.local_groups[self.agents.group[row].index()].shoulders)
     }
 
     /// Returns a random number in [0, 1) for one of the directions that an agent compares. The agent keeps the number

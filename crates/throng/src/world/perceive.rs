@@ -91,7 +91,7 @@ impl World {
         let most = self.groups_in_use().map(|group| group.nearest()).max().unwrap_or(1);
         let close = self.close_enough_to_measure(seconds);
         let alike = self.groups_in_use().all(|group| group.nearest() == most && group.neighbour_distance == range);
-        let Self { agents, groups, step, .. } = self;
+        let Self { agents, local_groups: groups, step, .. } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, rest, scratch, level) =
@@ -171,7 +171,7 @@ impl World {
 
     /// Records which groups have agents.
     pub(super) fn note_groups(&mut self) {
-        let Self { agents, groups, step, .. } = self;
+        let Self { agents, local_groups: groups, step, .. } = self;
         step.groups.clear();
         step.groups.resize(groups.len(), false);
         agents.group.values().iter().for_each(|group| step.groups[group.index()] = true);
@@ -179,7 +179,7 @@ impl World {
 
     /// Returns the groups that have agents.
     pub(super) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
-        self.groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
+        self.local_groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
     }
 
     /// Returns the rows of the neighbours of an agent, nearest first.

@@ -167,7 +167,7 @@ impl World {
         let route = travel.route_mut()?;
         let clearance_radius = self.agents.body(row).clearance_radius();
         let heading = match self.meshes.mesh(clearance_radius) {
-            Some(mesh) if self.groups[self.agents.group[row].index()].look_ahead => {
+            Some(mesh) if self.local_groups[self.agents.group[row].index()].look_ahead => {
                 let area = self.passed_area(row, leg);
                 route.advance_in_place(mesh, at, area, |across| {
                     self.off_walls(row, across) - f64::from(clearance_radius)

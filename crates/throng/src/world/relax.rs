@@ -16,7 +16,7 @@ impl World {
     #[inline]
     pub(super) fn relaxed(&self, row: usize, seconds: f32) -> Vec2 {
         let (agents, wanted) = (&self.agents, self.step.preferred.ground[row]);
-        let group = &self.groups[agents.group[row].index()];
+        let group = &self.local_groups[agents.group[row].index()];
         if !group.relaxes() || !self.step.shown[row].way.walks() || agents.script[row].is_some() {
             return wanted;
         }

@@ -12,7 +12,7 @@ impl World {
     /// # Errors
     /// [`Error::NoGroup`] if no group has the name.
     pub fn group_named(&self, name: &str) -> Result<GroupId, Error> {
-        let index = self.groups.iter().rposition(|group| group.name == name);
+        let index = self.local_groups.iter().rposition(|group| group.name == name);
         index.map(|index| GroupId(index as u32)).ok_or_else(|| Error::NoGroup { name: name.to_owned() })
     }
 

@@ -199,7 +199,7 @@ impl World {
         let mut rest = std::mem::take(&mut self.step.rest);
         self.note_groups();
         // as `is_guarded` will say
-        let guarded = self.agents.group.uniform().is_none_or(|group| self.groups[group.index()].guard);
+        let guarded = self.agents.group.uniform().is_none_or(|group| self.local_groups[group.index()].guard);
         let made = self.may_rest().then_some((seconds, guarded));
         if made.is_none() || made != rest.made {
             rest.end();

@@ -46,7 +46,7 @@ impl World {
             steps: self.steps,
             agents: self.agents.clone(),
             slots: self.slots.clone(),
-            groups: self.groups.iter().map(|group| group.name.clone()).collect(),
+            groups: self.local_groups.iter().map(|group| group.name.clone()).collect(),
             goals: self.goals.clone(),
             journeys: self.journeys.clone(),
             choices: self.choices.clone(),
@@ -82,7 +82,7 @@ impl World {
             return Err(fail("its bytes are not as they were saved".into()));
         }
         let state: SavedWorld = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
-        let names: Vec<&String> = self.groups.iter().map(|group| &group.name).collect();
+        let names: Vec<&String> = self.local_groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
         }
@@ -102,7 +102,7 @@ impl World {
         self.place_changed();
         self.steps = state.steps;
         self.agents = state.agents;
-        let words = self.groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
+        let words = self.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
         self.agents.memory.widen(words.max().unwrap_or(0));
         self.slots = state.slots;
         self.goals = state.goals;

@@ -29,7 +29,7 @@ impl World {
 
     /// Whether the groups of both agents squeeze past others, and the other agent avoids the first.
     pub(super) fn both_squeeze(&self, row: usize, other: usize) -> bool {
-        let squeezes = |row: usize| self.groups[self.agents.group[row].index()].squeezes();
+        let squeezes = |row: usize| self.local_groups[self.agents.group[row].index()].squeezes();
         squeezes(row) && squeezes(other) && self.agents.avoids(other, row)
     }
 }

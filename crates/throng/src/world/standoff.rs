@@ -83,7 +83,7 @@ impl World {
             && agents.travel[row].turn == Turn::Free
             && agents.altitude[row] == 0.0
             && agents.script[row].is_none()
-            && self.groups[agents.group[row].index()].resolve
+            && self.local_groups[agents.group[row].index()].resolve
     }
 
     /// Returns the nearest agent with which it blocks each other's paths, if both are stuck.

@@ -49,7 +49,7 @@ impl SteeringIndex {
         self.rows.resize(world.slots.next_number as usize, u32::MAX);
         agents.number.iter().zip(0..).for_each(|(&number, row)| self.rows[number as usize] = row);
         self.counts.clear();
-        self.counts.resize(world.groups.len(), 0);
+        self.counts.resize(world.local_groups.len(), 0);
         self.slots.resize(agents.len(), 0);
         for &row in self.rows.iter().filter(|&&row| row != u32::MAX) {
             let count = &mut self.counts[agents.group[row as usize].index()];
@@ -70,7 +70,7 @@ impl AgentQuery for World {
 impl World {
     /// Returns the behaviour that an agent steers by; `None` if it does not steer.
     pub(super) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
-        self.groups[self.agents.group[row].index()].steering.as_ref()
+        self.local_groups[self.agents.group[row].index()].steering.as_ref()
     }
 
     /// Whether any agent steers.
@@ -120,7 +120,7 @@ impl World {
                 }
                 for (at, row) in rows.enumerate() {
                     let Some(steering) = world.steering(row) else { continue };
-                    let vehicle = &world.groups[world.agents.group[row].index()].vehicle;
+                    let vehicle = &world.local_groups[world.agents.group[row].index()].vehicle;
                     let before = world.motion(row);
                     let steering = if world.is_bird(row) {
                         world.step.flocks.force(row).into()
@@ -204,7 +204,7 @@ impl World {
         }));
         SteeringInput {
             motion: own,
-            vehicle: self.groups[agents.group[row].index()].vehicle,
+            vehicle: self.local_groups[agents.group[row].index()].vehicle,
             radius: agents.radius[row],
             group: agents.group[row].index(),
             slot: self.step.index.slots[row] as usize,

@@ -89,7 +89,7 @@ impl World {
 
     fn account_of(&self, row: usize, seconds: f32, now: f64) -> Trace {
         let (said, entries) = self.steering_reasons(row, seconds, now);
-        let mass = self.groups[self.agents.group[row].index()].vehicle.mass;
+        let mass = self.local_groups[self.agents.group[row].index()].vehicle.mass;
         Trace {
             number: self.agents.number[row],
             steering: said.map_or(Vec3::ZERO, |steering| steering.force / mass),
@@ -106,7 +106,7 @@ impl World {
         let corners = agents.travel[row].route().into_iter().flat_map(|route| route.corners());
         let via = corners.map(|corner| SteeringReason::Via(local(corner)));
         let aim = self.steering_goal(row).map(SteeringReason::Aim);
-        let distance = self.groups[agents.group[row].index()].neighbour_distance;
+        let distance = self.local_groups[agents.group[row].index()].neighbour_distance;
         let looks = SteeringReason::Looks { distance, angle: PI };
         let seen = self.neighbours(row).iter().map(|&other| SteeringReason::Regards(agents.number[other as usize]));
         let reasons = via.chain(aim).chain([looks]).chain(seen);

@@ -29,15 +29,15 @@ impl World {
     /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
     /// unchanged.
     pub fn set_group(&mut self, id: GroupId, group: Group) -> Result<(), Error> {
-        known("group", id.index(), self.groups.len())?;
+        known("group", id.index(), self.local_groups.len())?;
         let local = self.checked_group(&group)?;
-        let began_to_steer = group.steering.is_some() && self.groups[id.index()].steering.is_none();
+        let began_to_steer = group.steering.is_some() && self.local_groups[id.index()].steering.is_none();
         if let Some(steering) = &group.steering {
             self.agents.memory.widen(steering.words());
         }
         self.step.solids.set(id.index(), local.solid.0.clone());
-        self.groups[id.index()] = local;
-        self.given_groups[id.index()] = group;
+        self.local_groups[id.index()] = local;
+        self.groups[id.index()] = group;
         self.end_standoffs();
         self.step.rest.end();
         for row in (0..self.agents.len()).filter(|&row| self.agents.group[row] == id).collect::<Vec<_>>() {

@@ -13,8 +13,7 @@ use throng::{Agent, Error, Group, Settings, SubSteps, TraceRequest, World};
 
 /// A world in which every place of a group is moved by `offset` and given relative to `group_origin`.
 fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World {
-    let mut world =
-        World::new(Settings { step: 0.1, sub_steps: SubSteps::Fixed(2), origin, seed, ..Settings::default() }).unwrap();
+    let mut world = World::new(Settings { step: 0.1, sub_steps: SubSteps::Fixed(2), origin, seed }).unwrap();
     let flat = |x: f64, y: f64| offset - group_origin + DVec2::new(x, y);
     let at = |x: f64, y: f64, z: f32| flat(x, y).as_vec2().extend(z);
     let base = Group { origin: group_origin, ..Group::default() };
