@@ -78,9 +78,9 @@ impl Vo {
 
     fn forbid(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) {
         workspace.forbid(view, self.time_horizon_obstacles, |other| {
-            let all = AvoidanceNeighbour { share: 1.0, room: 1.0, ..*other };
-            let other = if self.reciprocal { other } else { &all };
-            Forbidden::truncated(view.velocity, other, self.time_horizon, view.step)
+            let all = || AvoidanceNeighbour { share: 1.0, room: 1.0, ..*other };
+            let other = if self.reciprocal { *other } else { all() };
+            Forbidden::truncated(view.velocity, &other, self.time_horizon, view.step)
         });
     }
 }

@@ -67,9 +67,10 @@ impl World {
         let mut by_place = std::mem::take(&mut self.step.by_place);
         chosen_velocities.resize(self.agents.len(), self.in_space_now());
         self.relax_queues();
-        let common = if self.vehicles_limit_all() { None } else { self.common(seconds) };
+        let limited = self.vehicles_limit_all();
+        let common = if limited { None } else { self.common(seconds) };
         let world = &*self;
-        if world.vehicles_limit_all() {
+        if limited {
             parallel::ranges(chosen_velocities.rows(), |rows, chosen_velocities| {
                 world.choose_preferred(rows, chosen_velocities)
             });

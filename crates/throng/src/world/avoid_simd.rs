@@ -95,14 +95,13 @@ impl Irregular {
 impl World {
     /// Returns what all agents share, if avoidance can use SIMD, and finds the agents that cannot.
     pub(super) fn common(&mut self, seconds: f32) -> Option<AvoidanceShared> {
+        let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
+        let level = self.instructions.level().filter(|_| !self.in_space_now())?;
         let mut irregular = std::mem::take(&mut self.step.irregular);
         let all_avoid = irregular.find(self);
         self.step.irregular = irregular;
         let agents = &self.agents;
-        let plain = all_avoid && !self.in_space_now();
-        let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
-        let level = self.instructions.level()?;
-        plain.then(|| AvoidanceShared {
+        all_avoid.then(|| AvoidanceShared {
             level,
             orca,
             open: self.walls.is_empty(),

@@ -134,15 +134,15 @@ impl World {
             *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
         // the SIMD search finds the nearest centres: not enough for an agent that ignores others or is near a long body
-        let seen_by_all = AvoidedByAll::of(agents);
+        let avoids_all = AvoidsAll::of(agents);
         let is_other = |place: usize, list: &[u32]| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             group.nearest() > MOST_NEIGHBOURS
-                || !seen_by_all.holds(agents, row)
+                || !avoids_all.holds(agents, row)
                 || long.may_reach(agents, row, &list[1..=list[0] as usize], (group.nearest(), group.neighbour_distance))
         };
-        let alone = most <= MOST_NEIGHBOURS && seen_by_all.all(agents) && long.is_empty();
+        let alone = most <= MOST_NEIGHBOURS && agents.all_avoid() && long.is_empty();
         let any_fast = groups.iter().zip(&step.groups).any(|(group, &used)| used && group.nearest() <= MOST_NEIGHBOURS);
         let many = level.filter(|_| any_fast && !any_flies);
         let lists = RowLists { all: &mut step.near.lists, stride: most + 1 };
@@ -189,14 +189,14 @@ impl World {
 }
 
 /// The layers by which an agent's avoidance of all others is known without asking for each.
-struct AvoidedByAll {
+struct AvoidsAll {
     /// Layers that every agent is on.
     common: u32,
     /// Whether every agent is on a layer.
     any: bool,
 }
 
-impl AvoidedByAll {
+impl AvoidsAll {
     fn of(agents: &Columns) -> Self {
         let layers = agents.layers.values();
         Self { common: layers.iter().fold(u32::MAX, |common, each| common & each), any: !layers.contains(&0) }
@@ -206,11 +206,6 @@ impl AvoidedByAll {
     fn holds(&self, agents: &Columns, row: usize) -> bool {
         let avoids = agents.avoids[row];
         avoids & self.common != 0 || self.any && avoids == u32::MAX
-    }
-
-    /// Whether every agent avoids all others, as far as it is known at once.
-    fn all(&self, agents: &Columns) -> bool {
-        agents.avoids.uniform().is_some_and(|avoids| avoids & self.common != 0)
     }
 }
 
