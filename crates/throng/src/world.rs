@@ -124,62 +124,67 @@ impl Default for Settings {
 /// with the same bits.
 #[derive(Clone, Debug)]
 pub struct World {
-    settings: Settings,
-    steps: u64,
-    agents: Columns,
-    slots: Slots,
-    /// Groups as they were given, and in local coordinates.
-    groups: Vec<Group>,
-    local_groups: Vec<Group>,
-    goals: Vec<Goal>,
-    journeys: Vec<Journey>,
+    state: State,
+    step: StepMemory,
+}
+
+/// The state of a world: all that a step reads, and all that it changes.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    pub settings: Settings,
+    pub steps: u64,
+    pub agents: Columns,
+    pub slots: Slots,
+    /// Groups as they were given, in local coordinates, and whether they have agents.
+    pub groups: Vec<Group>,
+    pub local_groups: Vec<Group>,
+    pub groups_with_agents: Vec<bool>,
+    pub goals: Vec<Goal>,
+    pub journeys: Vec<Journey>,
     /// Journeys that are alternatives to each other.
-    choices: Vec<Vec<JourneyId>>,
-    scripts: Vec<Script>,
-    place: Place,
-    schedule: Schedule,
-    tally: Tally,
+    pub choices: Vec<Vec<JourneyId>>,
+    pub scripts: Vec<Script>,
+    pub place: Place,
+    pub schedule: Schedule,
+    pub tally: Tally,
     /// Agents that cannot reach their goals, by number, with the reasons.
-    stranded: Vec<(u32, Unreachable)>,
+    pub stranded: Vec<(u32, Unreachable)>,
     /// Standoffs that are being resolved.
-    standoffs: Vec<Standoff>,
+    pub standoffs: Vec<Standoff>,
     /// Recent stimuli, read by steering behaviours.
-    stimuli: Vec<Stimulus>,
+    pub stimuli: Vec<Stimulus>,
     /// The events of the last step.
-    events: Vec<Event>,
-    own_journeys: control::OwnJourneys,
-    game: RulesState,
+    pub events: Vec<Event>,
+    pub own_journeys: control::OwnJourneys,
+    pub game: RulesState,
     /// Fields that adapt to the positions of the agents, by group.
-    adapted: Vec<Option<adapt::Adapted>>,
+    pub adapted: Vec<Option<adapt::Adapted>>,
     /// Box of the ground on which paths are planned where no walkable area bounds it. It is kept, because meshes that
     /// are built later for another box would differ.
-    extent: Option<(DVec2, DVec2)>,
+    pub extent: Option<(DVec2, DVec2)>,
 
     // derived from the fields above whenever needed
-    walls: Walls,
-    meshes: Meshes,
-    legs: Legs,
-    step: StepMemory,
-    instructions: SimdLevel,
-    traced: TraceRequest,
+    pub walls: Walls,
+    pub meshes: Meshes,
+    pub legs: Legs,
+    pub instructions: SimdLevel,
+    pub traced: TraceRequest,
 }
 
 /// The row of each id.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-struct Slots {
+pub(crate) struct Slots {
     /// The row of the agent in each slot; `u32::MAX` for an empty slot.
-    rows: Vec<u32>,
+    pub rows: Vec<u32>,
     /// How many agents had the slot before.
-    generations: Column<u32>,
-    free: Vec<u32>,
-    next_number: u32,
+    pub generations: Column<u32>,
+    pub free: Vec<u32>,
+    pub next_number: u32,
 }
 
 /// Memory that a step passes from stage to stage. It is kept so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
 struct StepMemory {
-    /// Which groups have agents.
-    groups: Vec<bool>,
     rest: sleep::SleepBlocks,
     grid: Grid,
     long: perceive::LongBodies,
@@ -244,13 +249,13 @@ impl World {
     /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step. The world has no clock: a
     /// caller that profiles the stages measures the time itself.
     pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
-        self.events.clear();
+        self.state.events.clear();
         self.enter();
-        self.adapt();
+        self.state.adapt();
         let parts = self.sub_steps();
-        let seconds = self.seconds(parts);
+        let seconds = self.state.seconds(parts);
         for part in 0..parts {
-            let now = self.time() + self.settings.step * f64::from(part + 1) / f64::from(parts);
+            let now = self.state.time() + self.state.settings.step * f64::from(part + 1) / f64::from(parts);
             self.decide(part == 0, seconds, now, &mut ended);
             if part + 1 == parts {
                 self.note_progress(now);
@@ -258,14 +263,9 @@ impl World {
             self.advance(seconds, now);
             ended(Stage::Move);
         }
-        self.sort_events();
-        self.steps += 1;
+        self.state.sort_events();
+        self.state.steps += 1;
         self.play();
-    }
-
-    /// Returns the seconds of each sub-step, for this number of sub-steps.
-    fn seconds(&self, parts: u32) -> f32 {
-        (self.settings.step / f64::from(parts)) as f32
     }
 
     /// Runs a sub-step that ends at `now`, without the motion. `first` marks the first sub-step of a step.
@@ -283,54 +283,41 @@ impl World {
 
     /// Returns the seconds since the start.
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.settings.step
-    }
-
-    /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.
-    fn ticks(&self, steps: u64, interval: f64) -> u64 {
-        (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
+        self.state.time()
     }
 
     /// Returns the number of steps made so far.
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.state.steps
     }
 
     /// Returns the settings of the world.
     pub fn settings(&self) -> &Settings {
-        &self.settings
+        &self.state.settings
     }
 
     /// Whether no agent is scheduled to enter and every agent present is in place at the end of its journey or cannot
     /// get there. An agent that was pushed out of its place is not in place.
     pub fn finished(&self) -> bool {
         let done = |status: &Status| matches!(status, Status::Arrived | Status::Stranded);
-        self.schedule.is_empty() && self.agents.status.iter().all(done)
+        self.state.schedule.is_empty() && self.state.agents.status.iter().all(done)
     }
 
     /// Whether any agent flies or will fly: it has an altitude, will enter with one, or has a goal in the air.
     pub fn in_space(&self) -> bool {
-        let goals = self.goals.iter().any(|goal| goal.altitude().is_some());
-        goals || self.schedule.any_flies() || self.agents.any_flies()
-    }
-
-    /// Whether any agent is above the ground, moves vertically, or may start to.
-    fn in_space_now(&self) -> bool {
-        let agents = &self.agents;
-        let rises = agents.commanded.values().iter().flatten().any(|velocity| velocity.z != 0.0);
-        let in_air = rises || agents.any_flies() || agents.vertical_velocity.uniform() != Some(0.0);
-        in_air || self.legs.lead_up() || self.any_steers_in_space()
+        let goals = self.state.goals.iter().any(|goal| goal.altitude().is_some());
+        goals || self.state.schedule.any_flies() || self.state.agents.any_flies()
     }
 
     /// Sets the SIMD level of all steps. All levels give the same bits.
     pub fn set_simd_level(&mut self, instructions: SimdLevel) {
-        self.instructions = instructions;
+        self.state.instructions = instructions;
     }
 
     /// Returns the state of the agents as columns. Positions are relative to [`Settings::origin`]. The order of rows
     /// may change in every step.
     pub fn relative_columns(&self) -> &Columns {
-        &self.agents
+        &self.state.agents
     }
 
     /// Returns the centre of an agent, world coordinates; `None` if it has been removed.
@@ -340,56 +327,53 @@ impl World {
 
     /// Returns the id of the agent in a row of [`agents`](Self::agents).
     pub fn id(&self, row: usize) -> AgentId {
-        let slot = self.agents.slot[row];
-        AgentId { slot, generation: self.slots.generations[slot as usize] }
+        self.state.id(row)
     }
 
     /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
     /// removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
-        let &row = self.slots.rows.get(id.slot as usize)?;
-        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
+        self.state.row(id)
     }
 
     /// Returns a group, as it was given.
     pub fn group(&self, id: GroupId) -> &Group {
-        &self.groups[id.index()]
+        &self.state.groups[id.index()]
     }
 
     /// Returns all groups, by index, as they were given.
     pub fn groups(&self) -> &[Group] {
-        &self.groups
+        &self.state.groups
     }
 
     /// Returns all goals, by index.
     pub fn goals(&self) -> &[Goal] {
-        &self.goals
+        &self.state.goals
     }
 
     /// Returns a journey.
     pub fn journey(&self, id: JourneyId) -> &Journey {
-        &self.journeys[id.index()]
+        &self.state.journeys[id.index()]
     }
 
     /// Returns all scripts, by index.
     pub fn scripts(&self) -> &[Script] {
-        &self.scripts
+        &self.state.scripts
     }
 
     /// Returns the obstacles and walkable areas.
     pub fn place(&self) -> &Place {
-        &self.place
+        &self.state.place
     }
 
     /// Returns the goal that an agent walks to; `None` if its journey has ended or has no stops.
     pub fn goal_of(&self, row: usize) -> Option<GoalId> {
-        let journey = &self.journeys[self.agents.journey[row].index()];
-        journey.stops.get(self.agents.travel[row].leg as usize).map(|stop| stop.goal)
+        self.state.goal_of(row)
     }
 
     /// Returns the numbers of the agents that cannot reach their goals, with the reasons.
     pub fn stranded(&self) -> &[(u32, Unreachable)] {
-        &self.stranded
+        &self.state.stranded
     }
 
     /// Returns the pairs of agents that overlap, with the distance of their cores (of their centres, for discs) divided
@@ -398,8 +382,8 @@ impl World {
     /// Pairs are sorted by number, and each pair occurs once.
     pub fn overlapping(&self) -> Vec<(u32, u32, f64)> {
         let mut grid = Grid::default();
-        grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
-        let agents = &self.agents;
+        grid.rebuild(&self.state.agents.position, &self.state.agents.number, 1.0);
+        let agents = &self.state.agents;
         let bound = |row: usize| agents.body(row).bounding_radius();
         let largest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
         let mut pairs = Vec::new();
@@ -421,7 +405,7 @@ impl World {
     /// Returns a hash of the state of all agents and of the figures of the rules: FNV-1a, 64 bits. Equal bits give
     /// equal hashes, in any order of rows.
     pub fn state_hash(&self) -> u64 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let mut rows: Vec<usize> = (0..agents.len()).collect();
         rows.sort_by_key(|&row| agents.number[row]);
         let words = rows.into_iter().flat_map(|row| {
@@ -442,8 +426,52 @@ impl World {
             let air = [agents.altitude[row], agents.vertical_velocity[row]].into_iter().filter(|&z| z != 0.0);
             words.into_iter().chain(air.map(f32::to_bits))
         });
-        let figures = self.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
+        let figures = self.state.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
         fnv_1a(words.flat_map(u32::to_le_bytes).chain(figures))
+    }
+}
+
+impl State {
+    /// Returns the seconds of each sub-step, for this number of sub-steps.
+    fn seconds(&self, parts: u32) -> f32 {
+        (self.settings.step / f64::from(parts)) as f32
+    }
+
+    /// Returns the seconds since the start.
+    pub(crate) fn time(&self) -> f64 {
+        self.steps as f64 * self.settings.step
+    }
+
+    /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.
+    fn ticks(&self, steps: u64, interval: f64) -> u64 {
+        (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
+    }
+
+    /// Whether any agent is above the ground, moves vertically, or may start to.
+    fn in_space_now(&self) -> bool {
+        let agents = &self.agents;
+        let rises = agents.commanded.values().iter().flatten().any(|velocity| velocity.z != 0.0);
+        let in_air = rises || agents.any_flies() || agents.vertical_velocity.uniform() != Some(0.0);
+        in_air || self.legs.lead_up() || self.any_steers_in_space()
+    }
+
+    /// Returns the id of the agent in a row of [`agents`](Self::agents).
+    pub(crate) fn id(&self, row: usize) -> AgentId {
+        let slot = self.agents.slot[row];
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
+    }
+
+    /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
+    /// removed.
+    pub(crate) fn row(&self, id: AgentId) -> Option<usize> {
+        let &row = self.slots.rows.get(id.slot as usize)?;
+        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
+    }
+
+    /// Returns the goal that an agent walks to; `None` if its journey has ended or has no stops.
+    pub(crate) fn goal_of(&self, row: usize) -> Option<GoalId> {
+        let journey = &self.journeys[self.agents.journey[row].index()];
+        journey.stops.get(self.agents.travel[row].leg as usize).map(|stop| stop.goal)
     }
 }
 

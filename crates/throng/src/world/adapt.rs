@@ -1,6 +1,6 @@
 //! 2c. Fields that adapt to the positions of the agents.
 
-use super::World;
+use super::State;
 use crate::field::{Adaptive, Field};
 use glam::Vec2;
 use std::fmt;
@@ -21,9 +21,9 @@ impl fmt::Debug for Adapted {
     }
 }
 
-impl World {
+impl State {
     /// Updates adaptive fields with the positions of the agents, when their interval has passed.
-    pub(super) fn adapt(&mut self) {
+    pub(crate) fn adapt(&mut self) {
         self.adapted.resize(self.local_groups.len(), None);
         let mut positions = Vec::new();
         for index in 0..self.local_groups.len() {
@@ -69,14 +69,14 @@ impl World {
     }
 
     /// Returns the memories of adaptive fields, by group.
-    pub(super) fn field_memories(&self) -> Vec<Vec<f32>> {
+    pub(crate) fn field_memories(&self) -> Vec<Vec<f32>> {
         let memory =
             |adapted: &Option<Adapted>| adapted.as_ref().map_or_else(Vec::new, |adapted| adapted.memory.clone());
         self.adapted.iter().map(memory).collect()
     }
 
     /// Returns the adaptive fields with these memories, by group; `None` if the memories belong to other fields.
-    pub(super) fn fields_that_remember(&self, memories: Vec<Vec<f32>>) -> Option<Vec<Option<Adapted>>> {
+    pub(crate) fn fields_that_remember(&self, memories: Vec<Vec<f32>>) -> Option<Vec<Option<Adapted>>> {
         let adapted = |(index, memory): (usize, Vec<f32>)| -> Option<Option<Adapted>> {
             if memory.is_empty() {
                 return Some(None);

@@ -1,6 +1,6 @@
 //! Stages 4, guard, and 5, motion: agents move to where the guard finds no overlap.
 
-use super::{StepMemory, World};
+use super::{StepMemory, World, State};
 use crate::agent::{Columns, Status};
 use crate::guard::{self, BodyPose, GuardedBodies, Report, RowContacts};
 use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
@@ -9,11 +9,11 @@ use glam::{Vec2, Vec3};
 impl World {
     /// 4. Guard: finds targets at which no two guarded bodies overlap.
     pub(super) fn guard(&mut self, seconds: f32, now: f64) {
-        let Self { agents, step, local_groups: groups, .. } = self;
+        let Self { state: State { agents, local_groups: groups, .. }, step } = self;
         step.reach.map_from(&agents.max_speed, |speed| speed * seconds);
         step.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         let mut solids = std::mem::take(&mut self.step.solids);
-        solids.find(&self.bodies(), &self.agents.group);
+        solids.find(&self.bodies(), &self.state.agents.group);
         self.step.solids = solids;
         // taken out, since the closures below borrow the world
         let mut contacts = std::mem::take(&mut self.step.contacts);
@@ -24,7 +24,7 @@ impl World {
             heading: world.chosen_heading(row, seconds, now),
             ..world.chosen_place(row, seconds)
         };
-        let Self { agents, step, walls, .. } = world;
+        let Self { state: State { agents, walls, .. }, step } = world;
         let report = if world.is_guarded() {
             let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
             contacts.collect(&bodies, &agents.number, &step.grid, walls, meets, world.seen());
@@ -32,32 +32,21 @@ impl World {
         } else {
             // for measuring
             contacts.collect_walls_only(&bodies, walls);
-            if world.lanes_to_move().is_none() && world.lanes_to_fly(seconds).is_none() {
+            if world.lanes_to_move().is_none() && world.state.lanes_to_fly(seconds).is_none() {
                 guard::unguarded(&bodies, wished, &mut targets);
             } else if bodies.solids.are_near() {
                 guard::led(&bodies, wished, &mut targets);
             }
             Report::default()
         };
-        let pushed = |&row: &usize| self.is_pushed(row, targets[row].place(), seconds);
+        let pushed = |&row: &usize| self.state.is_pushed(row, targets[row].place(), seconds);
         let pushed = if self.is_guarded() { guard.moved_rows().filter(pushed).count() } else { 0 };
-        let Self { agents, step, tally, .. } = self;
+        let Self { state: State { agents, tally, .. }, step } = self;
         (step.contacts, step.guard, step.targets) = (contacts, guard, targets);
         tally.pushed += pushed as u64;
         tally.guard_changed += report.changed as u64;
         tally.agent_steps += agents.len() as u64;
         tally.sub_steps += 1;
-    }
-
-    /// Whether an agent must accelerate harder than its limit to reach a position in this sub-step. Braking does not
-    /// count: it may be as hard as necessary.
-    fn is_pushed(&self, row: usize, to: Vec3, seconds: f32) -> bool {
-        let agents = &self.agents;
-        let (from, before) = (agents.center(row).as_vec3(), agents.velocity_in_space(row));
-        let after = (to - from) / seconds;
-        let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-        let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
-        (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
     }
 
     /// Whether any agent is guarded.
@@ -66,7 +55,7 @@ impl World {
     }
 
     fn bodies(&self) -> GuardedBodies<'_> {
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         GuardedBodies {
             positions: &agents.position,
             altitudes: &agents.altitude,
@@ -82,7 +71,7 @@ impl World {
 
     /// Returns the position that the chosen velocity leads to at the end of the sub-step, with the present heading.
     fn chosen_place(&self, row: usize, seconds: f32) -> BodyPose {
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         BodyPose {
             position: agents.position[row] + step.chosen_velocities.ground[row] * seconds,
             altitude: agents.altitude[row] + step.chosen_velocities.vertical_velocity(row) * seconds,
@@ -93,7 +82,7 @@ impl World {
     /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
     /// agents are discs on the ground that avoid each other.
     fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<RowContacts<'a>> {
-        let Self { agents, step, local_groups: groups, .. } = self;
+        let Self { state: State { agents, local_groups: groups, .. }, step } = self;
         let sees_all = step.long.is_empty() && !agents.any_flies() && agents.all_avoid();
         move |row| {
             let group = &groups[agents.group[row].index()];
@@ -107,12 +96,12 @@ impl World {
     /// script, or the direction of its chosen velocity. The ends of a body turn no faster than the agent's preferred
     /// speed, because other agents avoid the ends as they move and would flee from a long body that spins.
     fn chosen_heading(&self, row: usize, seconds: f32, now: f64) -> f32 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
         if agents.is_disc(row) {
             return heading;
         }
-        if let Some(there) = self.scripted(row, now) {
+        if let Some(there) = self.state.scripted(row, now) {
             let most = most * seconds;
             let turn = there.heading - f64::from(heading);
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
@@ -128,13 +117,13 @@ impl World {
     /// 5. Motion: moves agents to the targets of the guard, then updates headings, arrivals and exits.
     pub(super) fn advance(&mut self, seconds: f32, now: f64) {
         self.note_still(seconds);
-        let flying = self.lanes_to_fly(seconds).filter(|_| !self.is_guarded());
+        let flying = self.state.lanes_to_fly(seconds).filter(|_| !self.is_guarded());
         match (self.lanes_to_move(), flying) {
             (Some(level), _) => self.advance_many(level, seconds),
             (None, Some((level, _))) => self.fly_many(level, seconds),
             (None, None) => self.advance_each(seconds, now),
         }
-        self.agents.pass(seconds);
+        self.state.agents.pass(seconds);
         self.measure();
         self.arrive(seconds, now);
     }
@@ -142,7 +131,7 @@ impl World {
     /// Moves all agents on the scalar path.
     fn advance_each(&mut self, seconds: f32, now: f64) {
         self.note_looks(now);
-        let Self { agents, local_groups: groups, step, .. } = self;
+        let Self { state: State { agents, local_groups: groups, .. }, step } = self;
         for row in 0..agents.len() {
             let from = agents.position[row].extend(agents.altitude[row]);
             let target = step.targets[row];
@@ -188,13 +177,26 @@ impl World {
 
     /// Returns the velocity that the guard and solids permit an agent that has yet to move.
     pub(super) fn certain_velocity(&self, row: usize, seconds: f32) -> Vec3 {
-        let from = self.agents.position[row].extend(self.agents.altitude[row]);
+        let from = self.state.agents.position[row].extend(self.state.agents.altitude[row]);
         let target = if self.is_guarded() || self.step.solids.is_near(row) {
             self.step.targets[row]
         } else {
             guard::within_reach(row, &self.bodies(), self.chosen_place(row, seconds))
         };
         velocity(from, target.place(), self.step.chosen_velocities.at(row), seconds)
+    }
+}
+
+impl State {
+    /// Whether an agent must accelerate harder than its limit to reach a position in this sub-step. Braking does not
+    /// count: it may be as hard as necessary.
+    fn is_pushed(&self, row: usize, to: Vec3, seconds: f32) -> bool {
+        let agents = &self.agents;
+        let (from, before) = (agents.center(row).as_vec3(), agents.velocity_in_space(row));
+        let after = (to - from) / seconds;
+        let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
+        (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
     }
 }
 

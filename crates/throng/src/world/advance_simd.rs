@@ -1,7 +1,7 @@
 //! Motion with SIMD, one agent in each element: agents on the ground that do not steer. The bits are the same as those of
 //! the [scalar path](super::advance), which turns agents with a limit on turning and bodies that are not discs.
 
-use super::World;
+use super::{State, World};
 use super::advance::{SEEN, turn_walker};
 use crate::agent::{Column, Status};
 use crate::guard::{BodyPose, Solids};
@@ -29,14 +29,14 @@ impl World {
     /// Returns the SIMD level for motion if all agents can use it: they stay on the ground and do not steer, and the guard
     /// has chosen the headings of bodies that are not discs.
     pub(super) fn lanes_to_move(&self) -> Option<Level> {
-        let plain = !self.in_space_now() && !self.any_steers() && !self.any_looks_about();
-        let headed = self.agents.core.uniform() == Some(Vec2::ZERO) || self.is_guarded();
-        self.instructions.level().filter(|_| plain && headed)
+        let plain = !self.state.in_space_now() && !self.state.any_steers() && !self.state.any_looks_about();
+        let headed = self.state.agents.core.uniform() == Some(Vec2::ZERO) || self.is_guarded();
+        self.state.instructions.level().filter(|_| plain && headed)
     }
 
     /// Notes the agents that the kernel cannot turn, with their headings and the sums of their turns.
     fn note_turners(&mut self) {
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         step.turners.clear();
         if agents.core.uniform() != Some(Vec2::ZERO) || agents.max_turn_rate.uniform() != Some(f32::INFINITY) {
             let turns = |&row: &usize| !agents.is_disc(row) || agents.max_turn_rate[row] != f32::INFINITY;
@@ -49,7 +49,7 @@ impl World {
     pub(super) fn advance_many(&mut self, level: Level, seconds: f32) {
         let is_guarded = self.is_guarded();
         self.note_turners();
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         let (targets, reach, chosen_velocities, status) =
             (&step.targets, &step.reach, &step.chosen_velocities.ground, &agents.status);
         let solids = &step.solids;

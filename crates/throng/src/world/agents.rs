@@ -32,47 +32,47 @@ impl<'a> AgentRef<'a> {
 
     /// The agent's number: ties, random draws and hashes depend on it.
     pub fn number(&self) -> u32 {
-        self.world.agents.number[self.row]
+        self.world.state.agents.number[self.row]
     }
 
     /// Centre of the body, world coordinates; z is 0 on the ground.
     pub fn position(&self) -> DVec3 {
-        self.world.world_place(self.row)
+        self.world.state.world_place(self.row)
     }
 
     /// Velocity, m/s; z is the vertical velocity.
     pub fn velocity(&self) -> Vec3 {
-        self.world.agents.velocity_in_space(self.row)
+        self.world.state.agents.velocity_in_space(self.row)
     }
 
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     pub fn heading(&self) -> f32 {
-        self.world.agents.heading[self.row]
+        self.world.state.agents.heading[self.row]
     }
 
     /// Radius of the body, or of the rounding of a body that is not a disc, metres.
     pub fn radius(&self) -> f32 {
-        self.world.agents.radius[self.row]
+        self.world.state.agents.radius[self.row]
     }
 
     /// The agent's group.
     pub fn group(&self) -> GroupId {
-        self.world.agents.group[self.row]
+        self.world.state.agents.group[self.row]
     }
 
     /// What the agent is doing.
     pub fn status(&self) -> Status {
-        self.world.agents.status[self.row]
+        self.world.state.agents.status[self.row]
     }
 
     /// The goal that the agent is on its way to; `None` without a goal, or at the end of its journey.
     pub fn goal(&self) -> Option<&'a Goal> {
-        self.world.goal_of(self.row).map(|goal| &self.world.goals[goal.index()])
+        self.world.goal_of(self.row).map(|goal| &self.world.state.goals[goal.index()])
     }
 
     /// Returns a copy of the agent as it is now, in the form that [`World::add_agent`] and [`World::replace`] take.
     pub fn to_agent(self) -> Agent {
-        self.world.to_agent(self.row)
+        self.world.state.to_agent(self.row)
     }
 
     /// What hinders the agent, as found within the last half second.
@@ -82,7 +82,7 @@ impl<'a> AgentRef<'a> {
 
     /// The number that the program has given the agent; see [`Agent::user_data`](crate::Agent::user_data).
     pub fn user_data(&self) -> u64 {
-        self.world.agents.user_data[self.row]
+        self.world.state.agents.user_data[self.row]
     }
 }
 
@@ -100,7 +100,7 @@ impl<'a> Iterator for Agents<'a> {
     type Item = AgentRef<'a>;
 
     fn next(&mut self) -> Option<AgentRef<'a>> {
-        let rows = &self.world.slots.rows;
+        let rows = &self.world.state.slots.rows;
         let slot = self.slots.find(|&slot| rows[slot] != u32::MAX)?;
         self.left -= 1;
         Some(AgentRef { world: self.world, row: rows[slot] as usize })
@@ -128,12 +128,12 @@ impl World {
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn agents(&self) -> Agents<'_> {
-        Agents { world: self, slots: 0..self.slots.rows.len(), left: self.agents.len() }
+        Agents { world: self, slots: 0..self.state.slots.rows.len(), left: self.state.agents.len() }
     }
 
     /// Returns an agent for reading; `None` if it has been removed.
     pub fn agent(&self, id: AgentId) -> Option<AgentRef<'_>> {
-        Some(AgentRef { world: self, row: self.row(id)? })
+        Some(AgentRef { world: self, row: self.state.row(id)? })
     }
 
     /// Writes the centres of all agents, world coordinates, in the order of [`agents`](Self::agents): for programs that read

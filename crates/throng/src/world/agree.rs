@@ -1,6 +1,6 @@
 //! Agreement on the right of way: of two sides, the side that costs the other side the shorter retreat goes first.
 
-use super::World;
+use super::{State, World};
 use crate::agent::Status;
 use crate::navigate::{Path, Refuge, Route, Turn};
 use crate::space::{Disc, nearest_on_segment};
@@ -36,48 +36,9 @@ pub(super) struct StandoffAgreement {
 type StandoffLane = (Vec<DVec2>, f64);
 
 impl World {
-    /// Whether each of two agents blocks the path of the other and follows a different path.
-    pub(super) fn opposed(&self, row: usize, other: usize) -> bool {
-        let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
-        let (mine, theirs) = (self.lane(row).0, self.lane(other).0);
-        // beyond the other agent, the path leads another way than the path of the other agent
-        let blocks = |way: &[DVec2], by: &[DVec2]| {
-            let (distance, along) = nearest(way, by[0]);
-            let next = |way: &[DVec2], from: f64| (at(way, from + 2.0 * touch) - at(way, from)).normalize_or_zero();
-            distance < touch && next(way, along).dot(next(by, 0.0)) < SAME_WAY
-        };
-        self.goal_of(row) != self.goal_of(other) && blocks(&mine, &theirs) && blocks(&theirs, &mine)
-    }
-
-    /// Whether the path of an agent is too narrow, somewhere before the other agent, for the two side by side.
-    pub(super) fn is_narrow(&self, row: usize, other: usize) -> bool {
-        let Some(mesh) = self.meshes.mesh(self.agents.body(row).clearance_radius()) else { return false };
-        let (lane, radius) = self.lane(row);
-        let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
-        let mut left = self.world_position(other).distance(lane[0]);
-        for leg in lane.windows(2) {
-            let length = leg[0].distance(leg[1]);
-            let across = (leg[1] - leg[0]).perp() / length.max(1e-9);
-            let parts = (length.min(left) / radius).ceil() as usize;
-            for part in 0..=parts {
-                let at = mesh.nearest(leg[0].lerp(leg[1], (part as f64 * radius / length).min(1.0)));
-                let seen = |k: f64| mesh.visible(at, at + across * (need * k / PARTS));
-                let free = |side: f64| (1..PARTS as usize).take_while(|&k| seen(side * k as f64)).count();
-                if !seen(PARTS) && !seen(-PARTS) && free(1.0) + free(-1.0) < PARTS as usize {
-                    return true;
-                }
-            }
-            left -= length;
-            if left <= 0.0 {
-                break;
-            }
-        }
-        false
-    }
-
     /// Returns the agreement of two stuck agents and the agents around them; `None` if no agent can step aside.
     pub(super) fn agree(&self, row: usize, other: usize) -> Option<StandoffAgreement> {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let (one, two) = match (self.proposal(row, other), self.proposal(other, row)) {
             (Some(one), Some(two)) => (one, two),
             (one, two) => return one.or(two),
@@ -102,7 +63,7 @@ impl World {
     fn proposal(&self, leader: usize, other: usize) -> Option<StandoffAgreement> {
         let (first, mut aside) = self.sides(leader, other)?;
         let mut ground = StandoffGround::new(self, &first, &[]);
-        self.nearest_first(&mut aside, &first);
+        self.state.nearest_first(&mut aside, &first);
         let aside: Option<Vec<_>> = aside.iter().map(|&row| Some((row, ground.retreat(row)?))).collect();
         let aside = aside?;
         let first = first.iter().map(|&row| (row, ground.past(row, &aside))).collect();
@@ -113,7 +74,7 @@ impl World {
     /// agents that have already stepped aside.
     pub(super) fn newcomers(&self, first: &[usize], aside: &[usize]) -> Vec<(usize, Path)> {
         let mut near = self.near(first);
-        near.retain(|&row| first.iter().any(|&other| self.opposed(row, other)));
+        near.retain(|&row| first.iter().any(|&other| self.state.opposed(row, other)));
         if near.is_empty() {
             return Vec::new();
         }
@@ -130,7 +91,7 @@ impl World {
             members.extend(&aside);
             let mut near = self.near(&members);
             near.retain(|row| !members.contains(row));
-            let blocks = |side: &[usize], row: usize| side.iter().any(|&other| self.opposed(row, other));
+            let blocks = |side: &[usize], row: usize| side.iter().any(|&other| self.state.opposed(row, other));
             let next = near.into_iter().find_map(|row| {
                 let steps_aside = blocks(&first, row);
                 (steps_aside || blocks(&aside, row)).then_some((row, steps_aside))
@@ -148,14 +109,55 @@ impl World {
     fn near(&self, rows: &[usize]) -> Vec<usize> {
         let mut near = Vec::new();
         for &row in rows {
-            let reach = REACH * self.agents.radius[row];
-            self.step.grid.within(self.agents.position[row], reach, |found| near.push(found.row as usize));
+            let reach = REACH * self.state.agents.radius[row];
+            self.step.grid.within(self.state.agents.position[row], reach, |found| near.push(found.row as usize));
         }
         near.sort_unstable();
         near.dedup();
-        near.retain(|&row| self.may_resolve(row));
-        self.nearest_first(&mut near, rows);
+        near.retain(|&row| self.state.may_resolve(row));
+        self.state.nearest_first(&mut near, rows);
         near
+    }
+}
+
+impl State {
+    /// Whether each of two agents blocks the path of the other and follows a different path.
+    pub(crate) fn opposed(&self, row: usize, other: usize) -> bool {
+        let touch = f64::from(self.agents.radius[row]) + f64::from(self.agents.radius[other]);
+        let (mine, theirs) = (self.lane(row).0, self.lane(other).0);
+        // beyond the other agent, the path leads another way than the path of the other agent
+        let blocks = |way: &[DVec2], by: &[DVec2]| {
+            let (distance, along) = nearest(way, by[0]);
+            let next = |way: &[DVec2], from: f64| (at(way, from + 2.0 * touch) - at(way, from)).normalize_or_zero();
+            distance < touch && next(way, along).dot(next(by, 0.0)) < SAME_WAY
+        };
+        self.goal_of(row) != self.goal_of(other) && blocks(&mine, &theirs) && blocks(&theirs, &mine)
+    }
+
+    /// Whether the path of an agent is too narrow, somewhere before the other agent, for the two side by side.
+    pub(crate) fn is_narrow(&self, row: usize, other: usize) -> bool {
+        let Some(mesh) = self.meshes.mesh(self.agents.body(row).clearance_radius()) else { return false };
+        let (lane, radius) = self.lane(row);
+        let need = 2.0 * f64::from(self.agents.radius[other]) * NARROW;
+        let mut left = self.world_position(other).distance(lane[0]);
+        for leg in lane.windows(2) {
+            let length = leg[0].distance(leg[1]);
+            let across = (leg[1] - leg[0]).perp() / length.max(1e-9);
+            let parts = (length.min(left) / radius).ceil() as usize;
+            for part in 0..=parts {
+                let at = mesh.nearest(leg[0].lerp(leg[1], (part as f64 * radius / length).min(1.0)));
+                let seen = |k: f64| mesh.visible(at, at + across * (need * k / PARTS));
+                let free = |side: f64| (1..PARTS as usize).take_while(|&k| seen(side * k as f64)).count();
+                if !seen(PARTS) && !seen(-PARTS) && free(1.0) + free(-1.0) < PARTS as usize {
+                    return true;
+                }
+            }
+            left -= length;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        false
     }
 
     /// Sorts rows by the distance to the nearest of `others`, ties by number.
@@ -203,33 +205,33 @@ struct StandoffGround<'a> {
 
 impl<'a> StandoffGround<'a> {
     fn new(world: &'a World, first: &[usize], aside: &[usize]) -> Self {
-        let agents = &world.agents;
+        let agents = &world.state.agents;
         let radius = |row: usize| f64::from(agents.radius[row]);
-        let mut bodies: Vec<_> = first.iter().map(|&row| (world.world_position(row), radius(row))).collect();
+        let mut bodies: Vec<_> = first.iter().map(|&row| (world.state.world_position(row), radius(row))).collect();
         let around = AROUND * agents.radius[first[0]];
         world.step.grid.within(agents.position[first[0]], around, |near| {
             let row = near.row as usize;
             let rests = agents.status[row] != Status::Walking || agents.travel[row].turn == Turn::Aside;
             if rests && agents.avoids(first[0], row) && !agents.passes_clear(first[0], row) && !aside.contains(&row) {
-                bodies.push((world.world_position(row), radius(row)));
+                bodies.push((world.state.world_position(row), radius(row)));
             }
         });
         let stays = |&&row: &&usize| {
-            let point = world.goal_of(row).is_some_and(|goal| world.goals[goal.index()].corners().is_none());
-            point && world.legs.of(agents.journey[row], agents.travel[row].leg).is_some_and(|leg| leg.is_last)
+            let point = world.state.goal_of(row).is_some_and(|goal| world.state.goals[goal.index()].corners().is_none());
+            point && world.state.legs.of(agents.journey[row], agents.travel[row].leg).is_some_and(|leg| leg.is_last)
         };
         let end = |row: usize| agents.travel[row].route_to_stop().and_then(Route::end);
         let ends = first.iter().filter(stays).filter_map(|&row| Some((end(row)?, radius(row)))).collect();
-        let lanes = first.iter().chain(aside).map(|&row| world.lane(row)).collect();
-        let middle = world.world_position(first[0]);
+        let lanes = first.iter().chain(aside).map(|&row| world.state.lane(row)).collect();
+        let middle = world.state.world_position(first[0]);
         Self { world, middle, refuges: Vec::new(), lanes, bodies, ends }
     }
 
     /// Returns the path of an agent to where it waits, a place from which it can continue when the other agents have
     /// passed.
     fn retreat(&mut self, row: usize) -> Option<Path> {
-        let (world, radius) = (self.world, f64::from(self.world.agents.radius[row]));
-        let mesh = world.meshes.mesh(world.agents.body(row).clearance_radius())?;
+        let (world, radius) = (self.world, f64::from(self.world.state.agents.radius[row]));
+        let mesh = world.state.meshes.mesh(world.state.agents.body(row).clearance_radius())?;
         let known = self.refuges.iter().position(|refuge| std::ptr::eq(refuge.mesh(), mesh));
         let at = known.unwrap_or_else(|| {
             self.refuges.push(Refuge::new(mesh, self.middle));
@@ -240,11 +242,11 @@ impl<'a> StandoffGround<'a> {
             bodies.iter().map(|&(center, size)| Disc { center, radius: size + radius }).collect()
         };
         let blocked = discs(&self.bodies);
-        let path = refuge.nearest(world.world_position(row), &blocked, |p| {
+        let path = refuge.nearest(world.state.world_position(row), &blocked, |p| {
             self.lanes.iter().all(|(lane, size)| apart(lane, p) >= CLEAR * (size + radius))
                 && blocked.iter().all(|disc| p.distance(disc.center) >= disc.radius)
         })?;
-        let (lane, _) = world.lane(row);
+        let (lane, _) = world.state.lane(row);
         let (spot, end) = (*path.corners.last()?, *lane.last()?);
         if !self.ends.is_empty() {
             let near = 2.0 * radius;
@@ -258,7 +260,7 @@ impl<'a> StandoffGround<'a> {
     /// off their paths.
     fn past(&self, row: usize, aside: &[(usize, Path)]) -> f32 {
         let world = self.world;
-        let (lane, radius) = world.lane(row);
+        let (lane, radius) = world.state.lane(row);
         let retreats = &self.lanes[self.lanes.len() - aside.len()..];
         let step = 0.5 * radius;
         let last = retreats.iter().map(|(retreat, size)| {

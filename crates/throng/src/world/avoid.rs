@@ -2,7 +2,7 @@
 
 use super::avoid_simd::LaneScratch;
 use super::velocities::{Rows, set};
-use super::{StepMemory, World};
+use super::{StepMemory, World, State};
 use crate::avoid::{AvoidanceInput, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, Workspace, margin};
 use crate::motion::{Limits, follow, limit};
 use crate::parallel;
@@ -65,9 +65,9 @@ impl World {
         let mut chosen_velocities = std::mem::take(&mut self.step.chosen_velocities);
         let mut scratch = std::mem::take(&mut self.step.avoiding);
         let mut by_place = std::mem::take(&mut self.step.by_place);
-        chosen_velocities.resize(self.agents.len(), self.in_space_now());
+        chosen_velocities.resize(self.state.agents.len(), self.state.in_space_now());
         self.relax_queues();
-        let limited = self.vehicles_limit_all();
+        let limited = self.state.vehicles_limit_all();
         let common = if limited { None } else { self.common(seconds) };
         let world = &*self;
         if limited {
@@ -76,7 +76,7 @@ impl World {
             });
         } else if let Some(common) = common {
             let Self { step: StepMemory { rest, grid, near, .. }, .. } = world;
-            by_place.resize(self.agents.len(), Vec2::ZERO);
+            by_place.resize(self.state.agents.len(), Vec2::ZERO);
             // neighbour lists are in the order of the grid
             parallel::ranges_with(&mut by_place[..], &mut scratch, |scratch, places, chosen_velocities| {
                 let AvoidScratch { sight, workspace, lanes } = scratch;
@@ -117,19 +117,14 @@ impl World {
             self.step.avoiding.iter_mut().map(|scratch| std::mem::take(&mut scratch.lanes.queues)).sum::<usize>();
         let mut relaxed = std::mem::take(&mut self.step.relaxed);
         relaxed.clear();
-        if queues > self.agents.len() {
-            relaxed.resize(self.agents.len(), Vec2::ZERO);
+        if queues > self.state.agents.len() {
+            relaxed.resize(self.state.agents.len(), Vec2::ZERO);
             let world = &*self;
             parallel::ranges(&mut relaxed[..], |rows, all| {
                 rows.zip(all).for_each(|(row, relaxed)| *relaxed = world.relaxed(row, GRANTED));
             });
         }
         self.step.relaxed = relaxed;
-    }
-
-    /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
-    fn vehicles_limit_all(&self) -> bool {
-        self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
     }
 
     /// As [`choose_velocity`](Self::choose_velocity), where the chosen velocity is the preferred velocity.
@@ -142,37 +137,33 @@ impl World {
 
     /// Returns the chosen velocity of an agent: the velocity that it will have unless the guard changes it.
     fn choose_velocity(&self, row: usize, seconds: f32, sight: &mut Visibility, workspace: &mut Workspace) -> Vec3 {
-        if self.agents.script[row].is_some() {
-            return self.step.preferred.at(row).clamp_length_max(self.agents.max_speed[row]);
+        if self.state.agents.script[row].is_some() {
+            return self.step.preferred.at(row).clamp_length_max(self.state.agents.max_speed[row]);
         }
-        if self.steering(row).is_some() && !self.model(row).avoids() {
+        if self.state.steering(row).is_some() && !self.state.model(row).avoids() {
             // its vehicle has already limited the velocity
             return self.stays_down(row, self.step.preferred.at(row));
         }
         let view = self.view(row, seconds, sight);
         let chosen = self.chosen_velocity(row, &view, workspace);
-        self.limited_velocity(row, chosen, seconds)
-    }
-
-    pub(super) fn model(&self, row: usize) -> &dyn LocalModel {
-        &*self.local_groups[self.agents.group[row].index()].model
+        self.state.limited_velocity(row, chosen, seconds)
     }
 
     /// Returns the velocity that the local model of an agent chooses.
     pub(super) fn chosen_velocity(&self, row: usize, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec3 {
-        self.stays_down(row, self.model(row).velocity_in_space(view, workspace))
+        self.stays_down(row, self.state.model(row).velocity_in_space(view, workspace))
     }
 
     /// Removes the vertical velocity of an agent that is on the ground and does not prefer to rise.
     fn stays_down(&self, row: usize, chosen: Vec3) -> Vec3 {
-        let stays = self.agents.altitude[row] == 0.0 && self.step.preferred.vertical_velocity(row) <= 0.0;
+        let stays = self.state.agents.altitude[row] == 0.0 && self.step.preferred.vertical_velocity(row) <= 0.0;
         if stays { chosen.with_z(0.0) } else { chosen }
     }
 
     /// Returns the input of the local model of an agent.
     pub(super) fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Visibility) -> AvoidanceInput<'a> {
-        let agents = &self.agents;
-        self.see_walls(row, sight);
+        let agents = &self.state.agents;
+        self.state.see_walls(row, sight);
         let margin = margin(seconds);
         for &near in self.neighbours(row) {
             let other = near as usize;
@@ -187,32 +178,9 @@ impl World {
         self.view_of(row, seconds, sight)
     }
 
-    /// Finds the walls near an agent, and clears its neighbours.
-    pub(super) fn see_walls(&self, row: usize, sight: &mut Visibility) {
-        let agents = &self.agents;
-        let Visibility { near: walls, rows, neighbours, edges, discs } = sight;
-        let at = agents.position[row].as_dvec2();
-        let bound = agents.body(row).bounding_radius() + agents.tracking_error[row];
-        let range = self.model(row).wall_range(bound, agents.max_speed[row]);
-        self.walls.near(at, f64::from(range), walls);
-        let to_local = |p: DVec2| (p - at).as_vec2();
-        edges.clear();
-        edges.extend(walls.edges.iter().map(|&(_, index)| {
-            let edge: Edge = self.walls.edges()[index as usize];
-            NearEdge { start: to_local(edge.start), end: to_local(edge.end), edge }
-        }));
-        discs.clear();
-        discs.extend(walls.discs.iter().map(|&(_, index)| {
-            let disc: Disc = self.walls.discs()[index as usize];
-            NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
-        }));
-        rows.clear();
-        neighbours.clear();
-    }
-
     /// Returns the input of the local model of an agent, with these walls and neighbours.
     pub(super) fn view_of<'a>(&self, row: usize, seconds: f32, sight: &'a Visibility) -> AvoidanceInput<'a> {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let Visibility { neighbours, edges, discs, .. } = sight;
         AvoidanceInput {
             velocity: agents.velocity[row],
@@ -230,38 +198,15 @@ impl World {
             neighbours,
             edges,
             discs,
-            rng: self.rng(row),
+            rng: self.state.rng(row),
         }
     }
 
-    /// Limits a chosen velocity to what the body can do.
-    fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
-        let agents = &self.agents;
-        let limits = Limits {
-            speed: agents.max_speed[row],
-            change: agents.max_acceleration[row] * seconds,
-            turn: agents.max_turn_rate[row] * seconds,
-        };
-        let heading = agents.heading[row];
-        let drives = agents.tracking_error[row] > 0.0;
-        let chosen_velocity = if drives {
-            follow(chosen.truncate(), heading, agents.max_turn_rate[row], seconds).extend(chosen.z)
-        } else {
-            chosen
-        };
-        limit(chosen_velocity, agents.velocity_in_space(row), heading, limits)
-    }
-
-    /// Returns the random number generator of an agent in this sub-step.
-    pub(super) fn rng(&self, row: usize) -> Rng {
-        Rng { seed: self.settings.seed, number: self.agents.number[row], step: self.tally.sub_steps }
-    }
-
     fn neighbour(&self, row: usize, other: usize, margin: f32) -> AvoidanceNeighbour {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let yields = self.yields(row, other);
         let (share, room) = if agents.avoids(other, row) {
-            let share = self.share(row, other, yields);
+            let share = self.state.share(row, other, yields);
             (share, 1.0 - share)
         } else {
             (1.0, 1.0)
@@ -285,20 +230,14 @@ impl World {
             outline,
             share,
             room,
-            aside: if offset == Vec2::ZERO { self.aside(row, other) } else { Vec2::X },
+            aside: if offset == Vec2::ZERO { self.state.aside(row, other) } else { Vec2::X },
         }
-    }
-
-    /// Returns the avoidance share of an agent towards another agent that avoids it too.
-    pub(super) fn share(&self, row: usize, other: usize, yields: f32) -> f32 {
-        let priority = 0.5 * (self.agents.priority[other] - self.agents.priority[row]);
-        (0.5 + priority + yields).clamp(0.0, 1.0)
     }
 
     /// Returns the change of velocity that a yielding agent anticipates of an agent with the right of way: part of the
     /// change to its preferred velocity, if that brings it nearer.
     pub(super) fn granted(&self, row: usize, other: usize, yields: f32) -> Vec2 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         if yields <= 0.0 {
             return Vec2::ZERO;
         }
@@ -315,7 +254,7 @@ impl World {
     /// steps aside yields to an agent that goes first. Of two agents with the same goal, the agent with the shorter
     /// remaining distance goes first: this prevents stable arches at doors.
     pub(super) fn yields(&self, row: usize, other: usize) -> f32 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let (mine, theirs) = (&self.step.shown[row].way, &self.step.shown[other].way);
         let turn = |row: usize| agents.travel[row].turn.rank();
         match (mine.walks(), theirs.walks(), mine.same_goal(theirs)) {
@@ -328,6 +267,69 @@ impl World {
             (true, false, false) => -YIELD_AT_REST,
             _ => 0.0,
         }
+    }
+}
+
+impl State {
+    /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
+    fn vehicles_limit_all(&self) -> bool {
+        self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
+    }
+
+    pub(crate) fn model(&self, row: usize) -> &dyn LocalModel {
+        &*self.local_groups[self.agents.group[row].index()].model
+    }
+
+    /// Finds the walls near an agent, and clears its neighbours.
+    pub(crate) fn see_walls(&self, row: usize, sight: &mut Visibility) {
+        let agents = &self.agents;
+        let Visibility { near: walls, rows, neighbours, edges, discs } = sight;
+        let at = agents.position[row].as_dvec2();
+        let bound = agents.body(row).bounding_radius() + agents.tracking_error[row];
+        let range = self.model(row).wall_range(bound, agents.max_speed[row]);
+        self.walls.near(at, f64::from(range), walls);
+        let to_local = |p: DVec2| (p - at).as_vec2();
+        edges.clear();
+        edges.extend(walls.edges.iter().map(|&(_, index)| {
+            let edge: Edge = self.walls.edges()[index as usize];
+            NearEdge { start: to_local(edge.start), end: to_local(edge.end), edge }
+        }));
+        discs.clear();
+        discs.extend(walls.discs.iter().map(|&(_, index)| {
+            let disc: Disc = self.walls.discs()[index as usize];
+            NearDisc { offset: to_local(disc.center), disc, outline: Outline::POINT }
+        }));
+        rows.clear();
+        neighbours.clear();
+    }
+
+    /// Limits a chosen velocity to what the body can do.
+    fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
+        let agents = &self.agents;
+        let limits = Limits {
+            speed: agents.max_speed[row],
+            change: agents.max_acceleration[row] * seconds,
+            turn: agents.max_turn_rate[row] * seconds,
+        };
+        let heading = agents.heading[row];
+        let drives = agents.tracking_error[row] > 0.0;
+        let chosen_velocity = if drives {
+            follow(chosen.truncate(), heading, agents.max_turn_rate[row], seconds).extend(chosen.z)
+        } else {
+            chosen
+        };
+        limit(chosen_velocity, agents.velocity_in_space(row), heading, limits)
+    }
+
+    /// Returns the random number generator of an agent in this sub-step.
+    pub(crate) fn rng(&self, row: usize) -> Rng {
+        Rng { seed: self.settings.seed, number: self.agents.number[row], step: self.tally.sub_steps }
+    }
+
+    /// Returns the avoidance share of an agent towards another agent that avoids it too.
+    pub(crate) fn share(&self, row: usize, other: usize, yields: f32) -> f32 {
+        let priority = 0.5 * (self.agents.priority[other] - self.agents.priority[row]);
+        (0.5 + priority + yields).clamp(0.0, 1.0)
     }
 
     /// Returns the direction in which two agents at the same position part. It is drawn for the pair; the other agent

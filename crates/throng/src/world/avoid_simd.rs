@@ -61,15 +61,15 @@ impl Irregular {
 
     /// Finds the irregular agents. Returns whether all others avoid each other.
     fn find(&mut self, world: &World) -> bool {
-        let agents = &world.agents;
+        let agents = &world.state.agents;
         self.rows.clear();
         let regular = agents.core.uniform() == Some(Vec2::ZERO)
             && agents.script.uniform() == Some(None)
             && agents.spin.uniform() == Some(0.0)
             && agents.tracking_error.uniform() == Some(0.0)
             && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
-            && world.standoffs.is_empty()
-            && world.groups_in_use().all(|group| group.neighbours <= MOST);
+            && world.state.standoffs.is_empty()
+            && world.state.groups_in_use().all(|group| group.neighbours <= MOST);
         if regular {
             return agents.all_avoid();
         }
@@ -81,7 +81,7 @@ impl Irregular {
                 && agents.tracking_error[row] == 0.0
                 && agents.max_turn_rate[row] == f32::INFINITY
                 && agents.travel[row].turn == Turn::Free
-                && world.local_groups[agents.group[row].index()].neighbours <= MOST;
+                && world.state.local_groups[agents.group[row].index()].neighbours <= MOST;
             if regular {
                 layers &= agents.layers[row];
                 avoids &= agents.avoids[row];
@@ -95,21 +95,21 @@ impl Irregular {
 impl World {
     /// Returns what all agents share, if avoidance can use SIMD, and finds the agents that cannot.
     pub(super) fn common(&mut self, seconds: f32) -> Option<AvoidanceShared> {
-        let orca = self.groups_in_use().find_map(|group| group.model.as_orca())?;
-        let level = self.instructions.level().filter(|_| !self.in_space_now())?;
+        let orca = self.state.groups_in_use().find_map(|group| group.model.as_orca())?;
+        let level = self.state.instructions.level().filter(|_| !self.state.in_space_now())?;
         let mut irregular = std::mem::take(&mut self.step.irregular);
         let all_avoid = irregular.find(self);
         self.step.irregular = irregular;
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         all_avoid.then(|| AvoidanceShared {
             level,
             orca,
-            open: self.walls.is_empty(),
-            alike: self.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
+            open: self.state.walls.is_empty(),
+            alike: self.state.groups_in_use().all(|group| group.model.as_orca() == Some(orca)),
             radius: agents.radius.uniform(),
             equals: agents.priority.uniform().is_some(),
-            squeeze: self.groups_in_use().any(Group::squeezes),
-            all_squeeze: self.groups_in_use().all(Group::squeezes),
+            squeeze: self.state.groups_in_use().any(Group::squeezes),
+            all_squeeze: self.state.groups_in_use().all(Group::squeezes),
             margin: margin(seconds),
             step: seconds,
         })
@@ -167,7 +167,7 @@ impl World {
                 choose::<S, MOST>(simd, &common.orca, &own, views, common.step, fallback)
             };
             missing |= chosen.left;
-            let most = self.agents.max_acceleration.simd_of(simd, rows) * S::f32s::splat(simd, common.step);
+            let most = self.state.agents.max_acceleration.simd_of(simd, rows) * S::f32s::splat(simd, common.step);
             let change = (chosen.velocity - own.velocity).clamp_length_max(most);
             (own.velocity + change).clamp_length_max(own.max_speed).put_side_by_side(out);
             for lane in ones(missing & ((1 << rows.len()) - 1)) {
@@ -181,7 +181,7 @@ impl World {
         if common.alike && self.step.irregular.rows.is_empty() {
             return 0;
         }
-        let model = |row: u32| self.local_groups[self.agents.group[row as usize].index()].model.as_orca();
+        let model = |row: u32| self.state.local_groups[self.state.agents.group[row as usize].index()].model.as_orca();
         let fits = |row: u32| (common.alike || model(row) == Some(common.orca)) && !self.step.irregular.holds(row);
         rows.iter().rev().fold(0, |misfits, &row| misfits << 1 | u64::from(!fits(row)))
     }
@@ -199,11 +199,11 @@ impl World {
         let mut too_many = 0;
         for lane in ones(!missing & ((1 << rows.len()) - 1)) {
             let row = rows[lane] as usize;
-            let range = common.orca.wall_range(self.agents.radius[row], self.agents.max_speed[row]);
-            if self.walls.are_far(self.agents.position[row].as_dvec2(), range.into()) {
+            let range = common.orca.wall_range(self.state.agents.radius[row], self.state.agents.max_speed[row]);
+            if self.state.walls.are_far(self.state.agents.position[row].as_dvec2(), range.into()) {
                 continue;
             }
-            self.see_walls(row, sight);
+            self.state.see_walls(row, sight);
             if sight.is_open() {
                 continue;
             }
@@ -214,7 +214,7 @@ impl World {
             }
             views.permit(lane, lines);
             for (&other, there) in self.neighbours(row).iter().zip(&mut views.there) {
-                if sight.hides(self.agents.offset(row, other as usize)) {
+                if sight.hides(self.state.agents.offset(row, other as usize)) {
                     *there &= !(1 << lane);
                 }
             }
@@ -233,7 +233,7 @@ impl World {
         (start, rows, missing): (usize, &[u32], u64),
         views: &mut SimdInputs,
     ) -> (SimdAgents<S>, u64, usize) {
-        let (agents, step) = (&self.agents, &self.step);
+        let (agents, step) = (&self.state.agents, &self.step);
         let (any_irregular, mut beside) = (!step.irregular.rows.is_empty(), 0);
         let (mut own_motion, mut preferred) = ([[0.0; 4]; LANES], [[0.0; LANES]; 2]);
         let (mut own_keys, mut keys) = ([0; LANES], [[0; LANES]; MOST]);
@@ -277,7 +277,7 @@ impl World {
                 let may = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
                 for lane in ones((may & there).to_bitmask()) {
                     let (row, other) = (rows[lane] as usize, step.near.at(start + lane)[index] as usize);
-                    if common.all_squeeze || self.both_squeeze(row, other) {
+                    if common.all_squeeze || self.state.both_squeeze(row, other) {
                         views.there[index] &= !(1 << lane);
                     }
                 }
@@ -318,7 +318,7 @@ impl World {
                 let granted = self.granted(row, other, yields);
                 queues += usize::from(yields > 0.0 && yields < YIELD_AT_REST);
                 if !common.equals {
-                    others.share[lane] = self.share(row, other, yields);
+                    others.share[lane] = self.state.share(row, other, yields);
                 }
                 others.motion[lane][2] += granted.x;
                 others.motion[lane][3] += granted.y;

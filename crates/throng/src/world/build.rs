@@ -1,7 +1,7 @@
 //! Adds and removes groups, goals, journeys, agents and obstacles. All of it is possible while the world runs.
 
 use super::local::localized;
-use super::{Settings, Slots, StepMemory, SubSteps, TraceRequest, World};
+use super::{Settings, Slots, StepMemory, SubSteps, TraceRequest, World, State};
 use crate::agent::{
     Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
 };
@@ -34,13 +34,14 @@ impl World {
         let mut solids = Solids::default();
         // the solids of the default group
         solids.add(Vec::new());
-        Ok(Self {
+        let state = State {
             settings,
             steps: 0,
             agents: Columns::default(),
             slots: Slots::default(),
             groups: vec![Group::default()],
             local_groups: vec![Group::default()],
+            groups_with_agents: Vec::new(),
             goals: Vec::new(),
             journeys: vec![Journey::default()],
             choices: Vec::new(),
@@ -59,10 +60,10 @@ impl World {
             walls: Walls::default(),
             meshes: Meshes::default(),
             legs: Legs::new(&[Journey::default()], &[]),
-            step: StepMemory { solids, ..StepMemory::default() },
             instructions: SimdLevel::default(),
             traced: TraceRequest::default(),
-        })
+        };
+        Ok(Self { state, step: StepMemory { solids, ..StepMemory::default() } })
     }
 
     /// Adds a group.
@@ -70,23 +71,14 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
-        let local = self.checked_group(&group)?;
+        let local = self.state.checked_group(&group)?;
         if let Some(steering) = &group.steering {
-            self.agents.memory.widen(steering.words());
+            self.state.agents.memory.widen(steering.words());
         }
         self.step.solids.add(local.solid.0.clone());
-        self.local_groups.push(local);
-        self.groups.push(group);
-        Ok(GroupId(self.local_groups.len() as u32 - 1))
-    }
-
-    /// Returns a group in local coordinates.
-    pub(super) fn checked_group(&self, group: &Group) -> Result<Group, Error> {
-        group.check()?;
-        if group.has_places() {
-            self.check_position("origin of the group", group.origin)?;
-        }
-        localized(group, self.settings.origin)
+        self.state.local_groups.push(local);
+        self.state.groups.push(group);
+        Ok(GroupId(self.state.local_groups.len() as u32 - 1))
     }
 
     /// Sets the field that governs a group, or removes it, from the next step on. An interactive program calls it while
@@ -96,14 +88,14 @@ impl World {
     /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
     /// unchanged.
     pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
-        known("group", group.index(), self.local_groups.len())?;
+        known("group", group.index(), self.state.local_groups.len())?;
         let given = Group { field, ..self.group(group).clone() };
-        self.local_groups[group.index()].field = self.checked_group(&given)?.field;
-        self.groups[group.index()] = given;
+        self.state.local_groups[group.index()].field = self.state.checked_group(&given)?.field;
+        self.state.groups[group.index()] = given;
         self.step.rest.end();
-        for row in 0..self.agents.len() {
-            if self.agents.group[row] == group && self.agents.script[row].is_none() {
-                self.update_status_without_stops(row);
+        for row in 0..self.state.agents.len() {
+            if self.state.agents.group[row] == group && self.state.agents.script[row].is_none() {
+                self.state.update_status_without_stops(row);
             }
         }
         Ok(())
@@ -114,24 +106,7 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] for a point or tolerance out of range, [`Error::Shape`] for corners that enclose no area.
     pub fn add_goal(&mut self, goal: Goal) -> Result<GoalId, Error> {
-        self.check_goal(&goal)?;
-        self.goals.push(goal);
-        Ok(GoalId(self.goals.len() as u32 - 1))
-    }
-
-    pub(super) fn check_goal(&self, goal: &Goal) -> Result<(), Error> {
-        match goal {
-            Goal::Point { at, tolerance } => {
-                self.check_position("goal", *at)?;
-                Error::unless_positive("tolerance", *tolerance)
-            }
-            Goal::Air { at, tolerance } => {
-                self.check_position("goal", at.truncate())?;
-                check_altitude("altitude of the goal", at.z)?;
-                Error::unless_positive("tolerance", *tolerance)
-            }
-            Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners),
-        }
+        self.state.add_goal(goal)
     }
 
     /// Adds a journey.
@@ -139,13 +114,7 @@ impl World {
     /// # Errors
     /// [`Error::Unknown`] for a goal that does not exist, [`Error::Limit`] for a wait that is negative.
     pub fn add_journey(&mut self, journey: Journey) -> Result<JourneyId, Error> {
-        for stop in &journey.stops {
-            known("goal", stop.goal.index(), self.goals.len())?;
-            Error::unless(stop.wait >= 0.0 && stop.wait.is_finite(), "wait", stop.wait, "at least 0 s and finite")?;
-        }
-        self.legs.add(&journey, &self.goals);
-        self.journeys.push(journey);
-        Ok(JourneyId(self.journeys.len() as u32 - 1))
+        self.state.add_journey(journey)
     }
 
     /// Makes journeys alternatives to each other. An agent on one of them that [looks ahead](Group::look_ahead) changes
@@ -160,8 +129,8 @@ impl World {
     /// let mut to = |x: f64| {
     ///     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     ///     let corners = corners.map(|[dx, y]| DVec2::new(x + dx, y)).to_vec();
-    ///     let goal = world.add_goal(Goal::Exit { corners })?;
-    ///     world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })
+    ///     let goal = world.state.add_goal(Goal::Exit { corners })?;
+    ///     world.state.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })
     /// };
     /// let (left, right) = (to(-10.0)?, to(10.0)?);
     /// world.add_choice(&[left, right])?;
@@ -173,20 +142,20 @@ impl World {
     /// stops, for journeys of which only some repeat, and for journeys that already have alternatives.
     pub fn add_choice(&mut self, journeys: &[JourneyId]) -> Result<(), Error> {
         for journey in journeys {
-            known("journey", journey.index(), self.journeys.len())?;
+            known("journey", journey.index(), self.state.journeys.len())?;
         }
         let shape = |why: &str| Err(Error::Shape { what: "the choice".into(), why: why.into() });
         let form = |journey: &JourneyId| {
-            let Journey { stops, repeat } = &self.journeys[journey.index()];
+            let Journey { stops, repeat } = &self.state.journeys[journey.index()];
             (stops.len(), *repeat)
         };
         if journeys.windows(2).any(|pair| form(&pair[0]) != form(&pair[1])) {
             return shape("its journeys differ in the number of their stops, or only some of them repeat");
         }
-        if self.choices.iter().flatten().any(|journey| journeys.contains(journey)) {
+        if self.state.choices.iter().flatten().any(|journey| journeys.contains(journey)) {
             return shape("one of its journeys has alternatives already: list all of them at once");
         }
-        self.choices.push(journeys.to_vec());
+        self.state.choices.push(journeys.to_vec());
         Ok(())
     }
 
@@ -197,10 +166,10 @@ impl World {
     pub fn add_script(&mut self, script: Script) -> Result<ScriptId, Error> {
         script.check()?;
         for keyframe in &script.keyframes {
-            self.check_position("position of a keyframe", keyframe.at)?;
+            self.state.check_position("position of a keyframe", keyframe.at)?;
         }
-        self.scripts.push(script);
-        Ok(ScriptId(self.scripts.len() as u32 - 1))
+        self.state.scripts.push(script);
+        Ok(ScriptId(self.state.scripts.len() as u32 - 1))
     }
 
     /// Adds an obstacle. Agents with bodies that it touches are pushed out. Agents that are scheduled to
@@ -224,14 +193,251 @@ impl World {
     ) -> Result<Vec<ObstacleId>, (usize, Error)> {
         let obstacles: Vec<Obstacle> = obstacles.into_iter().collect();
         for (index, obstacle) in obstacles.iter().enumerate() {
-            self.check_obstacle(obstacle).map_err(|error| (index, error))?;
+            self.state.check_obstacle(obstacle).map_err(|error| (index, error))?;
         }
-        let first = self.place.obstacles.len();
-        self.place.obstacles.extend(obstacles.into_iter().map(Some));
-        if self.place.obstacles.len() > first {
+        let first = self.state.place.obstacles.len();
+        self.state.place.obstacles.extend(obstacles.into_iter().map(Some));
+        if self.state.place.obstacles.len() > first {
             self.place_changed();
         }
-        Ok((first..self.place.obstacles.len()).map(|index| ObstacleId(index as u32)).collect())
+        Ok((first..self.state.place.obstacles.len()).map(|index| ObstacleId(index as u32)).collect())
+    }
+
+    /// Removes an obstacle. Returns false if it does not exist.
+    pub fn remove_obstacle(&mut self, id: ObstacleId) -> bool {
+        let removed = self.state.place.obstacles.get_mut(id.index()).and_then(Option::take).is_some();
+        if removed {
+            self.place_changed();
+        }
+        removed
+    }
+
+    /// Gives an obstacle another shape or place: a door that closes, a vehicle that stops elsewhere. For an obstacle that
+    /// moves in every step, use an agent with a [`Script`].
+    ///
+    /// # Errors
+    /// Those of [`add_obstacle`](Self::add_obstacle), and [`Error::Unknown`] for an obstacle that does not exist; the world is
+    /// unchanged.
+    pub fn set_obstacle(&mut self, id: ObstacleId, obstacle: Obstacle) -> Result<(), Error> {
+        if self.state.place.obstacles.get(id.index()).is_none_or(Option::is_none) {
+            return Err(Error::Unknown { what: "obstacle", index: id.index() });
+        }
+        self.state.check_obstacle(&obstacle)?;
+        self.state.place.obstacles[id.index()] = Some(obstacle);
+        self.place_changed();
+        Ok(())
+    }
+
+    /// Moves an obstacle along the ground by an offset, metres.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use throng::{Obstacle, Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let id = world.add_obstacle(Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 })?;
+    /// world.move_obstacle(id, DVec2::X * 5.0)?;
+    /// assert!(world.state.no_room(DVec2::X * 5.0, 0.2).is_some() && world.state.no_room(DVec2::ZERO, 0.2).is_none());
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`set_obstacle`](Self::set_obstacle).
+    pub fn move_obstacle(&mut self, id: ObstacleId, by: DVec2) -> Result<(), Error> {
+        let obstacle = self.state.place.obstacles.get(id.index()).cloned().flatten();
+        let obstacle = obstacle.ok_or(Error::Unknown { what: "obstacle", index: id.index() })?;
+        self.set_obstacle(id, obstacle.moved(by))
+    }
+
+    /// Sets the walkable areas; their union is walkable. Without areas, everything outside obstacles is walkable.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing, [`Error::NoRoom`] for an agent that
+    /// would be outside.
+    pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
+        let areas = Walkable::union(areas)?;
+        if !areas.is_empty() {
+            let outside = |p| !areas.iter().any(|area| area.contains(p));
+            self.state.check_no_agent_at(outside, "it is outside the walkable area")?;
+        }
+        self.state.place.areas = areas;
+        self.place_changed();
+        Ok(())
+    }
+
+    /// Returns why a disc cannot stand at `at`; `None` if it can.
+    pub fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
+        self.state.no_room(at, radius)
+    }
+
+    /// Reserves memory for this number of additional agents. It saves the memory that growth would waste.
+    pub fn reserve(&mut self, agents: usize) {
+        self.state.agents.reserve(agents);
+        self.state.slots.rows.reserve(agents);
+        self.state.slots.generations.reserve(agents);
+    }
+
+    /// Adds an agent. It may overlap other agents: then the guard parts them smoothly, and
+    /// [`overlapping`](Self::overlapping) lists the pair.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] names the parameter that is out of range, [`Error::Unknown`] a group or journey that does not
+    /// exist, [`Error::NoRoom`] what occupies the position, [`Error::NumberTaken`] a number that is used twice.
+    pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
+        let agent = self.state.with_journey(agent)?;
+        let number = self.state.number(&agent)?;
+        Ok(self.put(&agent, number, self.state.time()))
+    }
+
+    /// Schedules an agent to enter at `time` seconds, or as soon afterwards as its place is free.
+    ///
+    /// # Errors
+    /// As [`add_agent`](Self::add_agent), and [`Error::Limit`] for a time that is not finite.
+    pub fn schedule_agent(&mut self, time: f64, agent: Agent) -> Result<(), Error> {
+        Error::unless_finite("time of entry", time)?;
+        let agent = self.state.with_journey(agent)?;
+        let number = self.state.number(&agent)?;
+        self.state.schedule.add(time, Agent { number: Some(number), ..agent });
+        Ok(())
+    }
+
+    /// Tells steering behaviours of a bang or a shout at a place and a time, seconds since the start:
+    /// [`Fear`](crate::steer::Fear) reacts to it.
+    ///
+    /// ```
+    /// use throng::{Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// world.notify([3.0, 4.0], world.state.time())?;
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if the place or the time is not finite.
+    pub fn notify(&mut self, place: impl Into<Position>, time: f64) -> Result<(), Error> {
+        let place = place.into();
+        Error::unless_finite("place of the stimulus", place.0.element_sum())?;
+        Error::unless_finite("time of the stimulus", time)?;
+        self.state.stimuli.push(Stimulus { position: self.state.settings.to_local(place), time });
+        Ok(())
+    }
+
+    /// Removes an agent. Returns false if it does not exist.
+    pub fn remove_agent(&mut self, id: AgentId) -> bool {
+        let Some(row) = self.state.row(id) else { return false };
+        self.remove_row(row);
+        true
+    }
+
+    pub(super) fn remove_row(&mut self, row: usize) {
+        let slot = self.state.agents.slot[row] as usize;
+        self.state.unstrand(row);
+        self.step.rest.remove(row, self.state.agents.len() - 1, self.state.agents.position[row]);
+        self.state.agents.swap_remove(row);
+        if row < self.step.ahead.len() {
+            self.step.ahead.swap_remove(row);
+        }
+        let slots = &mut self.state.slots;
+        slots.rows[slot] = u32::MAX;
+        slots.generations.set(slot, slots.generations[slot] + 1);
+        slots.free.push(slot as u32);
+        if let Some(&moved) = self.state.agents.slot.get(row) {
+            slots.rows[moved as usize] = row as u32;
+        }
+    }
+
+    pub(super) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
+        let slot = self.state.slots.free.pop().unwrap_or_else(|| {
+            self.state.slots.rows.push(u32::MAX);
+            self.state.slots.generations.push(0);
+            self.state.slots.rows.len() as u32 - 1
+        });
+        let row = self.state.agents.len() as u32;
+        self.step.rest.add();
+        self.state.slots.rows[slot as usize] = row;
+        let heading = self.state.first_heading(agent);
+        self.state.agents.push(agent, self.state.settings.origin, slot, number, heading, now);
+        if self.state.local_groups[agent.group.index()].steering.is_some() {
+            let (sin, cos) = libm::sincosf(heading);
+            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
+            self.state.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
+        }
+        let status = self.state.first_status(row as usize);
+        self.state.agents.status[row as usize] = status;
+        if status == Status::Arrived {
+            self.state.agents.arrived.set(row as usize, now);
+        }
+        AgentId { slot, generation: self.state.slots.generations[slot as usize] }
+    }
+
+    /// Rebuilds everything that depends on obstacles and walkable areas.
+    pub(super) fn place_changed(&mut self) {
+        self.state.walls = Walls::new(&self.state.place.areas, self.state.place.obstacles(), self.state.settings.origin);
+        self.state.meshes = Meshes::default();
+        self.step.lattices.clear();
+        self.state.extent = None;
+        for travel in &mut self.state.agents.travel {
+            travel.lose_way();
+            travel.set_gap(0.0);
+        }
+        self.state.agents.progress_mark.fill(ProgressMark::default());
+        // a goal that was out of reach may be reachable now
+        for status in &mut self.state.agents.status {
+            if *status == Status::Stranded {
+                *status = Status::Walking;
+            }
+        }
+        self.state.stranded.clear();
+        self.state.end_standoffs();
+        self.step.rest.end();
+    }
+}
+
+impl State {
+    /// Returns a group in local coordinates.
+    pub(crate) fn checked_group(&self, group: &Group) -> Result<Group, Error> {
+        group.check()?;
+        if group.has_places() {
+            self.check_position("origin of the group", group.origin)?;
+        }
+        localized(group, self.settings.origin)
+    }
+
+    /// Adds a goal.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] for a point or tolerance out of range, [`Error::Shape`] for corners that enclose no area.
+    pub(crate) fn add_goal(&mut self, goal: Goal) -> Result<GoalId, Error> {
+        self.check_goal(&goal)?;
+        self.goals.push(goal);
+        Ok(GoalId(self.goals.len() as u32 - 1))
+    }
+
+    pub(crate) fn check_goal(&self, goal: &Goal) -> Result<(), Error> {
+        match goal {
+            Goal::Point { at, tolerance } => {
+                self.check_position("goal", *at)?;
+                Error::unless_positive("tolerance", *tolerance)
+            }
+            Goal::Air { at, tolerance } => {
+                self.check_position("goal", at.truncate())?;
+                check_altitude("altitude of the goal", at.z)?;
+                Error::unless_positive("tolerance", *tolerance)
+            }
+            Goal::Area { corners } | Goal::Exit { corners } => check_polygon("goal area", corners),
+        }
+    }
+
+    /// Adds a journey.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a goal that does not exist, [`Error::Limit`] for a wait that is negative.
+    pub(crate) fn add_journey(&mut self, journey: Journey) -> Result<JourneyId, Error> {
+        for stop in &journey.stops {
+            known("goal", stop.goal.index(), self.goals.len())?;
+            Error::unless(stop.wait >= 0.0 && stop.wait.is_finite(), "wait", stop.wait, "at least 0 s and finite")?;
+        }
+        self.legs.add(&journey, &self.goals);
+        self.journeys.push(journey);
+        Ok(JourneyId(self.journeys.len() as u32 - 1))
     }
 
     fn check_obstacle(&self, obstacle: &Obstacle) -> Result<(), Error> {
@@ -259,74 +465,13 @@ impl World {
         self.check_no_agent_at(|p| obstacle.covers(p), "it is inside an obstacle")
     }
 
-    /// Removes an obstacle. Returns false if it does not exist.
-    pub fn remove_obstacle(&mut self, id: ObstacleId) -> bool {
-        let removed = self.place.obstacles.get_mut(id.index()).and_then(Option::take).is_some();
-        if removed {
-            self.place_changed();
-        }
-        removed
-    }
-
-    /// Gives an obstacle another shape or place: a door that closes, a vehicle that stops elsewhere. For an obstacle that
-    /// moves in every step, use an agent with a [`Script`].
-    ///
-    /// # Errors
-    /// Those of [`add_obstacle`](Self::add_obstacle), and [`Error::Unknown`] for an obstacle that does not exist; the world is
-    /// unchanged.
-    pub fn set_obstacle(&mut self, id: ObstacleId, obstacle: Obstacle) -> Result<(), Error> {
-        if self.place.obstacles.get(id.index()).is_none_or(Option::is_none) {
-            return Err(Error::Unknown { what: "obstacle", index: id.index() });
-        }
-        self.check_obstacle(&obstacle)?;
-        self.place.obstacles[id.index()] = Some(obstacle);
-        self.place_changed();
-        Ok(())
-    }
-
-    /// Moves an obstacle along the ground by an offset, metres.
-    ///
-    /// ```
-    /// use glam::DVec2;
-    /// use throng::{Obstacle, Settings, World};
-    /// let mut world = World::new(Settings::default())?;
-    /// let id = world.add_obstacle(Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 })?;
-    /// world.move_obstacle(id, DVec2::X * 5.0)?;
-    /// assert!(world.no_room(DVec2::X * 5.0, 0.2).is_some() && world.no_room(DVec2::ZERO, 0.2).is_none());
-    /// # Ok::<(), throng::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Those of [`set_obstacle`](Self::set_obstacle).
-    pub fn move_obstacle(&mut self, id: ObstacleId, by: DVec2) -> Result<(), Error> {
-        let obstacle = self.place.obstacles.get(id.index()).cloned().flatten();
-        let obstacle = obstacle.ok_or(Error::Unknown { what: "obstacle", index: id.index() })?;
-        self.set_obstacle(id, obstacle.moved(by))
-    }
-
-    /// Sets the walkable areas; their union is walkable. Without areas, everything outside obstacles is walkable.
-    ///
-    /// # Errors
-    /// [`Error::Shape`] for a boundary that crosses itself or encloses nothing, [`Error::NoRoom`] for an agent that
-    /// would be outside.
-    pub fn set_walkable(&mut self, areas: Vec<Walkable>) -> Result<(), Error> {
-        let areas = Walkable::union(areas)?;
-        if !areas.is_empty() {
-            let outside = |p| !areas.iter().any(|area| area.contains(p));
-            self.check_no_agent_at(outside, "it is outside the walkable area")?;
-        }
-        self.place.areas = areas;
-        self.place_changed();
-        Ok(())
-    }
-
     /// Returns why a disc cannot stand at `at`; `None` if it can.
-    pub fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
+    pub(crate) fn no_room(&self, at: DVec2, radius: f32) -> Option<&'static str> {
         self.place.no_room(at, f64::from(radius), &self.walls, self.settings.origin)
     }
 
     /// Returns why an agent cannot be at its position; `None` if it can. Unguarded agents can be anywhere.
-    pub(super) fn no_room_for(&self, agent: &Agent) -> Option<&'static str> {
+    pub(crate) fn no_room_for(&self, agent: &Agent) -> Option<&'static str> {
         if !self.local_groups[agent.group.index()].guard {
             None
         } else if agent.core == Vec2::ZERO {
@@ -338,107 +483,8 @@ impl World {
         }
     }
 
-    /// Reserves memory for this number of additional agents. It saves the memory that growth would waste.
-    pub fn reserve(&mut self, agents: usize) {
-        self.agents.reserve(agents);
-        self.slots.rows.reserve(agents);
-        self.slots.generations.reserve(agents);
-    }
-
-    /// Adds an agent. It may overlap other agents: then the guard parts them smoothly, and
-    /// [`overlapping`](Self::overlapping) lists the pair.
-    ///
-    /// # Errors
-    /// [`Error::Limit`] names the parameter that is out of range, [`Error::Unknown`] a group or journey that does not
-    /// exist, [`Error::NoRoom`] what occupies the position, [`Error::NumberTaken`] a number that is used twice.
-    pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
-        let agent = self.with_journey(agent)?;
-        let number = self.number(&agent)?;
-        Ok(self.put(&agent, number, self.time()))
-    }
-
-    /// Schedules an agent to enter at `time` seconds, or as soon afterwards as its place is free.
-    ///
-    /// # Errors
-    /// As [`add_agent`](Self::add_agent), and [`Error::Limit`] for a time that is not finite.
-    pub fn schedule_agent(&mut self, time: f64, agent: Agent) -> Result<(), Error> {
-        Error::unless_finite("time of entry", time)?;
-        let agent = self.with_journey(agent)?;
-        let number = self.number(&agent)?;
-        self.schedule.add(time, Agent { number: Some(number), ..agent });
-        Ok(())
-    }
-
-    /// Tells steering behaviours of a bang or a shout at a place and a time, seconds since the start:
-    /// [`Fear`](crate::steer::Fear) reacts to it.
-    ///
-    /// ```
-    /// use throng::{Settings, World};
-    /// let mut world = World::new(Settings::default())?;
-    /// world.notify([3.0, 4.0], world.time())?;
-    /// # Ok::<(), throng::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Limit`] if the place or the time is not finite.
-    pub fn notify(&mut self, place: impl Into<Position>, time: f64) -> Result<(), Error> {
-        let place = place.into();
-        Error::unless_finite("place of the stimulus", place.0.element_sum())?;
-        Error::unless_finite("time of the stimulus", time)?;
-        self.stimuli.push(Stimulus { position: self.settings.to_local(place), time });
-        Ok(())
-    }
-
-    /// Removes an agent. Returns false if it does not exist.
-    pub fn remove_agent(&mut self, id: AgentId) -> bool {
-        let Some(row) = self.row(id) else { return false };
-        self.remove_row(row);
-        true
-    }
-
-    pub(super) fn remove_row(&mut self, row: usize) {
-        let slot = self.agents.slot[row] as usize;
-        self.unstrand(row);
-        self.step.rest.remove(row, self.agents.len() - 1, self.agents.position[row]);
-        self.agents.swap_remove(row);
-        if row < self.step.ahead.len() {
-            self.step.ahead.swap_remove(row);
-        }
-        let slots = &mut self.slots;
-        slots.rows[slot] = u32::MAX;
-        slots.generations.set(slot, slots.generations[slot] + 1);
-        slots.free.push(slot as u32);
-        if let Some(&moved) = self.agents.slot.get(row) {
-            slots.rows[moved as usize] = row as u32;
-        }
-    }
-
-    pub(super) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
-        let slot = self.slots.free.pop().unwrap_or_else(|| {
-            self.slots.rows.push(u32::MAX);
-            self.slots.generations.push(0);
-            self.slots.rows.len() as u32 - 1
-        });
-        let row = self.agents.len() as u32;
-        self.step.rest.add();
-        self.slots.rows[slot as usize] = row;
-        let heading = self.first_heading(agent);
-        self.agents.push(agent, self.settings.origin, slot, number, heading, now);
-        if self.local_groups[agent.group.index()].steering.is_some() {
-            let (sin, cos) = libm::sincosf(heading);
-            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
-            self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
-        }
-        let status = self.first_status(row as usize);
-        self.agents.status[row as usize] = status;
-        if status == Status::Arrived {
-            self.agents.arrived.set(row as usize, now);
-        }
-        AgentId { slot, generation: self.slots.generations[slot as usize] }
-    }
-
     /// Returns the heading that an agent starts with: its own heading, or the direction of its first goal.
-    pub(super) fn first_heading(&self, agent: &Agent) -> f32 {
+    pub(crate) fn first_heading(&self, agent: &Agent) -> f32 {
         let towards_goal = || {
             let leg = self.first_leg(agent.journey, agent.position)?;
             let stop = self.journeys[agent.journey.index()].stops[leg as usize];
@@ -448,13 +494,13 @@ impl World {
     }
 
     /// Returns the first leg of a journey that leads away from a place: a stop at the place itself does not.
-    pub(super) fn first_leg(&self, journey: JourneyId, place: DVec3) -> Option<u32> {
+    pub(crate) fn first_leg(&self, journey: JourneyId, place: DVec3) -> Option<u32> {
         let stops = &self.journeys[journey.index()].stops;
         stops.iter().position(|stop| !self.goals[stop.goal.index()].holds(place)).map(|leg| leg as u32)
     }
 
     /// Checks an agent and returns it with a journey to its goal, if it has a goal.
-    pub(super) fn with_journey(&mut self, mut agent: Agent) -> Result<Agent, Error> {
+    pub(crate) fn with_journey(&mut self, mut agent: Agent) -> Result<Agent, Error> {
         self.check(&agent)?;
         if let Some(goal) = agent.goal.take() {
             agent.journey = self.own_journey(goal)?;
@@ -462,7 +508,7 @@ impl World {
         Ok(agent)
     }
 
-    pub(super) fn check(&self, agent: &Agent) -> Result<(), Error> {
+    pub(crate) fn check(&self, agent: &Agent) -> Result<(), Error> {
         self.check_position("position", agent.position.truncate())?;
         check_altitude("altitude", agent.position.z)?;
         agent.check()?;
@@ -488,7 +534,7 @@ impl World {
         })
     }
 
-    pub(super) fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
+    pub(crate) fn check_position(&self, what: &'static str, p: DVec2) -> Result<(), Error> {
         Error::unless_finite(what, p.x + p.y)?;
         let far = (p - self.settings.origin).abs().max_element();
         Error::unless(far <= FARTHEST, what, far, "within 20 km of the world's origin")
@@ -504,28 +550,6 @@ impl World {
         }
         *next = (*next).max(number + 1);
         Ok(number)
-    }
-
-    /// Rebuilds everything that depends on obstacles and walkable areas.
-    pub(super) fn place_changed(&mut self) {
-        self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
-        self.meshes = Meshes::default();
-        self.step.lattices.clear();
-        self.extent = None;
-        for travel in &mut self.agents.travel {
-            travel.lose_way();
-            travel.set_gap(0.0);
-        }
-        self.agents.progress_mark.fill(ProgressMark::default());
-        // a goal that was out of reach may be reachable now
-        for status in &mut self.agents.status {
-            if *status == Status::Stranded {
-                *status = Status::Walking;
-            }
-        }
-        self.stranded.clear();
-        self.end_standoffs();
-        self.step.rest.end();
     }
 }
 

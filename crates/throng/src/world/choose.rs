@@ -6,7 +6,7 @@
 //! which the agents before it pass the narrowest place on its path. The latter is a point queue (Vickrey, Congestion
 //! theory and transport investment, American Economic Review 59:251, 1969).
 
-use super::World;
+use super::{State, World};
 use crate::agent::{GoalId, JourneyId, ProgressMark, Status};
 use crate::navigate::Path;
 use std::collections::BTreeMap;
@@ -52,40 +52,40 @@ impl Queues {
 impl World {
     /// Lets the agents that are due choose, one after the other. Their paths are up to date before and after.
     pub(super) fn choose(&mut self, seconds: f32) {
-        let parts = self.parts_that_choose();
-        if self.choices.is_empty() || parts.is_empty() {
+        let parts = self.state.parts_that_choose();
+        if self.state.choices.is_empty() || parts.is_empty() {
             return;
         }
-        let choices = self.choices_by_journey();
+        let choices = self.state.choices_by_journey();
         let is_due = |&row: &usize| {
-            let part = u64::from(self.agents.number[row]) % PARTS;
+            let part = u64::from(self.state.agents.number[row]) % PARTS;
             parts.clone().any(|due| due % PARTS == part)
-                && choices.contains_key(&self.agents.journey[row])
-                && self.may_choose(row)
+                && choices.contains_key(&self.state.agents.journey[row])
+                && self.state.may_choose(row)
         };
-        let mut rows: Vec<usize> = (0..self.agents.len()).filter(is_due).collect();
-        rows.sort_unstable_by_key(|&row| self.agents.number[row]);
+        let mut rows: Vec<usize> = (0..self.state.agents.len()).filter(is_due).collect();
+        rows.sort_unstable_by_key(|&row| self.state.agents.number[row]);
         let mut queues = self.queues();
         let mut asked = Vec::new();
         // rows, their goals, and their alternative journeys and goals
         let mut choosers = Vec::new();
         for row in rows {
-            let (way, leg) = (self.step.shown[row].way, self.agents.travel[row].leg);
-            let Some(goal) = self.stop(row, leg).map(|stop| stop.goal) else { continue };
+            let (way, leg) = (self.step.shown[row].way, self.state.agents.travel[row].leg);
+            let Some(goal) = self.state.stop(row, leg).map(|stop| stop.goal) else { continue };
             // a path is at least as wide as one body: if walking takes as long as waiting at that flow, no other goal
             // is better
-            let least = FLOW * 2.0 * f64::from(self.agents.radius[row]);
-            let walk = f64::from(way.remaining / self.agents.preferred_speed[row]);
+            let least = FLOW * 2.0 * f64::from(self.state.agents.radius[row]);
+            let walk = f64::from(way.remaining / self.state.agents.preferred_speed[row]);
             if !way.has_goal() || queues.before(goal, way.remaining) as f64 / least <= walk + WORTH_IT {
                 continue;
             }
-            let alternatives = self.alternatives(self.agents.journey[row], leg, &choices);
+            let alternatives = self.state.alternatives(self.state.agents.journey[row], leg, &choices);
             let goals = std::iter::once(goal).chain(alternatives.iter().map(|&(_, goal)| goal));
-            asked.extend(goals.map(|goal| self.ask_way_to(row, goal)));
+            asked.extend(goals.map(|goal| self.state.ask_way_to(row, goal)));
             choosers.push((row, goal, alternatives));
         }
-        self.prepare_meshes(&asked);
-        self.meshes.find(&self.goals, &mut asked);
+        self.state.prepare_meshes(&asked);
+        self.state.meshes.find(&self.state.goals, &mut asked);
         let mut found: BTreeMap<(usize, GoalId), (Path, f64)> = BTreeMap::new();
         for one in asked {
             if let Some(Ok(path)) = one.found {
@@ -96,7 +96,7 @@ impl World {
             let expected = |goal| {
                 let (path, _) = found.get(&(row, goal))?;
                 let length = path.length as f32;
-                Some((self.expected_time(row, path, queues.before(goal, length)), length))
+                Some((self.state.expected_time(row, path, queues.before(goal, length)), length))
             };
             let Some((time, remaining)) = expected(goal) else { continue };
             let bound = (time - WORTH_IT).min(time * (1.0 - WORTH_PART));
@@ -107,17 +107,36 @@ impl World {
             let Some((_, journey, to, length)) = best else { continue };
             queues.change((goal, remaining), (to, length));
             if let Some((path, gap)) = found.remove(&(row, to)) {
-                self.agents.journey.set(row, journey);
-                let mut travel = std::mem::take(&mut self.agents.travel[row]);
+                self.state.agents.journey.set(row, journey);
+                let mut travel = std::mem::take(&mut self.state.agents.travel[row]);
                 travel.set_out_again();
                 // progress counts towards the new goal
-                self.agents.progress_mark[row] = ProgressMark::default();
+                self.state.agents.progress_mark[row] = ProgressMark::default();
                 self.step.shown[row].way = self.take_way(row, &mut travel, (to, &path, gap), seconds);
-                self.agents.travel[row] = travel;
+                self.state.agents.travel[row] = travel;
             }
         }
     }
 
+    /// Returns the remaining distances of all agents on their way to goals of choices.
+    fn queues(&self) -> Queues {
+        let stops = self.state.choices.iter().flatten().flat_map(|journey| &self.state.journeys[journey.index()].stops);
+        let mut queues = Queues(stops.map(|stop| (stop.goal, Vec::new())).collect());
+        for row in 0..self.state.agents.len() {
+            let way = &self.step.shown[row].way;
+            if way.walks()
+                && let Some(stop) = self.state.stop(row, self.state.agents.travel[row].leg)
+                && let Some(queue) = queues.0.get_mut(&stop.goal)
+            {
+                queue.push(way.remaining);
+            }
+        }
+        queues.sort();
+        queues
+    }
+}
+
+impl State {
     /// Returns the parts that choose in this step: an agent belongs to the part that is the remainder of its number.
     fn parts_that_choose(&self) -> Range<u64> {
         let part = |steps: u64| self.ticks(steps, INTERVAL / PARTS as f64) + 1;
@@ -154,23 +173,6 @@ impl World {
             (alike && goal != stops[leg].goal).then_some((journey, goal))
         };
         self.choices[choice].iter().filter_map(goal_there).collect()
-    }
-
-    /// Returns the remaining distances of all agents on their way to goals of choices.
-    fn queues(&self) -> Queues {
-        let stops = self.choices.iter().flatten().flat_map(|journey| &self.journeys[journey.index()].stops);
-        let mut queues = Queues(stops.map(|stop| (stop.goal, Vec::new())).collect());
-        for row in 0..self.agents.len() {
-            let way = &self.step.shown[row].way;
-            if way.walks()
-                && let Some(stop) = self.stop(row, self.agents.travel[row].leg)
-                && let Some(queue) = queues.0.get_mut(&stop.goal)
-            {
-                queue.push(way.remaining);
-            }
-        }
-        queues.sort();
-        queues
     }
 
     /// Returns the seconds until an agent reaches the end of a path that `before` agents reach earlier.

@@ -1,6 +1,6 @@
 //! Control by the program while the world runs: goals, preferred velocities and places of agents, and user data.
 
-use super::World;
+use super::{State, World};
 use super::build::check_altitude;
 use super::velocities::set;
 use crate::agent::{AgentId, JourneyId, ProgressMark, Status};
@@ -43,8 +43,8 @@ impl World {
     /// # Errors
     /// Those of [`add_goal`](Self::add_goal), and [`Error::Gone`] for an agent that has been removed; the world is unchanged.
     pub fn set_goal(&mut self, id: AgentId, goal: impl Into<Goal>) -> Result<(), Error> {
-        let row = self.row(id).ok_or(Error::Gone)?;
-        let journey = self.own_journey(goal.into())?;
+        let row = self.state.row(id).ok_or(Error::Gone)?;
+        let journey = self.state.own_journey(goal.into())?;
         self.begin_journey(row, journey);
         Ok(())
     }
@@ -54,8 +54,8 @@ impl World {
     /// # Errors
     /// [`Error::Unknown`] for a journey that does not exist, [`Error::Gone`] for an agent that has been removed.
     pub fn set_journey(&mut self, id: AgentId, journey: JourneyId) -> Result<(), Error> {
-        let row = self.row(id).ok_or(Error::Gone)?;
-        super::build::known("journey", journey.index(), self.journeys.len())?;
+        let row = self.state.row(id).ok_or(Error::Gone)?;
+        super::build::known("journey", journey.index(), self.state.journeys.len())?;
         self.begin_journey(row, journey);
         Ok(())
     }
@@ -80,10 +80,10 @@ impl World {
     /// # Errors
     /// [`Error::Limit`] for a velocity that is not finite, [`Error::Gone`] for an agent that has been removed.
     pub fn set_preferred_velocity(&mut self, id: AgentId, velocity: impl Into<Option<Vec3>>) -> Result<(), Error> {
-        let (row, velocity) = (self.row(id).ok_or(Error::Gone)?, velocity.into());
+        let (row, velocity) = (self.state.row(id).ok_or(Error::Gone)?, velocity.into());
         Error::unless_finite("preferred velocity", f64::from(velocity.unwrap_or_default().element_sum()))?;
-        self.agents.commanded.set(row, velocity);
-        self.update_status_without_stops(row);
+        self.state.agents.commanded.set(row, velocity);
+        self.state.update_status_without_stops(row);
         self.step.rest.end();
         Ok(())
     }
@@ -96,19 +96,19 @@ impl World {
     /// [`Error::Limit`] for a place out of range, [`Error::NoRoom`] for a body that would stand in something solid,
     /// [`Error::Gone`] for an agent that has been removed; the world is unchanged.
     pub fn set_position(&mut self, id: AgentId, place: impl Into<Position>) -> Result<(), Error> {
-        let (row, Position(place)) = (self.row(id).ok_or(Error::Gone)?, place.into());
-        self.check_position("position", place.truncate())?;
+        let (row, Position(place)) = (self.state.row(id).ok_or(Error::Gone)?, place.into());
+        self.state.check_position("position", place.truncate())?;
         check_altitude("altitude", place.z)?;
-        let there = crate::Agent { position: place, ..self.to_agent(row) };
-        if let Some(why) = self.no_room_for(&there) {
+        let there = crate::Agent { position: place, ..self.state.to_agent(row) };
+        if let Some(why) = self.state.no_room_for(&there) {
             return Err(Error::NoRoom { at: there.position.truncate(), radius: there.radius, why });
         }
-        self.agents.position[row] = (there.position.truncate() - self.settings.origin).as_vec2();
-        self.agents.altitude.set(row, there.position.z as f32);
-        if self.agents.status[row] == Status::Stranded {
+        self.state.agents.position[row] = (there.position.truncate() - self.state.settings.origin).as_vec2();
+        self.state.agents.altitude.set(row, there.position.z as f32);
+        if self.state.agents.status[row] == Status::Stranded {
             // the goal may be reachable from there
-            self.agents.status[row] = Status::Walking;
-            self.unstrand(row);
+            self.state.agents.status[row] = Status::Walking;
+            self.state.unstrand(row);
         }
         self.step.rest.end();
         Ok(())
@@ -119,28 +119,45 @@ impl World {
     /// # Errors
     /// [`Error::Gone`] for an agent that has been removed.
     pub fn set_user_data(&mut self, id: AgentId, data: u64) -> Result<(), Error> {
-        let row = self.row(id).ok_or(Error::Gone)?;
-        self.agents.user_data.set(row, data);
+        let row = self.state.row(id).ok_or(Error::Gone)?;
+        self.state.agents.user_data.set(row, data);
         Ok(())
     }
 
     /// Replaces the preferred velocities of the agents that the program commands.
     pub(super) fn command(&mut self) {
-        if self.agents.commanded.uniform() == Some(None) {
+        if self.state.agents.commanded.uniform() == Some(None) {
             return;
         }
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let mut rows = preferred.rows();
-        for row in 0..self.agents.len() {
-            if let Some(velocity) = self.agents.commanded[row] {
-                set(&mut rows, row, velocity.clamp_length_max(self.agents.max_speed[row]));
+        for row in 0..self.state.agents.len() {
+            if let Some(velocity) = self.state.agents.commanded[row] {
+                set(&mut rows, row, velocity.clamp_length_max(self.state.agents.max_speed[row]));
             }
         }
         self.step.preferred = preferred;
     }
 
+    /// Begins a journey, from where the agent is.
+    fn begin_journey(&mut self, row: usize, journey: JourneyId) {
+        self.state.agents.journey.set(row, journey);
+        self.state.agents.travel[row].begin(0);
+        self.state.agents.progress_mark[row] = ProgressMark::default();
+        self.state.agents.arrived.set(row, f64::INFINITY);
+        self.state.unstrand(row);
+        let status = self.state.first_status(row);
+        self.state.agents.status[row] = status;
+        if status == Status::Arrived {
+            self.state.agents.arrived.set(row, self.state.time());
+        }
+        self.step.rest.end();
+    }
+}
+
+impl State {
     /// Returns the journey to a single goal.
-    pub(super) fn own_journey(&mut self, goal: Goal) -> Result<JourneyId, Error> {
+    pub(crate) fn own_journey(&mut self, goal: Goal) -> Result<JourneyId, Error> {
         self.check_goal(&goal)?;
         let key = key(&goal);
         if let Some(&journey) = self.own_journeys.by_goal.get(&key) {
@@ -181,31 +198,16 @@ impl World {
     }
 
     /// Takes an agent off the list of agents that cannot reach their goals.
-    pub(super) fn unstrand(&mut self, row: usize) {
+    pub(crate) fn unstrand(&mut self, row: usize) {
         let number = self.agents.number[row];
         self.stranded.retain(|&(stranded, _)| stranded != number);
     }
 
     /// Returns the goal of an agent with a journey that was made for this goal alone.
-    pub(super) fn own_goal(&self, row: usize) -> Option<Goal> {
+    pub(crate) fn own_goal(&self, row: usize) -> Option<Goal> {
         let journey = self.agents.journey[row];
         let goal = &self.goals[self.journeys[journey.index()].stops.first()?.goal.index()];
         (self.own_journeys.by_goal.get(&key(goal)) == Some(&journey)).then(|| goal.clone())
-    }
-
-    /// Begins a journey, from where the agent is.
-    fn begin_journey(&mut self, row: usize, journey: JourneyId) {
-        self.agents.journey.set(row, journey);
-        self.agents.travel[row].begin(0);
-        self.agents.progress_mark[row] = ProgressMark::default();
-        self.agents.arrived.set(row, f64::INFINITY);
-        self.unstrand(row);
-        let status = self.first_status(row);
-        self.agents.status[row] = status;
-        if status == Status::Arrived {
-            self.agents.arrived.set(row, self.time());
-        }
-        self.step.rest.end();
     }
 }
 

@@ -1,6 +1,6 @@
 //! What happened in the last step, agent by agent.
 
-use super::World;
+use super::{State, World};
 use crate::agent::AgentId;
 
 /// Something that happened to an agent in the last step: [`World::events`].
@@ -49,17 +49,19 @@ impl World {
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn events(&self) -> &[Event] {
-        &self.events
+        &self.state.events
     }
+}
 
+impl State {
     /// Notes that something happened to the agent of a row.
-    pub(super) fn happened(&mut self, row: usize, kind: EventKind, time: f64) {
+    pub(crate) fn happened(&mut self, row: usize, kind: EventKind, time: f64) {
         let event = Event { time, agent: self.id(row), number: self.agents.number[row], kind };
         self.events.push(event);
     }
 
     /// Brings the events of a step into their order.
-    pub(super) fn sort_events(&mut self) {
+    pub(crate) fn sort_events(&mut self) {
         self.events.sort_by(|a, b| a.time.total_cmp(&b.time).then((a.number, a.kind).cmp(&(b.number, b.kind))));
     }
 }

@@ -89,25 +89,25 @@ impl World {
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn explain(&self, id: AgentId) -> Option<Explanation> {
-        self.row(id)?;
+        self.state.row(id)?;
         let mut world = self.clone();
         world.enter();
         let parts = world.sub_steps();
-        let seconds = world.seconds(parts);
-        let now = world.time() + f64::from(seconds);
-        let (memory, draws) = (world.agents.memory.clone(), world.tally.sub_steps);
+        let seconds = world.state.seconds(parts);
+        let now = world.state.time() + f64::from(seconds);
+        let (memory, draws) = (world.state.agents.memory.clone(), world.state.tally.sub_steps);
         world.step.rest.end();
         world.decide(true, seconds, now, |_| ());
         // `decide` has changed the memory of behaviours and the counter of random draws
-        (world.agents.memory, world.tally.sub_steps) = (memory, draws);
-        let row = world.row(id)?;
+        (world.state.agents.memory, world.state.tally.sub_steps) = (memory, draws);
+        let row = world.state.row(id)?;
         let (_, steering) = world.steering_reasons(row, seconds, now);
         Some(Explanation { steering, ..world.explanation(row, seconds) })
     }
 
     /// Returns the explanation of the motion that has been decided for a row, but not made yet.
     fn explanation(&self, row: usize, seconds: f32) -> Explanation {
-        let (agents, model) = (&self.agents, self.model(row));
+        let (agents, model) = (&self.state.agents, self.state.model(row));
         let (mut sight, mut workspace) = (Visibility::default(), Workspace::default());
         let view = self.view(row, seconds, &mut sight);
         let chosen = self.chosen_velocity(row, &view, &mut workspace).truncate();
@@ -119,10 +119,10 @@ impl World {
         };
         Explanation {
             number: agents.number[row],
-            time: self.time(),
+            time: self.state.time(),
             seconds,
             model: format!("{model:?}"),
-            position: self.world_position(row),
+            position: self.state.world_position(row),
             radius: agents.radius[row],
             heading: agents.heading[row],
             max_speed: agents.max_speed[row],

@@ -1,7 +1,7 @@
 //! Filling of goal areas. An agent that enters the area at the end of its journey walks on to a free place in it, the
 //! deepest first, and so makes room for the agents behind it. An agent for which no place is free waits outside.
 
-use super::World;
+use super::{State, World};
 use crate::agent::{GoalId, Status};
 use crate::navigate::{Goal, Path, PathSearch, Route, RouteProgress, Standing, StandingPlaces};
 use glam::DVec2;
@@ -79,6 +79,156 @@ impl Taken {
 }
 
 impl World {
+    /// Whether an agent that has arrived is no longer in place: it was pushed out of its area, or off its point and the
+    /// agents that have gathered there.
+    pub(super) fn is_out_of_place(&self, row: usize, travel: &RouteProgress) -> bool {
+        let Some((_, goal)) = self.state.last_goal(row, travel.leg) else { return false };
+        let (place, radius) = (self.state.world_place(row), self.state.agents.radius[row]);
+        let Some((offset, tolerance)) = goal.offset(place) else {
+            return goal.corners().is_some() && !self.state.is_at_area(row, travel, goal);
+        };
+        let distance = offset.length() as f32;
+        distance > tolerance.max(travel.arrived_at) + 2.0 * radius
+            || distance > tolerance + 2.0 * radius && !self.is_in_gathering(row, goal, distance)
+    }
+
+    /// Whether an agent touches, or nearly touches, an agent that has arrived at the same goal, or an agent that has
+    /// arrived elsewhere and is nearer to the point than `distance`: that agent occupies the point.
+    fn is_in_gathering(&self, row: usize, point: &Goal, distance: f32) -> bool {
+        let agents = &self.state.agents;
+        let holds = |other: usize| {
+            let offset = point.offset(self.state.world_place(other));
+            offset.is_some_and(|(offset, _)| (offset.length() as f32) < distance)
+        };
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+            let touch = GATHERS * (agents.radius[row] + agents.radius[other]);
+            agents.status[other] == Status::Arrived
+                && agents.offset_in_space(row, other).length() <= touch
+                && (self.state.end_of_journey(other) == self.state.end_of_journey(row) || holds(other))
+        })
+    }
+
+    /// Whether an agent that has arrived in an area must choose a place: it has none, cannot reach its place, or is
+    /// pressed by another agent.
+    pub(super) fn wants_place(&self, row: usize, travel: &RouteProgress, seconds: f32) -> bool {
+        if self.state.filled_area(row, travel.leg).is_none() {
+            return false;
+        }
+        travel.standing().is_none_or(|standing| !travel.has_way() || standing.idle > BLOCKED)
+            || self.state.looks_for_room(row, seconds) && self.is_pressed(row)
+    }
+
+    /// Whether an agent with the same goal stands close by and makes no progress.
+    fn is_pressed(&self, row: usize) -> bool {
+        let agents = &self.state.agents;
+        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+            let touch = PRESSES * (agents.radius[row] + agents.radius[other]);
+            agents.status[other] == Status::Walking
+                && self.state.end_of_journey(other) == self.state.end_of_journey(row)
+                && agents.speed(other) < 0.3 * agents.preferred_speed[other]
+                && agents.offset(row, other).length() <= touch
+        })
+    }
+
+    /// Lets the agents of these rows that have arrived in an area choose places, and decides whether agents on their
+    /// way there must wait for room.
+    pub(super) fn fill_areas(&mut self, rows: &[(usize, Status)], seconds: f32) {
+        let chooses = |&row: &usize| {
+            let travel = &self.state.agents.travel[row];
+            match self.state.agents.status[row] {
+                Status::Arrived => self.wants_place(row, travel, seconds),
+                Status::Walking => self.state.looks_for_room(row, seconds) && self.state.filled_area(row, travel.leg).is_some(),
+                Status::Waiting | Status::Stranded => false,
+            }
+        };
+        let rows = rows.iter().map(|&(row, _)| row).filter(chooses);
+        let mut rows: Vec<(GoalId, u32, usize)> =
+            rows.filter_map(|row| Some((self.state.goal_of(row)?, self.state.agents.number[row], row))).collect();
+        rows.sort_unstable();
+        for rows in rows.chunk_by(|a, b| a.0 == b.0) {
+            self.fill_area(rows[0].0, rows.iter().map(|&(.., row)| row));
+        }
+    }
+
+    /// As [`fill_areas`](Self::fill_areas), for the agents of one area, in the order of their numbers.
+    fn fill_area(&mut self, goal: GoalId, rows: impl Iterator<Item = usize>) {
+        let (mut taken, demand) = self.state.taken(goal);
+        for row in rows {
+            let bound = self.state.agents.body(row).bounding_radius();
+            let key = (goal, class_of(bound).0.to_bits(), PLACES.max(2 * demand.next_power_of_two()));
+            if !self.step.lattices.contains_key(&key) {
+                let lattice = self.state.new_lattice(goal, bound, key.2);
+                self.step.lattices.insert(key, lattice);
+            }
+            let lattice = &self.step.lattices[&key];
+            if lattice.is_empty() {
+                // the area is in a wall, or too small: agents stand where they arrive
+                if self.state.agents.status[row] == Status::Arrived {
+                    self.state.stand_here(row, 0.0);
+                }
+                continue;
+            }
+            let (from, radius) = (self.state.world_position(row), f64::from(bound));
+            let is_free = |at: DVec2| taken.is_free(row, at, radius);
+            if self.state.agents.status[row] == Status::Walking {
+                let waits = self.is_near_area(row) && lattice.choose(from, f64::MIN, 1, is_free).is_none();
+                self.state.agents.travel[row].set_waits_for_room(waits);
+                continue;
+            }
+            let before = self.state.agents.travel[row].standing().copied();
+            let never_walked = self.state.agents.walked[row] == 0.0;
+            let mut tries = 0;
+            let found = match before {
+                None if never_walked && is_free(from) => None,
+                None => lattice.choose(from, f64::MIN, demand, is_free),
+                // the nearest place instead of a place that it cannot reach
+                Some(before) if before.idle > BLOCKED => {
+                    let place = lattice.choose(from, f64::MIN, 1, is_free);
+                    tries = before.tries.saturating_add(1);
+                    let is_close = |at: DVec2| at != before.at && at.distance(from) <= CLOSE * radius;
+                    place.filter(|place| is_close(place.at) && tries < TRIES)
+                }
+                Some(before) if !self.state.agents.travel[row].has_way() => {
+                    lattice.choose(from, f64::MIN, demand, is_free).filter(|_| before.nearest > 0.0)
+                }
+                // a deeper place makes room
+                Some(before) => match lattice.choose(from, before.depth + 0.5 * radius, demand, is_free) {
+                    Some(place) => Some(place),
+                    None => continue,
+                },
+            };
+            let depth_here = lattice.depth_near(from);
+            if let Some(before) = before {
+                taken.remove(row, before.at);
+            }
+            match found {
+                Some(place) => {
+                    let route = self.state.route_to(row, place.at);
+                    self.state.agents.travel[row].stand_at(place.at, place.depth, route, tries);
+                    taken.put(row, place.at, radius);
+                }
+                None => {
+                    self.state.stand_here(row, depth_here);
+                    taken.put(row, from, radius);
+                }
+            }
+        }
+    }
+
+    /// Whether an agent on its way is so near to its area, or to agents that wait in front of it, that it waits too.
+    fn is_near_area(&self, row: usize) -> bool {
+        let (agents, shown) = (&self.state.agents, &self.step.shown);
+        shown[row].way.remaining <= NEAR * agents.radius[row]
+            || self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
+                let close = BEHIND * (agents.radius[row] + agents.radius[other]);
+                agents.travel[other].waits_for_room()
+                    && shown[other].way.same_goal(&shown[row].way)
+                    && agents.offset(row, other).length() <= close
+            })
+    }
+}
+
+impl State {
     /// Returns the goal at which an agent stays once it has arrived: the goal of the last stop of its journey.
     fn last_goal(&self, row: usize, leg: u32) -> Option<(GoalId, &Goal)> {
         let agents = &self.agents;
@@ -95,151 +245,15 @@ impl World {
         }
     }
 
-    /// Whether an agent that has arrived is no longer in place: it was pushed out of its area, or off its point and the
-    /// agents that have gathered there.
-    pub(super) fn is_out_of_place(&self, row: usize, travel: &RouteProgress) -> bool {
-        let Some((_, goal)) = self.last_goal(row, travel.leg) else { return false };
-        let (place, radius) = (self.world_place(row), self.agents.radius[row]);
-        let Some((offset, tolerance)) = goal.offset(place) else {
-            return goal.corners().is_some() && !self.is_at_area(row, travel, goal);
-        };
-        let distance = offset.length() as f32;
-        distance > tolerance.max(travel.arrived_at) + 2.0 * radius
-            || distance > tolerance + 2.0 * radius && !self.is_in_gathering(row, goal, distance)
-    }
-
     /// Returns the goal where the journey of an agent ends.
     fn end_of_journey(&self, row: usize) -> Option<GoalId> {
         self.journeys[self.agents.journey[row].index()].stops.last().map(|stop| stop.goal)
-    }
-
-    /// Whether an agent touches, or nearly touches, an agent that has arrived at the same goal, or an agent that has
-    /// arrived elsewhere and is nearer to the point than `distance`: that agent occupies the point.
-    fn is_in_gathering(&self, row: usize, point: &Goal, distance: f32) -> bool {
-        let agents = &self.agents;
-        let holds = |other: usize| {
-            let offset = point.offset(self.world_place(other));
-            offset.is_some_and(|(offset, _)| (offset.length() as f32) < distance)
-        };
-        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
-            let touch = GATHERS * (agents.radius[row] + agents.radius[other]);
-            agents.status[other] == Status::Arrived
-                && agents.offset_in_space(row, other).length() <= touch
-                && (self.end_of_journey(other) == self.end_of_journey(row) || holds(other))
-        })
     }
 
     /// Whether it is this agent's turn to check for a free place.
     fn looks_for_room(&self, row: usize, seconds: f32) -> bool {
         let every = (LOOK / seconds).round().max(1.0) as u64;
         (self.tally.sub_steps + u64::from(self.agents.number[row])).is_multiple_of(every)
-    }
-
-    /// Whether an agent that has arrived in an area must choose a place: it has none, cannot reach its place, or is
-    /// pressed by another agent.
-    pub(super) fn wants_place(&self, row: usize, travel: &RouteProgress, seconds: f32) -> bool {
-        if self.filled_area(row, travel.leg).is_none() {
-            return false;
-        }
-        travel.standing().is_none_or(|standing| !travel.has_way() || standing.idle > BLOCKED)
-            || self.looks_for_room(row, seconds) && self.is_pressed(row)
-    }
-
-    /// Whether an agent with the same goal stands close by and makes no progress.
-    fn is_pressed(&self, row: usize) -> bool {
-        let agents = &self.agents;
-        self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
-            let touch = PRESSES * (agents.radius[row] + agents.radius[other]);
-            agents.status[other] == Status::Walking
-                && self.end_of_journey(other) == self.end_of_journey(row)
-                && agents.speed(other) < 0.3 * agents.preferred_speed[other]
-                && agents.offset(row, other).length() <= touch
-        })
-    }
-
-    /// Lets the agents of these rows that have arrived in an area choose places, and decides whether agents on their
-    /// way there must wait for room.
-    pub(super) fn fill_areas(&mut self, rows: &[(usize, Status)], seconds: f32) {
-        let chooses = |&row: &usize| {
-            let travel = &self.agents.travel[row];
-            match self.agents.status[row] {
-                Status::Arrived => self.wants_place(row, travel, seconds),
-                Status::Walking => self.looks_for_room(row, seconds) && self.filled_area(row, travel.leg).is_some(),
-                Status::Waiting | Status::Stranded => false,
-            }
-        };
-        let rows = rows.iter().map(|&(row, _)| row).filter(chooses);
-        let mut rows: Vec<(GoalId, u32, usize)> =
-            rows.filter_map(|row| Some((self.goal_of(row)?, self.agents.number[row], row))).collect();
-        rows.sort_unstable();
-        for rows in rows.chunk_by(|a, b| a.0 == b.0) {
-            self.fill_area(rows[0].0, rows.iter().map(|&(.., row)| row));
-        }
-    }
-
-    /// As [`fill_areas`](Self::fill_areas), for the agents of one area, in the order of their numbers.
-    fn fill_area(&mut self, goal: GoalId, rows: impl Iterator<Item = usize>) {
-        let (mut taken, demand) = self.taken(goal);
-        for row in rows {
-            let bound = self.agents.body(row).bounding_radius();
-            let key = (goal, class_of(bound).0.to_bits(), PLACES.max(2 * demand.next_power_of_two()));
-            if !self.step.lattices.contains_key(&key) {
-                let lattice = self.new_lattice(goal, bound, key.2);
-                self.step.lattices.insert(key, lattice);
-            }
-            let lattice = &self.step.lattices[&key];
-            if lattice.is_empty() {
-                // the area is in a wall, or too small: agents stand where they arrive
-                if self.agents.status[row] == Status::Arrived {
-                    self.stand_here(row, 0.0);
-                }
-                continue;
-            }
-            let (from, radius) = (self.world_position(row), f64::from(bound));
-            let is_free = |at: DVec2| taken.is_free(row, at, radius);
-            if self.agents.status[row] == Status::Walking {
-                let waits = self.is_near_area(row) && lattice.choose(from, f64::MIN, 1, is_free).is_none();
-                self.agents.travel[row].set_waits_for_room(waits);
-                continue;
-            }
-            let before = self.agents.travel[row].standing().copied();
-            let never_walked = self.agents.walked[row] == 0.0;
-            let mut tries = 0;
-            let found = match before {
-                None if never_walked && is_free(from) => None,
-                None => lattice.choose(from, f64::MIN, demand, is_free),
-                // the nearest place instead of a place that it cannot reach
-                Some(before) if before.idle > BLOCKED => {
-                    let place = lattice.choose(from, f64::MIN, 1, is_free);
-                    tries = before.tries.saturating_add(1);
-                    let is_close = |at: DVec2| at != before.at && at.distance(from) <= CLOSE * radius;
-                    place.filter(|place| is_close(place.at) && tries < TRIES)
-                }
-                Some(before) if !self.agents.travel[row].has_way() => {
-                    lattice.choose(from, f64::MIN, demand, is_free).filter(|_| before.nearest > 0.0)
-                }
-                // a deeper place makes room
-                Some(before) => match lattice.choose(from, before.depth + 0.5 * radius, demand, is_free) {
-                    Some(place) => Some(place),
-                    None => continue,
-                },
-            };
-            let depth_here = lattice.depth_near(from);
-            if let Some(before) = before {
-                taken.remove(row, before.at);
-            }
-            match found {
-                Some(place) => {
-                    let route = self.route_to(row, place.at);
-                    self.agents.travel[row].stand_at(place.at, place.depth, route, tries);
-                    taken.put(row, place.at, radius);
-                }
-                None => {
-                    self.stand_here(row, depth_here);
-                    taken.put(row, from, radius);
-                }
-            }
-        }
     }
 
     /// Makes an agent's present position its place.
@@ -283,20 +297,8 @@ impl World {
         Route::new(&path.unwrap_or_else(|| Path { start: from, corners: vec![to], length: from.distance(to) }))
     }
 
-    /// Whether an agent on its way is so near to its area, or to agents that wait in front of it, that it waits too.
-    fn is_near_area(&self, row: usize) -> bool {
-        let (agents, shown) = (&self.agents, &self.step.shown);
-        shown[row].way.remaining <= NEAR * agents.radius[row]
-            || self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
-                let close = BEHIND * (agents.radius[row] + agents.radius[other]);
-                agents.travel[other].waits_for_room()
-                    && shown[other].way.same_goal(&shown[row].way)
-                    && agents.offset(row, other).length() <= close
-            })
-    }
-
     /// Returns the speed of an agent towards its place in an area, `distance` metres away.
-    pub(super) fn speed_to_place(&self, row: usize, standing: &mut Standing, distance: f32, seconds: f32) -> f32 {
+    pub(crate) fn speed_to_place(&self, row: usize, standing: &mut Standing, distance: f32, seconds: f32) -> f32 {
         let agents = &self.agents;
         let radius = agents.radius[row];
         // `nearest` is 0 while it stands at its place

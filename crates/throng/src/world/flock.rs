@@ -1,7 +1,7 @@
 //! Agents with the neighbour search over all agents within a distance, instead of the nearest few: their neighbours,
 //! and the forces of flocks.
 
-use super::World;
+use super::{State, World};
 use crate::agent::Group;
 use crate::parallel;
 use crate::perceive::CellLattice;
@@ -54,33 +54,16 @@ impl Flocks {
 }
 
 impl World {
-    /// Whether any group searches for all neighbours within a distance.
-    pub(super) fn any_looks_at_all(&self) -> bool {
-        self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
-    }
-
-    /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
-    pub(super) fn is_bird(&self, row: usize) -> bool {
-        let group = &self.local_groups[self.agents.group[row].index()];
-        group.neighbours == Group::ALL_NEIGHBOURS
-            && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
-    }
-
-    /// Whether no group searches for the nearest few neighbours.
-    pub(super) fn none_counts_the_nearest(&self) -> bool {
-        self.groups_in_use().all(|group| group.nearest() == 0)
-    }
-
     /// Sorts all agents into the lattice, if a group searches for all neighbours within a distance.
     pub(super) fn rebuild_lattice(&mut self, seconds: f32) {
-        let looking = self.groups_in_use().filter(|group| group.neighbours == Group::ALL_NEIGHBOURS);
+        let looking = self.state.groups_in_use().filter(|group| group.neighbours == Group::ALL_NEIGHBOURS);
         let reach = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
         let mut flocks = std::mem::take(&mut self.step.flocks);
         flocks.close_pairs.clear();
         if reach > 0.0 {
-            flocks.close = self.close_enough_to_measure(seconds);
+            flocks.close = self.state.close_enough_to_measure(seconds);
             let world = &*self;
-            flocks.lattice.rebuild(|row| world.place_in_space(row), &world.agents.number, reach);
+            flocks.lattice.rebuild(|row| world.state.place_in_space(row), &world.state.agents.number, reach);
         }
         self.step.flocks = flocks;
     }
@@ -89,20 +72,20 @@ impl World {
     fn note_birds(&mut self) {
         let mut flocks = std::mem::take(&mut self.step.flocks);
         let Birds { all, forward: [x, y, z], radius } = &mut flocks.birds;
-        all.resize(self.agents.len(), Bird::default());
+        all.resize(self.state.agents.len(), Bird::default());
         for column in [&mut *x, &mut *y, &mut *z] {
-            column.resize(self.agents.len() + LANES, 0.0);
+            column.resize(self.state.agents.len() + LANES, 0.0);
         }
-        *radius = self.agents.radius.uniform();
+        *radius = self.state.agents.radius.uniform();
         let (world, order) = (&*self, flocks.lattice.order());
         let columns = (&mut x[..order.len()], &mut y[..order.len()], &mut z[..order.len()]);
         parallel::ranges((&mut all[..], columns), |places, (birds, (x, y, z))| {
             for (at, (&row, bird)) in order[places].iter().zip(birds).enumerate() {
                 let row = row as usize;
-                let forward = world.forward(row);
+                let forward = world.state.forward(row);
                 [x[at], y[at], z[at]] = forward.to_array();
-                let (group, radius) = (world.agents.group[row].index() as u32, world.agents.radius[row]);
-                *bird = Bird { position: world.place_in_space(row), forward, group, radius };
+                let (group, radius) = (world.state.agents.group[row].index() as u32, world.state.agents.radius[row]);
+                *bird = Bird { position: world.state.place_in_space(row), forward, group, radius };
             }
         });
         self.step.flocks = flocks;
@@ -110,22 +93,22 @@ impl World {
 
     /// Computes the forces of the birds of flocks, and finds the pairs that are close enough to be measured.
     pub(super) fn flock(&mut self, seconds: f32, now: f64) {
-        if !self.any_looks_at_all() {
+        if !self.state.any_looks_at_all() {
             return;
         }
         self.note_birds();
         let mut forces = std::mem::take(&mut self.step.flocks.forces);
         let mut scratch = std::mem::take(&mut self.step.flocks.scratch);
-        forces.resize(self.agents.len(), Vec3::ZERO);
+        forces.resize(self.state.agents.len(), Vec3::ZERO);
         let world = &*self;
         parallel::ranges_with(&mut forces[..], &mut scratch, |scratch, places, forces| {
-            for (index, group) in world.local_groups.iter().enumerate().filter(|&(index, _)| world.step.groups[index]) {
+            for (index, group) in world.state.local_groups.iter().enumerate().filter(|&(index, _)| world.state.groups_with_agents[index]) {
                 if group.neighbours == Group::ALL_NEIGHBOURS {
                     world.flock_of_group(index, places.clone(), scratch, forces, (seconds, now));
                 }
             }
         });
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         let Flocks { lattice, close_pairs, .. } = &mut step.flocks;
         let rows = |(a, b): (u32, u32)| (lattice.order()[a as usize], lattice.order()[b as usize]);
         let pairs = scratch.iter_mut().flat_map(|scratch| scratch.pack.take_close()).map(rows);
@@ -142,7 +125,7 @@ impl World {
         forces: &mut [Vec3],
         (seconds, now): (f32, f64),
     ) {
-        let (group, Flocks { lattice, birds, close, .. }) = (&self.local_groups[index], &self.step.flocks);
+        let (group, Flocks { lattice, birds, close, .. }) = (&self.state.local_groups[index], &self.step.flocks);
         let close = close.min(group.neighbour_distance);
         let flocking = group.steering.as_ref().and_then(|steering| steering.as_flocking());
         let mut force = |place: usize, flocking: &Flocking| {
@@ -150,7 +133,7 @@ impl World {
             let view = self.steering_view(row, seconds, now, neighbours);
             flocking.steer(&view, &mut [], &mut TraceRecorder::default()).unwrap_or_default().force
         };
-        let level = self.instructions.level().filter(|_| self.agents.all_avoid());
+        let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
         if let (Some(level), Some(flocking)) = (level, flocking) {
             let flock = Flock {
                 flocking,
@@ -177,12 +160,12 @@ impl World {
 
     /// Adds all agents within the distance to `neighbours`, if the agent's group searches for all.
     pub(super) fn look_at_all(&self, row: usize, neighbours: &mut Vec<SteeringNeighbour>) {
-        let (agents, Flocks { lattice, birds, .. }) = (&self.agents, &self.step.flocks);
-        let group = &self.local_groups[agents.group[row].index()];
+        let (agents, Flocks { lattice, birds, .. }) = (&self.state.agents, &self.step.flocks);
+        let group = &self.state.local_groups[agents.group[row].index()];
         if group.neighbours != Group::ALL_NEIGHBOURS {
             return;
         }
-        lattice.within(self.place_in_space(row), group.neighbour_distance, |place, offset| {
+        lattice.within(self.state.place_in_space(row), group.neighbour_distance, |place, offset| {
             let other = lattice.order()[place] as usize;
             if other != row && agents.avoids(row, other) {
                 neighbours.push(SteeringNeighbour {
@@ -200,5 +183,24 @@ impl World {
             let distance = |other: &SteeringNeighbour| other.offset.length_squared();
             neighbours.sort_unstable_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.number.cmp(&b.number)));
         }
+    }
+}
+
+impl State {
+    /// Whether any group searches for all neighbours within a distance.
+    pub(crate) fn any_looks_at_all(&self) -> bool {
+        self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
+    }
+
+    /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
+    pub(crate) fn is_bird(&self, row: usize) -> bool {
+        let group = &self.local_groups[self.agents.group[row].index()];
+        group.neighbours == Group::ALL_NEIGHBOURS
+            && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
+    }
+
+    /// Whether no group searches for the nearest few neighbours.
+    pub(crate) fn none_counts_the_nearest(&self) -> bool {
+        self.groups_in_use().all(|group| group.nearest() == 0)
     }
 }

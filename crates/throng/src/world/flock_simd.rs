@@ -1,7 +1,7 @@
 //! The birds of one flock, or the insects of one swarm, with SIMD, one agent in each element: vehicles and motion. The
 //! bits are the same as those of the scalar path in [steering](super::steer) and [motion](super::advance).
 
-use super::World;
+use super::{State, World};
 use super::advance::{SEEN, diverted};
 use super::advance_simd::Trips;
 use super::velocities::{Rows, Velocities};
@@ -18,21 +18,6 @@ use glam::{Vec2, Vec3};
 use std::ops::Range;
 
 impl World {
-    /// Returns the SIMD level and the vehicle step of all agents, if all are birds of one flock or insects of one
-    /// swarm.
-    pub(super) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
-        let group = &self.local_groups[self.agents.group.uniform()?.index()];
-        let alike = self.agents.all_discs() && (self.is_bird(0) || self.swarm(0).is_some());
-        let level = self.instructions.level().filter(|_| alike)?;
-        Some((level, Stepping::of(&group.vehicle, seconds)?))
-    }
-
-    /// Returns the swarm of an agent that steers by a plain [`Swarm`] behaviour and avoids no other agent.
-    fn swarm(&self, row: usize) -> Option<&Swarm> {
-        let group = &self.local_groups[self.agents.group[row].index()];
-        group.steering.as_ref().filter(|_| !group.model.avoids())?.as_swarm()
-    }
-
     /// Applies the vehicles of some rows to their steering forces.
     pub(super) fn steer_many(
         &self,
@@ -56,11 +41,11 @@ impl World {
         insects: &mut Insects<'_>,
     ) {
         let lanes = S::f32s::LEN;
-        let swarm = self.swarm(rows.start);
+        let swarm = self.state.swarm(rows.start);
         for start in (0..rows.len()).step_by(lanes) {
             let part = start..(start + lanes).min(rows.len());
             let rows = rows.start + part.start..rows.start + part.end;
-            let before = self.motions(simd, rows.clone());
+            let before = self.state.motions(simd, rows.clone());
             let mut force = [[0.0; LANES]; 3];
             if let Some(swarm) = swarm {
                 self.forces_of_insects(simd, swarm, rows, part.start, insects, &mut force);
@@ -96,9 +81,9 @@ impl World {
     ) {
         let (mut places, mut noise) = ([Vec3::ZERO; LANES], [Vec3::ZERO; LANES]);
         let (start, count) = (rows.start, rows.len());
-        (places.iter_mut().zip(rows.clone())).for_each(|(place, row)| *place = self.place_in_space(row));
+        (places.iter_mut().zip(rows.clone())).for_each(|(place, row)| *place = self.state.place_in_space(row));
         if let Some(field) = &swarm.noise {
-            let numbers = swarm.own_noise.then_some(&self.agents.number[rows]);
+            let numbers = swarm.own_noise.then_some(&self.state.agents.number[rows]);
             let time = insects.now - f64::from(insects.seconds);
             field.vector(simd, (&places[..count], numbers), time, &mut noise[..count]);
         }
@@ -124,24 +109,9 @@ impl World {
         }
     }
 
-    /// Returns the motion of the agents of a SIMD vector of rows.
-    #[inline(always)]
-    fn motions<S: Simd>(&self, simd: S, rows: Range<usize>) -> Motions<S> {
-        let agents = &self.agents;
-        Motions {
-            position: in_space(simd, &agents.position[rows.clone()], agents.altitude.lanes(simd, rows.clone())),
-            velocity: in_space(
-                simd,
-                &agents.velocity[rows.clone()],
-                agents.vertical_velocity.lanes(simd, rows.clone()),
-            ),
-            attitude: Attitudes::load(simd, rows.map(|row| agents.attitude[row])),
-        }
-    }
-
     /// Moves all agents, if all are birds of one flock or insects of one swarm, and no agent is guarded.
     pub(super) fn fly_many(&mut self, level: Level, seconds: f32) {
-        let Self { agents, local_groups: groups, step, .. } = self;
+        let Self { state: State { agents, local_groups: groups, .. }, step } = self;
         let in_air = step.chosen_velocities.is_in_space();
         let flight = Flight {
             preferred: &step.preferred,
@@ -173,6 +143,38 @@ impl World {
         );
         // the planned attitudes are now the present ones
         agents.attitude.exchange(&mut step.planned.attitude);
+    }
+}
+
+impl State {
+    /// Returns the SIMD level and the vehicle step of all agents, if all are birds of one flock or insects of one
+    /// swarm.
+    pub(crate) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
+        let group = &self.local_groups[self.agents.group.uniform()?.index()];
+        let alike = self.agents.all_discs() && (self.is_bird(0) || self.swarm(0).is_some());
+        let level = self.instructions.level().filter(|_| alike)?;
+        Some((level, Stepping::of(&group.vehicle, seconds)?))
+    }
+
+    /// Returns the swarm of an agent that steers by a plain [`Swarm`] behaviour and avoids no other agent.
+    fn swarm(&self, row: usize) -> Option<&Swarm> {
+        let group = &self.local_groups[self.agents.group[row].index()];
+        group.steering.as_ref().filter(|_| !group.model.avoids())?.as_swarm()
+    }
+
+    /// Returns the motion of the agents of a SIMD vector of rows.
+    #[inline(always)]
+    fn motions<S: Simd>(&self, simd: S, rows: Range<usize>) -> Motions<S> {
+        let agents = &self.agents;
+        Motions {
+            position: in_space(simd, &agents.position[rows.clone()], agents.altitude.lanes(simd, rows.clone())),
+            velocity: in_space(
+                simd,
+                &agents.velocity[rows.clone()],
+                agents.vertical_velocity.lanes(simd, rows.clone()),
+            ),
+            attitude: Attitudes::load(simd, rows.map(|row| agents.attitude[row])),
+        }
     }
 }
 

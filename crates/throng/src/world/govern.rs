@@ -1,6 +1,6 @@
 //! 2c. Fields: the velocities that they prescribe.
 
-use super::World;
+use super::{State, World};
 use crate::field::{Governed, Source, blend};
 use crate::parallel;
 use glam::{Vec2, Vec3};
@@ -18,26 +18,20 @@ pub(super) struct Sources {
 }
 
 impl World {
-    /// Whether a field of any group in use makes agents face a direction.
-    pub(super) fn any_looks_about(&self) -> bool {
-        let fields = self.groups_in_use().filter_map(|group| group.field.as_ref());
-        fields.flat_map(|field| &field.around).any(|around| around.looks.is_some())
-    }
-
     /// Gathers the source agents of fields.
     pub(super) fn note_sources(&mut self) {
         let mut sources = std::mem::take(&mut self.step.sources);
         let Sources { all, wanted, .. } = &mut sources;
         wanted.clear();
-        wanted.resize(self.local_groups.len(), false);
-        let governed = self.groups_in_use().filter_map(|group| group.field.as_ref());
+        wanted.resize(self.state.local_groups.len(), false);
+        let governed = self.state.groups_in_use().filter_map(|group| group.field.as_ref());
         for around in governed.flat_map(|field| &field.around) {
             wanted.get_mut(around.source).into_iter().for_each(|wanted| *wanted = true);
         }
         all.iter_mut().for_each(Vec::clear);
-        all.resize(self.local_groups.len(), Vec::new());
+        all.resize(self.state.local_groups.len(), Vec::new());
         if wanted.contains(&true) {
-            let agents = &self.agents;
+            let agents = &self.state.agents;
             for row in (0..agents.len()).filter(|&row| wanted[agents.group[row].index()]) {
                 let (sin, cos) = libm::sincosf(agents.heading[row]);
                 let (place, velocity) = (agents.position[row], agents.velocity[row]);
@@ -50,23 +44,23 @@ impl World {
 
     /// Returns the preferred velocity of an agent blended with the field of its group.
     pub(super) fn governed(&self, row: usize, own: Vec3, now: f64) -> Vec3 {
-        let Some(governed) = &self.local_groups[self.agents.group[row].index()].field else { return own };
+        let Some(governed) = &self.state.local_groups[self.state.agents.group[row].index()].field else { return own };
         if !self.step.shown[row].way.walks() {
             return own;
         }
-        let place = self.place_in_space(row);
-        let ratio = governed.ratio_at(place, self.agents.governed[row]);
+        let place = self.state.place_in_space(row);
+        let ratio = governed.ratio_at(place, self.state.agents.governed[row]);
         if ratio == 0.0 {
             return own;
         }
         let flow = self.flow(governed, row, place, now);
-        let blended = blend(own.truncate(), flow, ratio, self.agents.velocity[row]);
-        blended.clamp_length_max(self.agents.max_speed[row]).extend(own.z)
+        let blended = blend(own.truncate(), flow, ratio, self.state.agents.velocity[row]);
+        blended.clamp_length_max(self.state.agents.max_speed[row]).extend(own.z)
     }
 
     /// Returns the weighted mean of the velocities of a field and of the fields around source agents, along the ground.
     fn flow(&self, governed: &Governed, row: usize, place: Vec3, now: f64) -> Vec2 {
-        let adapted = self.adapted.get(self.agents.group[row].index()).and_then(Option::as_ref);
+        let adapted = self.state.adapted.get(self.state.agents.group[row].index()).and_then(Option::as_ref);
         let field = adapted.map_or(&governed.field, |adapted| &adapted.field);
         let field = field.velocity(place, now).truncate();
         if governed.around.is_empty() {
@@ -89,8 +83,8 @@ impl World {
     pub(super) fn note_looks(&mut self, now: f64) {
         let mut looks = std::mem::take(&mut self.step.sources.looks);
         looks.clear();
-        if self.any_looks_about() {
-            looks.resize(self.agents.len(), Vec2::ZERO);
+        if self.state.any_looks_about() {
+            looks.resize(self.state.agents.len(), Vec2::ZERO);
             let world = &*self;
             parallel::ranges(&mut looks[..], |rows, looks| {
                 rows.zip(looks).for_each(|(row, looks)| *looks = world.looks_about(row, now));
@@ -100,8 +94,8 @@ impl World {
     }
 
     fn looks_about(&self, row: usize, now: f64) -> Vec2 {
-        let Some(governed) = &self.local_groups[self.agents.group[row].index()].field else { return Vec2::ZERO };
-        let place = self.agents.position[row];
+        let Some(governed) = &self.state.local_groups[self.state.agents.group[row].index()].field else { return Vec2::ZERO };
+        let place = self.state.agents.position[row];
         let mut sum = Vec2::ZERO;
         for around in governed.around.iter().filter(|around| around.looks.is_some()) {
             self.each_source(row, around.source, around.reach, |source| {
@@ -113,11 +107,19 @@ impl World {
 
     /// Calls `found` for the source agents of a group within a distance of an agent.
     fn each_source(&self, row: usize, group: usize, reach: f32, mut found: impl FnMut(Source)) {
-        let place = self.agents.position[row];
+        let place = self.state.agents.position[row];
         for &(other, source) in self.step.sources.all.get(group).into_iter().flatten() {
             if other != row && source.place.distance_squared(place) <= reach * reach {
                 found(source);
             }
         }
+    }
+}
+
+impl State {
+    /// Whether a field of any group in use makes agents face a direction.
+    pub(crate) fn any_looks_about(&self) -> bool {
+        let fields = self.groups_in_use().filter_map(|group| group.field.as_ref());
+        fields.flat_map(|field| &field.around).any(|around| around.looks.is_some())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::advance::SEEN;
 use super::neighbour_data::SAME_WAY;
-use super::{EventKind, World};
+use super::{EventKind, World, State};
 use crate::agent::{Hindrance, ProgressMark, Status};
 use crate::navigate::Turn;
 use glam::Vec2;
@@ -28,66 +28,48 @@ impl World {
     /// Returns what hinders the agent of a row of [`agents`](Self::agents), as of the last check, at most half a second
     /// ago.
     pub fn hindrance(&self, row: usize) -> Hindrance {
-        self.agents.progress_mark[row].hindrance
+        self.state.hindrance(row)
     }
 
     /// Updates the progress of all agents, in the step that ends at `end` seconds.
     pub(super) fn note_progress(&mut self, end: f64) {
         let half_seconds = |time: f64| (time / TICK + 1e-6).floor();
-        let passed = half_seconds(end) - half_seconds(end - self.settings.step);
+        let passed = half_seconds(end) - half_seconds(end - self.state.settings.step);
         if passed < 1.0 {
             return;
         }
         let passed = passed.min(f64::from(u16::MAX)) as u16;
         let mut marks = std::mem::take(&mut self.step.progress_marks);
         marks.clear();
-        marks.extend((0..self.agents.len()).map(|row| self.progress(row, passed)));
+        marks.extend((0..self.state.agents.len()).map(|row| self.progress(row, passed)));
         let failed =
-            |row: usize| self.has_failed(&marks[row], row) && !self.has_failed(&self.agents.progress_mark[row], row);
-        self.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
+            |row: usize| self.state.has_failed(&marks[row], row) && !self.state.has_failed(&self.state.agents.progress_mark[row], row);
+        self.state.tally.without_progress_30s += (0..marks.len()).filter(|&row| failed(row)).count() as u64;
         // agents that are not judged have an infinite remaining distance
         let judged = marks.iter().zip(0..).filter(|(mark, _)| mark.remaining != f32::INFINITY);
         let (looks, backwards) = judged
             .fold((0, 0), |(looks, backwards), (_, row)| (looks + 1, backwards + u64::from(self.walks_backwards(row))));
-        self.tally.looks += looks;
-        self.tally.backwards += backwards;
+        self.state.tally.looks += looks;
+        self.state.tally.backwards += backwards;
         let is_blocked = |mark: &ProgressMark| mark.hindrance == Hindrance::Blocked;
         for row in (0..marks.len()).filter(|&row| is_blocked(&marks[row])) {
-            if !is_blocked(&self.agents.progress_mark[row]) {
-                self.happened(row, EventKind::Stuck, end);
+            if !is_blocked(&self.state.agents.progress_mark[row]) {
+                self.state.happened(row, EventKind::Stuck, end);
             }
         }
-        std::mem::swap(&mut self.agents.progress_mark, &mut marks);
+        std::mem::swap(&mut self.state.agents.progress_mark, &mut marks);
         self.step.progress_marks = marks;
-    }
-
-    /// Returns the seconds since an agent, or an agent with the same goal that it waits for, last made progress; at
-    /// most 127.5.
-    pub(super) fn without_progress(&self, row: usize) -> f32 {
-        f32::from(self.agents.progress_mark[row].queue_ticks) * TICK as f32
     }
 
     /// Whether an agent moves against the direction of its path.
     fn walks_backwards(&self, row: usize) -> bool {
-        self.agents.velocity[row].dot(self.step.shown[row].way.direction) < -SEEN
-    }
-
-    /// Whether an agent has walked without progress for 30 seconds.
-    fn has_failed(&self, mark: &ProgressMark, row: usize) -> bool {
-        mark.hindrance == Hindrance::Oscillating && mark.ticks >= self.patience(row, FAILED)
-    }
-
-    /// Returns `ticks` half seconds, scaled up for a slow agent.
-    fn patience(&self, row: usize, ticks: u16) -> u16 {
-        let agents = &self.agents;
-        let slow = agents.radius[row] / (agents.preferred_speed[row] * RADIUS_TIME);
-        (f32::from(ticks) * slow.max(1.0)) as u16
+        self.state.agents.velocity[row].dot(self.step.shown[row].way.direction) < -SEEN
     }
 
     /// Whether the progress of an agent is judged.
     fn is_judged(&self, row: usize) -> bool {
-        let agents = &self.agents;
-        let group = &self.local_groups[agents.group[row].index()];
+        let agents = &self.state.agents;
+        let group = &self.state.local_groups[agents.group[row].index()];
         agents.status[row] == Status::Walking
             && self.step.shown[row].way.has_goal()
             && agents.preferred_speed[row] > 0.0
@@ -98,7 +80,7 @@ impl World {
 
     /// Returns the progress of an agent, `passed` half seconds after the last check.
     fn progress(&self, row: usize, passed: u16) -> ProgressMark {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let before = agents.progress_mark[row];
         if !self.is_judged(row) {
             return ProgressMark::default();
@@ -108,7 +90,7 @@ impl World {
         let gets_on = remaining <= before.remaining - agents.radius[row] && agents.travel[row].turn != Turn::Aside;
         let ticks = before.ticks.saturating_add(passed);
         // an agent that queues continues to queue until it makes progress without delay
-        let is_slow = ticks >= self.patience(row, SLOW) || !gets_on && before.hindrance == Hindrance::Queueing;
+        let is_slow = ticks >= self.state.patience(row, SLOW) || !gets_on && before.hindrance == Hindrance::Queueing;
         let mark = if before.remaining == f32::INFINITY {
             return ProgressMark { remaining, walked, ..before };
         } else if gets_on {
@@ -121,7 +103,53 @@ impl World {
         let queue = ahead.filter(|&other| shown[row].way.same_goal(&shown[other].way));
         let queue_ticks = queue.map_or(u8::MAX, |other| agents.progress_mark[other].queue_ticks);
         let mark = ProgressMark { queue_ticks: mark.ticks.min(queue_ticks.into()) as u8, ..mark };
-        ProgressMark { hindrance: self.hindrance_of(row, &mark, is_slow, ahead), ..mark }
+        ProgressMark { hindrance: self.state.hindrance_of(row, &mark, is_slow, ahead), ..mark }
+    }
+
+    /// Returns the nearest agent close ahead that goes the same way.
+    fn ahead_in_queue(&self, row: usize) -> Option<usize> {
+        let (agents, shown) = (&self.state.agents, &self.step.shown);
+        let way = &shown[row].way;
+        self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
+            let theirs = &shown[other].way;
+            let offset = agents.offset(row, other);
+            let distance = offset.length();
+            let direction = if way.direction == Vec2::ZERO { theirs.direction } else { way.direction };
+            let goes_along = theirs.same_goal(way) || theirs.direction.dot(direction) > SAME_WAY;
+            let leads = !theirs.same_goal(way) || theirs.remaining < way.remaining;
+            let gap = distance - agents.radius[row] - agents.radius[other];
+            theirs.walks()
+                && goes_along
+                && leads
+                && gap < CLOSE * agents.radius[row]
+                && offset.dot(direction) > AHEAD * distance
+        })
+    }
+}
+
+impl State {
+    /// Returns what hinders the agent of a row of [`agents`](Self::agents), as of the last check, at most half a second
+    /// ago.
+    pub(crate) fn hindrance(&self, row: usize) -> Hindrance {
+        self.agents.progress_mark[row].hindrance
+    }
+
+    /// Returns the seconds since an agent, or an agent with the same goal that it waits for, last made progress; at
+    /// most 127.5.
+    pub(crate) fn without_progress(&self, row: usize) -> f32 {
+        f32::from(self.agents.progress_mark[row].queue_ticks) * TICK as f32
+    }
+
+    /// Whether an agent has walked without progress for 30 seconds.
+    fn has_failed(&self, mark: &ProgressMark, row: usize) -> bool {
+        mark.hindrance == Hindrance::Oscillating && mark.ticks >= self.patience(row, FAILED)
+    }
+
+    /// Returns `ticks` half seconds, scaled up for a slow agent.
+    fn patience(&self, row: usize, ticks: u16) -> u16 {
+        let agents = &self.agents;
+        let slow = agents.radius[row] / (agents.preferred_speed[row] * RADIUS_TIME);
+        (f32::from(ticks) * slow.max(1.0)) as u16
     }
 
     fn hindrance_of(&self, row: usize, mark: &ProgressMark, is_slow: bool, ahead: Option<usize>) -> Hindrance {
@@ -146,25 +174,5 @@ impl World {
             _ if is_late => Hindrance::Blocked,
             _ => Hindrance::None,
         }
-    }
-
-    /// Returns the nearest agent close ahead that goes the same way.
-    fn ahead_in_queue(&self, row: usize) -> Option<usize> {
-        let (agents, shown) = (&self.agents, &self.step.shown);
-        let way = &shown[row].way;
-        self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
-            let theirs = &shown[other].way;
-            let offset = agents.offset(row, other);
-            let distance = offset.length();
-            let direction = if way.direction == Vec2::ZERO { theirs.direction } else { way.direction };
-            let goes_along = theirs.same_goal(way) || theirs.direction.dot(direction) > SAME_WAY;
-            let leads = !theirs.same_goal(way) || theirs.remaining < way.remaining;
-            let gap = distance - agents.radius[row] - agents.radius[other];
-            theirs.walks()
-                && goes_along
-                && leads
-                && gap < CLOSE * agents.radius[row]
-                && offset.dot(direction) > AHEAD * distance
-        })
     }
 }

@@ -1,6 +1,6 @@
 //! 2. Intention: the preferred velocities of all agents.
 
-use super::World;
+use super::{State, World};
 use super::fill::RETURN_TIME;
 use super::velocities::set;
 use crate::agent::{Group, Status};
@@ -36,23 +36,23 @@ impl World {
         }
         self.resolve(seconds);
         self.note_sources();
-        let mut travels = std::mem::take(&mut self.agents.travel);
+        let mut travels = std::mem::take(&mut self.state.agents.travel);
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let mut interaction = std::mem::take(&mut self.step.interaction);
         interaction.clear();
-        interaction.extend(self.local_groups.iter().map(InteractionRules::of));
-        preferred.resize(self.agents.len(), self.in_space_now());
+        interaction.extend(self.state.local_groups.iter().map(InteractionRules::of));
+        preferred.resize(self.state.agents.len(), self.state.in_space_now());
         let world = &*self;
-        let level = self.lanes_to_intend();
-        let one = |row: usize, travel: &mut RouteProgress| match world.scripted(row, now) {
-            Some(there) => ((there.at - world.world_position(row)).as_vec2() / seconds).extend(0.0),
+        let level = self.state.lanes_to_intend();
+        let one = |row: usize, travel: &mut RouteProgress| match world.state.scripted(row, now) {
+            Some(there) => ((there.at - world.state.world_position(row)).as_vec2() / seconds).extend(0.0),
             None => {
-                let own = world.preferred_velocity(row, travel, &interaction[world.agents.group[row].index()], seconds);
+                let own = world.preferred_velocity(row, travel, &interaction[world.state.agents.group[row].index()], seconds);
                 world.governed(row, own, now)
             }
         };
         // steering behaviours follow below
-        let steers = self.all_steer();
+        let steers = self.state.all_steer();
         parallel::ranges((&mut travels[..], preferred.rows()), |rows, both| {
             if steers {
                 return;
@@ -63,10 +63,10 @@ impl World {
                     .for_each(|((row, travel), at)| set(&mut preferred, at, one(row, travel))),
             });
         });
-        self.agents.travel = travels;
+        self.state.agents.travel = travels;
         (self.step.preferred, self.step.interaction) = (preferred, interaction);
         // behaviours change their memory, and traces need it as it was before
-        let memory = self.traced.any().then(|| self.agents.memory.clone());
+        let memory = self.state.traced.any().then(|| self.state.agents.memory.clone());
         self.steer(seconds, now);
         self.command();
         self.account(memory, seconds, now);
@@ -77,15 +77,10 @@ impl World {
     pub(super) fn arriving(&self, row: usize, travel: &RouteProgress, seconds: f32) -> f32 {
         let way = &self.step.shown[row].way;
         if way.stops() || travel.turn == Turn::Aside {
-            (self.agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)
+            (self.state.agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)
         } else {
             f32::INFINITY
         }
-    }
-
-    /// Returns the keyframe of an agent's script at a time; `None` without a script.
-    pub(super) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
-        Some(self.scripts[self.agents.script[row]?.index()].at(time))
     }
 
     fn preferred_velocity(
@@ -95,7 +90,7 @@ impl World {
         interaction: &InteractionRules,
         seconds: f32,
     ) -> Vec3 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let way = &self.step.shown[row].way;
         if !way.walks() {
             return if agents.status[row] == Status::Arrived {
@@ -110,11 +105,11 @@ impl World {
         // an agent that waits aside shows no direction to its neighbours
         let waits = travel.turn == Turn::Aside;
         let shown = !waits && way.direction != Vec2::ZERO;
-        let mut direction = if shown { way.direction } else { self.towards(row, travel).normalize_or_zero() };
+        let mut direction = if shown { way.direction } else { self.state.towards(row, travel).normalize_or_zero() };
         let mut slope = travel.slope();
-        if direction == Vec2::ZERO && slope.y != 0.0 && self.without_progress(row) > 0.0 {
+        if direction == Vec2::ZERO && slope.y != 0.0 && self.state.without_progress(row) > 0.0 {
             // a path straight up or down prefers no side
-            (direction, slope) = (self.any_side(row), Vec2::new(0.5, slope.y));
+            (direction, slope) = (self.state.any_side(row), Vec2::new(0.5, slope.y));
         }
         let radius = agents.radius[row];
         let speed = agents.preferred_speed[row];
@@ -127,27 +122,21 @@ impl World {
         (turned * (speed * slope.x)).extend(speed * slope.y)
     }
 
-    /// Returns the offset from an agent to the point it heads for.
-    pub(super) fn towards(&self, row: usize, travel: &RouteProgress) -> Vec2 {
-        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg)).unwrap_or_default();
-        (aim - self.world_position(row)).as_vec2()
-    }
-
     /// Returns the preferred velocity of an agent that has arrived. In an area it goes to its place and stays there. At
     /// a point it stands, and returns slowly if it was pushed away and no other agent has taken the point.
     fn back_to_goal(&self, row: usize, travel: &mut RouteProgress, seconds: f32) -> Vec3 {
         if travel.standing().is_some() {
-            let towards = self.towards(row, travel);
-            let left = travel.standing().map_or(towards, |standing| (standing.at - self.world_position(row)).as_vec2());
-            let speed = travel.standing_mut().map_or(0.0, |to| self.speed_to_place(row, to, left.length(), seconds));
+            let towards = self.state.towards(row, travel);
+            let left = travel.standing().map_or(towards, |standing| (standing.at - self.state.world_position(row)).as_vec2());
+            let speed = travel.standing_mut().map_or(0.0, |to| self.state.speed_to_place(row, to, left.length(), seconds));
             return (towards.normalize_or_zero() * speed).extend(0.0);
         }
-        let goal = self.stop(row, travel.leg).map(|stop| &self.goals[stop.goal.index()]);
-        match goal.and_then(|goal| Some((goal, goal.offset(self.world_place(row))?))) {
+        let goal = self.state.stop(row, travel.leg).map(|stop| &self.state.goals[stop.goal.index()]);
+        match goal.and_then(|goal| Some((goal, goal.offset(self.state.world_place(row))?))) {
             Some((goal, (offset, tolerance))) if travel.at_point && !self.is_taken(row, goal) => {
                 let offset = offset.as_vec3();
                 let beyond = offset.length() - tolerance;
-                let speed = (beyond / RETURN_TIME).min(0.5 * self.agents.preferred_speed[row]);
+                let speed = (beyond / RETURN_TIME).min(0.5 * self.state.agents.preferred_speed[row]);
                 offset.normalize_or_zero() * speed.max(0.0)
             }
             _ => Vec3::ZERO,
@@ -156,13 +145,26 @@ impl World {
 
     /// Whether an agent that has arrived at the same goal is nearer to it.
     fn is_taken(&self, row: usize, point: &Goal) -> bool {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let shown = &self.step.shown;
-        let distance = |row: usize| point.offset(self.world_place(row)).map(|(offset, _)| offset.length_squared());
+        let distance = |row: usize| point.offset(self.state.world_place(row)).map(|(offset, _)| offset.length_squared());
         self.neighbours(row).iter().map(|&other| other as usize).any(|other| {
             agents.status[other] == Status::Arrived
                 && shown[other].way.same_goal(&shown[row].way)
                 && distance(other) < distance(row)
         })
+    }
+}
+
+impl State {
+    /// Returns the keyframe of an agent's script at a time; `None` without a script.
+    pub(crate) fn scripted(&self, row: usize, time: f64) -> Option<Keyframe> {
+        Some(self.scripts[self.agents.script[row]?.index()].at(time))
+    }
+
+    /// Returns the offset from an agent to the point it heads for.
+    pub(crate) fn towards(&self, row: usize, travel: &RouteProgress) -> Vec2 {
+        let aim = travel.aim().or_else(|| self.goal_middle(row, travel.leg)).unwrap_or_default();
+        (aim - self.world_position(row)).as_vec2()
     }
 }

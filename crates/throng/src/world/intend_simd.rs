@@ -2,7 +2,7 @@
 //! ground and make progress. The bits are the same as those of the [scalar path](super::intend), which handles all
 //! other agents.
 
-use super::World;
+use super::{State, World};
 use super::intend::InteractionRules;
 use crate::navigate::RouteProgress;
 use crate::simd::{LANES, Vec2s, load, ones, set};
@@ -12,11 +12,6 @@ use glam::{Vec2, Vec3};
 use std::ops::Range;
 
 impl World {
-    /// Returns the SIMD level for preferred velocities, if they can use SIMD.
-    pub(super) fn lanes_to_intend(&self) -> Option<Level> {
-        self.instructions.level().filter(|_| !self.in_space_now())
-    }
-
     /// Computes the preferred velocities of a range of rows. Calls `left` for rows that the SIMD kernel cannot handle.
     pub(super) fn intend_many(
         &self,
@@ -60,7 +55,7 @@ impl World {
         preferred: &mut [Vec2],
         (interaction, seconds): (&[InteractionRules], f32),
     ) -> u64 {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let rows = start..start + travels.len();
         let all_rows = (1 << rows.len()) - 1;
         let mut fits = 0;
@@ -112,5 +107,12 @@ impl World {
             (travels[lane].mark, travels[lane].stalled) = (mark[lane], stalled[lane]);
         }
         !fits & all_rows
+    }
+}
+
+impl State {
+    /// Returns the SIMD level for preferred velocities, if they can use SIMD.
+    pub(crate) fn lanes_to_intend(&self) -> Option<Level> {
+        self.instructions.level().filter(|_| !self.in_space_now())
     }
 }

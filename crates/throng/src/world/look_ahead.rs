@@ -16,7 +16,7 @@
 //! or are about to cross its path: so lanes form, and each agent keeps to its lane. Agents with a 3D local model never
 //! compare directions. Agents hidden by a wall do not count.
 
-use super::World;
+use super::{State, World};
 use super::crowd_ahead::{CrowdAhead, MetNeighbour, Viewpoint};
 use super::walls_ahead::WallsAhead;
 use crate::agent::Group;
@@ -158,15 +158,15 @@ impl LookAheadInput<'_> {
 impl World {
     /// Lets all agents look ahead, once a step.
     pub(super) fn look_ahead(&mut self) {
-        let looks = self.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
+        let looks = self.state.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
         let mut ahead = std::mem::take(&mut self.step.ahead);
         let mut scratch = std::mem::take(&mut self.step.looking);
-        ahead.resize(if looks { self.agents.len() } else { 0 }, LookAhead::FREE);
+        ahead.resize(if looks { self.state.agents.len() } else { 0 }, LookAhead::FREE);
         let world = &*self;
-        let (discs, in_space) = (self.agents.all_discs(), self.agents.any_flies());
-        let radius = self.agents.radius.uniform().filter(|_| discs);
+        let (discs, in_space) = (self.state.agents.all_discs(), self.state.agents.any_flies());
+        let radius = self.state.agents.radius.uniform().filter(|_| discs);
         let common = LookAheadShared { discs, radius, in_space, directions: directions(0.0) };
-        let level = self.instructions.level().unwrap_or(Level::baseline());
+        let level = self.state.instructions.level().unwrap_or(Level::baseline());
         parallel::ranges_with(&mut ahead[..], &mut scratch, |scratch, rows, ahead| {
             dispatch!(level, simd => world.look_ahead_of_rows(simd, rows, ahead, &common, scratch));
         });
@@ -202,14 +202,14 @@ impl World {
         common: &LookAheadShared,
         scratch: &mut LookAheadScratch,
     ) -> LookAhead {
-        let agents = &self.agents;
-        let group = &self.local_groups[agents.group[row].index()];
+        let agents = &self.state.agents;
+        let group = &self.state.local_groups[agents.group[row].index()];
         let own = &self.step.shown[row];
         let (way, speed) = (&own.way, agents.preferred_speed[row]);
         if !group.look_ahead {
             // an agent that is blocked for long tries any side
-            let blocked = group.keep_right != 0.0 && self.without_progress(row) >= PATIENCE;
-            let aside = if blocked { (self.whim(row, 0) - 0.5) * std::f32::consts::PI } else { 0.0 };
+            let blocked = group.keep_right != 0.0 && self.state.without_progress(row) >= PATIENCE;
+            let aside = if blocked { (self.state.whim(row, 0) - 0.5) * std::f32::consts::PI } else { 0.0 };
             return LookAhead::turned_by(group.keep_right + aside);
         }
         if way.direction == Vec2::ZERO || speed <= 0.0 || self.neighbours(row).is_empty() {
@@ -218,8 +218,8 @@ impl World {
         let LookAheadScratch { crowd, walls } = scratch;
         walls.forget();
         let at = agents.position[row].as_dvec2();
-        let in_space = common.in_space && self.model(row).looks_in_space();
-        let gets_on = self.without_progress(row) < GETS_ON;
+        let in_space = common.in_space && self.state.model(row).looks_in_space();
+        let gets_on = self.state.without_progress(row) < GETS_ON;
         self.see_crowd(row, common, in_space, crowd);
         let Group { personal_space, shoulders, .. } = *group;
         crowd.sort(simd, &Viewpoint { way: way.direction, gets_on, personal_space, shoulders });
@@ -227,7 +227,7 @@ impl World {
             if in_space {
                 return false;
             }
-            walls.find(&self.walls, at, || self.range_of_walls(row));
+            walls.find(&self.state.walls, at, || self.state.range_of_walls(row));
             walls.hide(offset)
         };
         // nothing beyond the point where it stops matters
@@ -238,7 +238,7 @@ impl World {
             let relative = way.direction * speed - velocity;
             if is_opposite {
                 if !hidden(offset) {
-                    let share = if agents.avoids(other, row) { self.share(row, other, 0.0) } else { 1.0 };
+                    let share = if agents.avoids(other, row) { self.state.share(row, other, 0.0) } else { 1.0 };
                     oncoming.meet((offset, relative), radii + 2.0 * space, speed, share, group.keep_right);
                 }
             } else if !crosses {
@@ -275,7 +275,7 @@ impl World {
     /// Gathers the neighbours of an agent.
     #[inline(always)]
     fn see_crowd(&self, row: usize, common: &LookAheadShared, in_space: bool, crowd: &mut CrowdAhead) {
-        let (agents, shown) = (&self.agents, &self.step.shown);
+        let (agents, shown) = (&self.state.agents, &self.step.shown);
         let own = &shown[row];
         // a long body turns its narrow side forward; the local model takes its length into account
         let breadth = |row: usize| match common.radius {
@@ -313,14 +313,14 @@ impl World {
         queues: bool,
         (common, walls): (&LookAheadShared, &mut WallsAhead),
     ) -> LookAhead {
-        let (agents, range) = (&self.agents, sight.speed * sight.seconds);
-        let group = &self.local_groups[agents.group[row].index()];
+        let (agents, range) = (&self.state.agents, sight.speed * sight.seconds);
+        let group = &self.state.local_groups[agents.group[row].index()];
         let at = agents.position[row].as_dvec2();
-        walls.find(&self.walls, at, || self.range_of_walls(row));
-        walls.keep(self.clear_of_walls(row));
+        walls.find(&self.state.walls, at, || self.state.range_of_walls(row));
+        walls.keep(self.state.clear_of_walls(row));
         let course = agents.velocity[row] / sight.speed;
         let course = course + way * (STEADY * (1.0 - course.length()).max(0.0));
-        let patience = (self.without_progress(row) / PATIENCE) % PATIENT_AGAIN;
+        let patience = (self.state.without_progress(row) / PATIENCE) % PATIENT_AGAIN;
         let (impatience, restlessness) = (IMPATIENCE * patience.min(1.0), (patience - 1.0).clamp(0.0, 1.0));
         // finite where restlessness is 1, since it is multiplied by a sine that may be 0
         let beyond = (restlessness / (1.0 - restlessness * restlessness).sqrt()).min(f32::MAX);
@@ -330,7 +330,7 @@ impl World {
             let Vec2 { x: cos, y: sin } = ahead.turn;
             let direction = ahead.turned(way);
             let turning = course.length() - course.dot(direction);
-            let whim = if impatience > 0.0 { impatience * self.whim(row, index) } else { 0.0 };
+            let whim = if impatience > 0.0 { impatience * self.state.whim(row, index) } else { 0.0 };
             let added = range * (TURNING * turning + whim);
             // it walks until the cost would rise; without restlessness, to where it is nearest to the point straight
             // ahead
@@ -364,7 +364,9 @@ impl World {
         }
         best.1
     }
+}
 
+impl State {
     /// Returns the distance from its centre within which an agent that looks ahead considers walls, metres.
     fn range_of_walls(&self, row: usize) -> f32 {
         SIGHT_WALLS + self.clear_of_walls(row)
@@ -384,7 +386,7 @@ impl World {
     }
 
     /// Returns a random direction in the plane, which an agent keeps for `WHIM` seconds.
-    pub(super) fn any_side(&self, row: usize) -> Vec2 {
+    pub(crate) fn any_side(&self, row: usize) -> Vec2 {
         let (sin, cos) = libm::sincosf(std::f32::consts::TAU * self.whim(row, u64::from(u8::MAX)));
         Vec2::new(cos, sin)
     }

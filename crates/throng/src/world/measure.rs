@@ -1,6 +1,6 @@
 //! Measures how close bodies come to each other, to walls and to solids.
 
-use super::World;
+use super::{State, World};
 use crate::agent::Columns;
 use crate::guard::Solids;
 use crate::parallel::{self, WORD, Words};
@@ -18,21 +18,9 @@ pub(super) struct Measured {
 }
 
 impl World {
-    /// Returns the distance of two agents at the start of a sub-step above which they can neither overlap at its end
-    /// nor be nearer than any pair before.
-    pub(super) fn close_enough_to_measure(&self, seconds: f32) -> f32 {
-        let agents = &self.agents;
-        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
-        if !agents.all_discs() {
-            return f32::INFINITY;
-        }
-        let (radius, reach) = (most(agents.radius.values()), most(agents.max_speed.values()) * seconds);
-        2.001 * (radius * looks_below(self.tally.least_separation) + reach)
-    }
-
     /// Measures how close bodies come to each other, to walls and to solids.
     pub(super) fn measure(&mut self) {
-        let Self { agents, step, walls, tally, .. } = self;
+        let Self { state: State { agents, walls, tally, .. }, step } = self;
         if step.rest.all_asleep() {
             return;
         }
@@ -100,6 +88,20 @@ impl World {
             tally.least_wall_separation = tally.least_wall_separation.min(measured.least_wall_separation);
             tally.overlaps += measured.overlaps;
         }
+    }
+}
+
+impl State {
+    /// Returns the distance of two agents at the start of a sub-step above which they can neither overlap at its end
+    /// nor be nearer than any pair before.
+    pub(crate) fn close_enough_to_measure(&self, seconds: f32) -> f32 {
+        let agents = &self.agents;
+        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
+        if !agents.all_discs() {
+            return f32::INFINITY;
+        }
+        let (radius, reach) = (most(agents.radius.values()), most(agents.max_speed.values()) * seconds);
+        2.001 * (radius * looks_below(self.tally.least_separation) + reach)
     }
 }
 

@@ -21,13 +21,13 @@ impl World {
 
     /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is up to date, if it pays.
     pub(super) fn sort_rows_if_scattered(&mut self) {
-        let in_lattice = self.none_counts_the_nearest();
-        if in_lattice && !self.any_looks_at_all() {
+        let in_lattice = self.state.none_counts_the_nearest();
+        if in_lattice && !self.state.any_looks_at_all() {
             // without a neighbour search the neighbours are unknown
             return;
         }
         let order = if in_lattice { self.step.flocks.order() } else { self.step.grid.order() };
-        if order.len() >= LARGE && self.tally.sub_steps.is_multiple_of(EVERY) && is_scattered(order) {
+        if order.len() >= LARGE && self.state.tally.sub_steps.is_multiple_of(EVERY) && is_scattered(order) {
             self.put_in_order(in_lattice);
         }
     }
@@ -36,8 +36,8 @@ impl World {
     fn put_in_order(&mut self, lattice: bool) {
         let StepMemory { grid, flocks, cycles, rest, ahead, .. } = &mut self.step;
         cycles.find(if lattice { flocks.order() } else { grid.order() });
-        self.agents.permute(cycles);
-        if ahead.len() == self.agents.len() {
+        self.state.agents.permute(cycles);
+        if ahead.len() == self.state.agents.len() {
             cycles.turn(ahead);
         }
         if lattice {
@@ -46,8 +46,8 @@ impl World {
             grid.rows_are_in_order();
         }
         rest.end();
-        for (&slot, row) in self.agents.slot.iter().zip(0..) {
-            self.slots.rows[slot as usize] = row;
+        for (&slot, row) in self.state.agents.slot.iter().zip(0..) {
+            self.state.slots.rows[slot as usize] = row;
         }
     }
 }

@@ -1,6 +1,6 @@
 //! 1. Perception: the number of sub-steps of a step, and the nearest neighbours of all agents.
 
-use super::World;
+use super::{State, World};
 use crate::SubSteps;
 use crate::agent::{Columns, Group};
 use crate::parallel::{self, RowLists, WORD};
@@ -16,15 +16,15 @@ const CROWD_MOVE: f32 = 0.125;
 impl World {
     /// Returns the number of sub-steps of the next step.
     pub(super) fn sub_steps(&mut self) -> u32 {
-        let parts = match self.settings.sub_steps {
+        let parts = match self.state.settings.sub_steps {
             SubSteps::Fixed(parts) => return parts,
             SubSteps::Auto => {
-                let agents = &self.agents;
+                let agents = &self.state.agents;
                 let smallest = agents.bodies().map(|body| body.clearance_radius()).fold(f32::INFINITY, f32::min);
                 let fastest = agents.max_speed.values().iter().copied().fold(0.0, f32::max);
                 let part = if self.is_crowded() { CROWD_MOVE } else { FREE_MOVE };
                 // an empty or motionless world: 0 / inf or 0 / x
-                (self.settings.step as f32 * fastest / (part * smallest) - 1e-3).ceil()
+                (self.state.settings.step as f32 * fastest / (part * smallest) - 1e-3).ceil()
             }
         };
         (parts as u32).clamp(1, 10_000)
@@ -35,7 +35,7 @@ impl World {
         if self.step.rest.unchanged() {
             return self.step.close_pair.is_some();
         }
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let widest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max) * 2.0;
         let any_flies = agents.any_flies();
         let close = |row: usize, other: usize, distance_squared: f32| {
@@ -68,9 +68,9 @@ impl World {
 
     /// Sorts all agents into the cells of the grid. Returns the greatest neighbour distance.
     pub(super) fn rebuild_grid(&mut self) -> f32 {
-        self.note_groups();
-        let range = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
-        self.step.grid.rebuild(&self.agents.position, &self.agents.number, range);
+        self.state.note_groups();
+        let range = self.state.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        self.step.grid.rebuild(&self.state.agents.position, &self.state.agents.number, range);
         range
     }
 
@@ -79,23 +79,23 @@ impl World {
         if self.step.rest.all_asleep() {
             return;
         }
-        self.note_groups();
+        self.state.note_groups();
         self.rebuild_lattice(seconds);
-        let guarded = self.groups_in_use().any(|group| group.guard);
-        if self.none_counts_the_nearest() && !guarded {
-            self.step.near.clear(self.agents.len());
+        let guarded = self.state.groups_in_use().any(|group| group.guard);
+        if self.state.none_counts_the_nearest() && !guarded {
+            self.step.near.clear(self.state.agents.len());
             return self.sort_rows_if_scattered();
         }
         let range = self.rebuild_grid();
         self.sort_rows_if_scattered();
-        let most = self.groups_in_use().map(|group| group.nearest()).max().unwrap_or(1);
-        let close = self.close_enough_to_measure(seconds);
-        let alike = self.groups_in_use().all(|group| group.nearest() == most && group.neighbour_distance == range);
-        let Self { agents, local_groups: groups, step, .. } = self;
+        let most = self.state.groups_in_use().map(|group| group.nearest()).max().unwrap_or(1);
+        let close = self.state.close_enough_to_measure(seconds);
+        let alike = self.state.groups_in_use().all(|group| group.nearest() == most && group.neighbour_distance == range);
+        let Self { state: State { agents, local_groups: groups, groups_with_agents, .. }, step } = self;
         step.long.rebuild(agents, range);
         step.near.resize(step.grid.order(), most);
         let (grid, long, rest, scratch, level) =
-            (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.instructions.level());
+            (&step.grid, &step.long, &step.rest, &mut step.perceiving, self.state.instructions.level());
         let any_flies = agents.any_flies();
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
@@ -143,7 +143,7 @@ impl World {
                 || long.may_reach(agents, row, &list[1..=list[0] as usize], (group.nearest(), group.neighbour_distance))
         };
         let alone = most <= MOST_NEIGHBOURS && agents.all_avoid() && long.is_empty();
-        let any_fast = groups.iter().zip(&step.groups).any(|(group, &used)| used && group.nearest() <= MOST_NEIGHBOURS);
+        let any_fast = groups.iter().zip(&*groups_with_agents).any(|(group, &used)| used && group.nearest() <= MOST_NEIGHBOURS);
         let many = level.filter(|_| any_fast && !any_flies);
         let lists = RowLists { all: &mut step.near.lists, stride: most + 1 };
         let all = (lists, &mut step.near.close[..]);
@@ -169,22 +169,24 @@ impl World {
         });
     }
 
-    /// Records which groups have agents.
-    pub(super) fn note_groups(&mut self) {
-        let Self { agents, local_groups: groups, step, .. } = self;
-        step.groups.clear();
-        step.groups.resize(groups.len(), false);
-        agents.group.values().iter().for_each(|group| step.groups[group.index()] = true);
-    }
-
-    /// Returns the groups that have agents.
-    pub(super) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
-        self.local_groups.iter().zip(&self.step.groups).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
-    }
-
     /// Returns the rows of the neighbours of an agent, nearest first.
     pub(super) fn neighbours(&self, row: usize) -> &[u32] {
         self.step.near.of(row)
+    }
+}
+
+impl State {
+    /// Records which groups have agents.
+    pub(crate) fn note_groups(&mut self) {
+        let Self { agents, local_groups: groups, groups_with_agents, .. } = self;
+        groups_with_agents.clear();
+        groups_with_agents.resize(groups.len(), false);
+        agents.group.values().iter().for_each(|group| groups_with_agents[group.index()] = true);
+    }
+
+    /// Returns the groups that have agents.
+    pub(crate) fn groups_in_use(&self) -> impl Iterator<Item = &Group> {
+        self.local_groups.iter().zip(&self.groups_with_agents).filter(|&(_, &in_use)| in_use).map(|(group, _)| group)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::arrive::GAP_TOLERANCE;
 use super::build::direction;
 use super::neighbour_data::{NavFlags, NeighbourData};
-use super::{EventKind, World};
+use super::{EventKind, World, State};
 use crate::agent::{AgentId, GoalId, Status};
 use crate::navigate::{Goal, Heading, Leg, Meshes, Path, PathRequest, Route, RouteProgress, Turn};
 use crate::parallel;
@@ -15,11 +15,11 @@ impl World {
     /// neighbours.
     pub(super) fn plan(&mut self, seconds: f32, now: f64) {
         self.count_arrivals();
-        let mut travels = std::mem::take(&mut self.agents.travel);
+        let mut travels = std::mem::take(&mut self.state.agents.travel);
         let mut shown = std::mem::take(&mut self.step.shown);
         shown.resize(travels.len(), NeighbourData::default());
         let world = &*self;
-        let level = self.instructions.level();
+        let level = self.state.instructions.level();
         let (any_lost, changes) = (AtomicBool::new(false), AtomicBool::new(false));
         parallel::ranges((&mut travels[..], &mut shown[..]), |rows, both| {
             let (mut lost, mut change) = (false, false);
@@ -33,7 +33,7 @@ impl World {
             world.step.rest.each(rows, both, |rows, (travels, shown)| match level {
                 Some(level) => near |= world.look_many(level, rows, travels, shown, seconds, &mut look),
                 None => rows.zip(travels).zip(shown).for_each(|((row, travel), shown)| {
-                    let agents = &world.agents;
+                    let agents = &world.state.agents;
                     *shown = NeighbourData::new(agents.position[row], agents.velocity[row], look(row, travel));
                 }),
             });
@@ -50,13 +50,13 @@ impl World {
         let rows = if any_lost { 0..travels.len() } else { 0..0 };
         let mut lost: Vec<PathRequest> = rows
             .filter(|&row| shown[row].way.walks() && shown[row].way.has_goal() && !travels[row].has_way())
-            .filter_map(|row| self.ask_way(row, travels[row].leg))
+            .filter_map(|row| self.state.ask_way(row, travels[row].leg))
             .collect();
         if !lost.is_empty() {
-            self.agents.travel = travels;
-            self.prepare_meshes(&lost);
-            travels = std::mem::take(&mut self.agents.travel);
-            self.meshes.find(&self.goals, &mut lost);
+            self.state.agents.travel = travels;
+            self.state.prepare_meshes(&lost);
+            travels = std::mem::take(&mut self.state.agents.travel);
+            self.state.meshes.find(&self.state.goals, &mut lost);
             for asked in lost {
                 let row = asked.row;
                 let travel = &mut travels[row];
@@ -65,24 +65,24 @@ impl World {
                         let length = path.length;
                         shown[row].way = self.take_way(row, travel, (asked.goal, &path, gap), seconds);
                         if travel.measured {
-                            self.happened(row, EventKind::Replanned, now);
+                            self.state.happened(row, EventKind::Replanned, now);
                         } else {
                             travel.measured = true;
-                            self.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
+                            self.state.agents.shortest[row] += DVec2::new(length, travel.rise().into()).length();
                         }
                     }
                     Some(Err(why)) => {
-                        self.agents.status[row] = Status::Stranded;
-                        self.happened(row, EventKind::Stranded, now);
-                        self.stranded.push((self.agents.number[row], why));
+                        self.state.agents.status[row] = Status::Stranded;
+                        self.state.happened(row, EventKind::Stranded, now);
+                        self.state.stranded.push((self.state.agents.number[row], why));
                         shown[row].way = self.look(row, travel, seconds);
                     }
                     None => {}
                 }
             }
-            self.stranded.sort_by_key(|&(number, _)| number);
+            self.state.stranded.sort_by_key(|&(number, _)| number);
         }
-        self.agents.travel = travels;
+        self.state.agents.travel = travels;
         self.step.shown = shown;
     }
 
@@ -91,15 +91,15 @@ impl World {
     /// discs, because a turned body might not fit. Call it at the start: agents added without a heading face their
     /// goals, even through walls.
     pub fn face_ways(&mut self, agents: &[AgentId]) {
-        let leg = |row: usize| self.first_leg(self.agents.journey[row], self.world_place(row));
-        let rows = agents.iter().filter_map(|&id| self.row(id)).filter(|&row| self.agents.is_disc(row));
-        let mut ways: Vec<PathRequest> = rows.filter_map(|row| self.ask_way(row, leg(row)?)).collect();
-        self.prepare_meshes(&ways);
-        self.meshes.find(&self.goals, &mut ways);
+        let leg = |row: usize| self.state.first_leg(self.state.agents.journey[row], self.state.world_place(row));
+        let rows = agents.iter().filter_map(|&id| self.state.row(id)).filter(|&row| self.state.agents.is_disc(row));
+        let mut ways: Vec<PathRequest> = rows.filter_map(|row| self.state.ask_way(row, leg(row)?)).collect();
+        self.state.prepare_meshes(&ways);
+        self.state.meshes.find(&self.state.goals, &mut ways);
         for way in ways {
             let Some(Ok((path, _))) = way.found else { continue };
             if let Some(heading) = path.corners.iter().find_map(|&corner| direction(corner - way.from)) {
-                self.agents.heading[way.row] = heading;
+                self.state.agents.heading[way.row] = heading;
             }
         }
     }
@@ -107,39 +107,39 @@ impl World {
     /// Updates an agent's position on its path, and returns what its neighbours know of it. A path that is no longer
     /// valid is given up.
     fn look(&self, row: usize, travel: &mut RouteProgress, seconds: f32) -> NavFlags {
-        let leg = self.legs.of(self.agents.journey[row], travel.leg);
-        if leg.is_none() && self.agents.status[row] == Status::Walking {
+        let leg = self.state.legs.of(self.state.agents.journey[row], travel.leg);
+        if leg.is_none() && self.state.agents.status[row] == Status::Walking {
             // a steered agent needs no path
-            return NavFlags::walking(None, self.agents.velocity[row].normalize_or_zero(), 0.0);
+            return NavFlags::walking(None, self.state.agents.velocity[row].normalize_or_zero(), 0.0);
         }
-        let at = self.world_position(row);
+        let at = self.state.world_position(row);
         let straight = travel.is_straight();
         let mut towards = leg.map_or(-at, |leg| leg.middle - at).as_vec2();
         let distance = towards.length();
         let mut along = distance;
         if !straight {
-            along = self.follow(row, travel, at).unwrap_or(along);
+            along = self.state.follow(row, travel, at).unwrap_or(along);
             towards = travel.aim().map_or(towards, |aim| (aim - at).as_vec2());
         }
         if straight || travel.has_way() {
             let altitude = leg.filter(|_| travel.turn != Turn::Aside).and_then(|leg| leg.altitude);
-            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.world_place(row).z) as f32), along);
+            travel.set_rise(altitude.map_or(0.0, |altitude| (altitude - self.state.world_place(row).z) as f32), along);
         }
         let (id, remaining) = (leg.map(|leg| leg.goal), travel.distance(along));
-        let status = self.agents.status[row];
+        let status = self.state.agents.status[row];
         if status != Status::Walking {
-            let comes = status == Status::Arrived && self.agents.arrived[row].is_infinite();
+            let comes = status == Status::Arrived && self.state.agents.arrived[row].is_infinite();
             let moves = || self.is_out_of_place(row, travel) || self.wants_place(row, travel, seconds);
             let changes = comes || status == Status::Waiting || status == Status::Arrived && moves();
             return NavFlags::at_rest(id, remaining).changing(changes);
         }
-        let waits = travel.turn == Turn::Aside && along < self.agents.radius[row];
+        let waits = travel.turn == Turn::Aside && along < self.state.agents.radius[row];
         let direction = if waits { Vec2::ZERO } else { towards.normalize_or_zero() };
         let tolerance = leg.and_then(|leg| leg.tolerance);
         let stops = tolerance.is_some() && leg.is_some_and(|leg| leg.is_last);
         // no agent has arrived there yet, and the goal is farther than the agent can get in this sub-step
         let counts = |leg: &Leg| leg.reach + travel.gap() + GAP_TOLERANCE as f32;
-        let is_far = |leg: &Leg| distance * 0.9999 > counts(leg) + self.agents.max_speed[row] * seconds * 1.01;
+        let is_far = |leg: &Leg| distance * 0.9999 > counts(leg) + self.state.agents.max_speed[row] * seconds * 1.01;
         let taken = id.is_some_and(|id| self.step.arrivals[id.index()] > 0);
         let may_arrive = taken || travel.waits_for_room() || !leg.is_some_and(is_far);
         let is_plain = travel.is_plain() && tolerance.is_some();
@@ -155,11 +155,13 @@ impl World {
         (goal, path, gap): (GoalId, &Path, f64),
         seconds: f32,
     ) -> NavFlags {
-        travel.set_way((!self.is_straight(row, goal)).then(|| Route::new(path)));
+        travel.set_way((!self.state.is_straight(row, goal)).then(|| Route::new(path)));
         travel.set_gap(gap as f32);
         self.look(row, travel, seconds)
     }
+}
 
+impl State {
     /// Advances an agent along its route. Returns the remaining length of the route, metres; `None` if the route is
     /// lost.
     fn follow(&self, row: usize, travel: &mut RouteProgress, at: DVec2) -> Option<f32> {
@@ -219,7 +221,7 @@ impl World {
     }
 
     /// Returns the request of a path to a goal.
-    pub(super) fn ask_way_to(&self, row: usize, goal: GoalId) -> PathRequest {
+    pub(crate) fn ask_way_to(&self, row: usize, goal: GoalId) -> PathRequest {
         let (radius, from) = (self.agents.body(row).clearance_radius(), self.world_position(row));
         PathRequest { row, radius, from, goal, found: None }
     }
@@ -231,7 +233,7 @@ impl World {
     }
 
     /// Builds the meshes for requested paths, on ground that contains their starts and ends.
-    pub(super) fn prepare_meshes(&mut self, asked: &[PathRequest]) {
+    pub(crate) fn prepare_meshes(&mut self, asked: &[PathRequest]) {
         if self.walls.is_empty() {
             return;
         }
@@ -248,7 +250,7 @@ impl World {
     }
 
     /// Builds the meshes of all agents that have a path or need one.
-    pub(super) fn prepare_all_meshes(&mut self) {
+    pub(crate) fn prepare_all_meshes(&mut self) {
         let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
         let need = |row: usize| {
             let stop = self.stop(row, self.agents.travel[row].leg)?;
@@ -275,12 +277,12 @@ impl World {
         self.extent.map_or((low, high), |(l, h)| (l.min(low), h.max(high)))
     }
 
-    pub(super) fn world_position(&self, row: usize) -> DVec2 {
+    pub(crate) fn world_position(&self, row: usize) -> DVec2 {
         self.agents.position[row].as_dvec2() + self.settings.origin
     }
 
     /// Returns the centre of an agent in space, world coordinates.
-    pub(super) fn world_place(&self, row: usize) -> DVec3 {
+    pub(crate) fn world_place(&self, row: usize) -> DVec3 {
         self.agents.center(row) + self.settings.origin.extend(0.0)
     }
 }

@@ -53,7 +53,7 @@ impl World {
             for lane in ones(looked.left) {
                 let row = start + lane;
                 let way = left(row, &mut travels[lane]);
-                shown[lane] = NeighbourData::new(self.agents.position[row], self.agents.velocity[row], way);
+                shown[lane] = NeighbourData::new(self.state.agents.position[row], self.state.agents.velocity[row], way);
             }
         }
         may_change
@@ -69,17 +69,17 @@ impl World {
         shown: &mut [NeighbourData],
         seconds: f32,
     ) -> ExcludedLanes {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let rows = start..start + travels.len();
         let (mut towards, mut tolerance, mut keys) = ([[0.0; LANES]; 2], [0.0; LANES], [0; LANES]);
         let (mut left, mut goes_nowhere) = (0, 0);
         for ((lane, row), travel) in rows.clone().enumerate().zip(&*travels) {
-            let leg = self.legs.of(agents.journey[row], travel.leg);
+            let leg = self.state.legs.of(agents.journey[row], travel.leg);
             match leg.and_then(|leg| Some((leg, leg.tolerance?))) {
                 Some((leg, near))
                     if leg.altitude.is_none() && travel.is_plain() && agents.status[row] == Status::Walking =>
                 {
-                    set(&mut towards, lane, (leg.middle - self.world_position(row)).as_vec2());
+                    set(&mut towards, lane, (leg.middle - self.state.world_position(row)).as_vec2());
                     tolerance[lane] = near;
                     let taken = self.step.any_arrived && self.step.arrivals[leg.goal.index()] > 0;
                     let way = NavFlags::walking(Some(leg.goal), Vec2::ZERO, 0.0)

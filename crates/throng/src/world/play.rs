@@ -35,30 +35,30 @@ impl World {
     pub fn set_rules(&mut self, rules: Arc<dyn Rules>) -> Result<(), Error> {
         let names = rules.figures();
         let mut figures = vec![0.0; names.len()];
-        self.game = RulesState::default();
+        self.state.game = RulesState::default();
         rules.begin(self, &mut figures)?;
-        self.game = RulesState { rules: Some(rules), names, figures, refused: None };
+        self.state.game = RulesState { rules: Some(rules), names, figures, refused: None };
         Ok(())
     }
 
     /// Lets the rules act after a step.
     pub(super) fn play(&mut self) {
-        let Some(rules) = self.game.rules.take() else { return };
+        let Some(rules) = self.state.game.rules.take() else { return };
         // the old figures stay readable while the rules compute the new ones
-        let mut figures = self.game.figures.clone();
+        let mut figures = self.state.game.figures.clone();
         if let Err(error) = rules.act(self, &mut figures) {
-            self.game.refused = Some(error);
+            self.state.game.refused = Some(error);
         }
         // unless the rules have replaced themselves
-        if self.game.rules.is_none() {
-            self.game.figures = figures;
-            self.game.rules = Some(rules);
+        if self.state.game.rules.is_none() {
+            self.state.game.figures = figures;
+            self.state.game.rules = Some(rules);
         }
     }
 
     /// Returns the names and values of the figures, in the order of [`Rules::figures`]. Empty without rules.
     pub fn figures(&self) -> impl ExactSizeIterator<Item = (&str, f64)> {
-        self.game.names.iter().zip(&self.game.figures).map(|(name, &value)| (name.as_str(), value))
+        self.state.game.names.iter().zip(&self.state.game.figures).map(|(name, &value)| (name.as_str(), value))
     }
 
     /// Returns a figure of the rules by name.
@@ -68,16 +68,16 @@ impl World {
 
     /// Returns the state of the game in a few words; empty without rules, or if the rules have nothing to say.
     pub fn standing(&self) -> String {
-        self.game.rules.as_ref().map_or_else(String::new, |rules| rules.standing(self, &self.game.figures))
+        self.state.game.rules.as_ref().map_or_else(String::new, |rules| rules.standing(self, &self.state.game.figures))
     }
 
     /// Returns the last error of a change that the world refused its rules, if any.
     pub fn refused(&self) -> Option<&Error> {
-        self.game.refused.as_ref()
+        self.state.game.refused.as_ref()
     }
 
     /// Returns the `k`-th random number in [0, 1) of the rules after this step: the same for the same seed and step.
     pub fn draw(&self, k: u32) -> f32 {
-        Rng { seed: self.settings.seed, number: u32::MAX, step: self.steps }.nth(k, Purpose::Rules)
+        Rng { seed: self.state.settings.seed, number: u32::MAX, step: self.state.steps }.nth(k, Purpose::Rules)
     }
 }

@@ -15,8 +15,8 @@ impl World {
     /// hard as it must.
     #[inline]
     pub(super) fn relaxed(&self, row: usize, seconds: f32) -> Vec2 {
-        let (agents, wanted) = (&self.agents, self.step.preferred.ground[row]);
-        let group = &self.local_groups[agents.group[row].index()];
+        let (agents, wanted) = (&self.state.agents, self.step.preferred.ground[row]);
+        let group = &self.state.local_groups[agents.group[row].index()];
         if !group.relaxes() || !self.step.shown[row].way.walks() || agents.script[row].is_some() {
             return wanted;
         }

@@ -14,7 +14,7 @@
 //! The data of a stage for a block stay as they are while the block sleeps. On the scalar path no agent sleeps: it is
 //! the reference.
 
-use super::World;
+use super::{State, World};
 use super::advance::SEEN;
 use crate::agent::{ColumnValue, Status};
 use crate::guard::PASSES;
@@ -197,9 +197,9 @@ impl World {
     /// Finds the blocks that sleep in the sub-step that begins.
     pub(super) fn fall_asleep(&mut self, seconds: f32) {
         let mut rest = std::mem::take(&mut self.step.rest);
-        self.note_groups();
+        self.state.note_groups();
         // as `is_guarded` will say
-        let guarded = self.agents.group.uniform().is_none_or(|group| self.local_groups[group.index()].guard);
+        let guarded = self.state.agents.group.uniform().is_none_or(|group| self.state.local_groups[group.index()].guard);
         let made = self.may_rest().then_some((seconds, guarded));
         if made.is_none() || made != rest.made {
             rest.end();
@@ -212,7 +212,7 @@ impl World {
     }
 
     fn find_asleep(&self, rest: &mut SleepBlocks, seconds: f32) {
-        let (positions, count) = (&self.agents.position, self.agents.len());
+        let (positions, count) = (&self.state.agents.position, self.state.agents.len());
         let SleepBlocks { still, asleep, gone, unrest, .. } = rest;
         asleep.clear();
         let parts = 0..count.div_ceil(WORD);
@@ -224,7 +224,7 @@ impl World {
             return;
         }
         let moved = (0..count).filter(|&row| still.get(row / WORD).is_none_or(|part| part >> (row % WORD) & 1 == 0));
-        let distance = self.distance_that_matters(seconds);
+        let distance = self.state.distance_that_matters(seconds);
         unrest.note(moved.map(|row| positions[row]).chain(gone.iter().copied()), distance / FINE);
         asleep.extend(parts.map(|part| {
             all_still(part) && {
@@ -238,37 +238,27 @@ impl World {
 
     /// Whether agents can sleep: all are discs on the ground with a plain ORCA model and no limit on turning.
     fn may_rest(&self) -> bool {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         self.lanes_to_move().is_some()
             // traces need the neighbour data of every step
-            && !self.traced.any()
+            && !self.state.traced.any()
             && agents.script.uniform() == Some(None)
             && agents.tracking_error.uniform() == Some(0.0)
-            && self.groups_in_use().all(|group| group.model.as_orca().is_some() && group.solid.0.is_empty())
-    }
-
-    /// Returns the distance from an agent that was not still beyond which a sub-step is certain to repeat the last one.
-    fn distance_that_matters(&self, seconds: f32) -> f32 {
-        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
-        let reach = most(self.agents.max_speed.values()) * seconds;
-        let contact = 2.0 * (most(self.agents.radius.values()) + reach);
-        let looks = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
-        // a little more, for rounding
-        1.01 * (2.0 * looks + 2.0 * reach + PASSES as f32 * contact) + 0.1
+            && self.state.groups_in_use().all(|group| group.model.as_orca().is_some() && group.solid.0.is_empty())
     }
 
     /// Records which agents are still in this sub-step, before motion.
     pub(super) fn note_still(&mut self, seconds: f32) {
         let mut rest = std::mem::take(&mut self.step.rest);
         if rest.made.is_some() {
-            let (world, count) = (&*self, self.agents.len());
+            let (world, count) = (&*self, self.state.agents.len());
             let SleepBlocks { still, asleep, .. } = &mut rest;
             still.resize(count.div_ceil(WORD), 0);
             parallel::ranges(Words(still), |rows, Words(still)| {
                 for (part, still) in
                     (rows.start / WORD..).zip(still).filter(|&(part, _)| asleep.get(part) != Some(&true))
                 {
-                    let status = &world.agents.status[rows_of(part, count)];
+                    let status = &world.state.agents.status[rows_of(part, count)];
                     let stands = |bits, &status: &Status| bits << 1 | u64::from(status != Status::Walking);
                     let standing = status.iter().rev().fold(0, stands);
                     let first = part * WORD;
@@ -284,13 +274,13 @@ impl World {
 
     /// Whether the guard moves an agent to another place in this sub-step.
     fn is_displaced(&self, row: usize) -> bool {
-        !self.step.targets[row].position.same(self.agents.position[row])
+        !self.step.targets[row].position.same(self.state.agents.position[row])
     }
 
     /// Whether an agent that does not walk has the same state after this sub-step as before, if the guard does not move
     /// it.
     fn is_still(&self, row: usize, seconds: f32) -> bool {
-        let Self { agents, step, .. } = self;
+        let Self { state: State { agents, .. }, step } = self;
         let (velocity, at) = (step.chosen_velocities.ground[row], agents.position[row]);
         !step.shown[row].way.may_change()
             && velocity.same(agents.velocity[row])
@@ -298,6 +288,18 @@ impl World {
             && (at + velocity * seconds).same(at)
             && velocity.length() < SEEN
             && agents.travel[row].is_settled()
+    }
+}
+
+impl State {
+    /// Returns the distance from an agent that was not still beyond which a sub-step is certain to repeat the last one.
+    fn distance_that_matters(&self, seconds: f32) -> f32 {
+        let most = |all: &[f32]| all.iter().copied().fold(0.0, f32::max);
+        let reach = most(self.agents.max_speed.values()) * seconds;
+        let contact = 2.0 * (most(self.agents.radius.values()) + reach);
+        let looks = self.groups_in_use().map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        // a little more, for rounding
+        1.01 * (2.0 * looks + 2.0 * reach + PASSES as f32 * contact) + 0.1
     }
 }
 

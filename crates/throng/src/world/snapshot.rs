@@ -42,25 +42,25 @@ impl World {
     /// saved by name only, since their models are code. Of [rules](crate::Rules) the figures are saved.
     pub fn save(&self) -> Vec<u8> {
         let state = SavedWorld {
-            settings: self.settings,
-            steps: self.steps,
-            agents: self.agents.clone(),
-            slots: self.slots.clone(),
-            groups: self.local_groups.iter().map(|group| group.name.clone()).collect(),
-            goals: self.goals.clone(),
-            journeys: self.journeys.clone(),
-            choices: self.choices.clone(),
-            scripts: self.scripts.clone(),
-            place: self.place.clone(),
-            schedule: self.schedule.clone(),
-            tally: self.tally.clone(),
-            stranded: self.stranded.clone(),
-            standoffs: self.standoffs.clone(),
-            stimuli: self.stimuli.clone(),
-            figures: self.game.saved(),
-            own_journeys: self.own_journeys.clone(),
-            field_memories: self.field_memories(),
-            extent: self.extent,
+            settings: self.state.settings,
+            steps: self.state.steps,
+            agents: self.state.agents.clone(),
+            slots: self.state.slots.clone(),
+            groups: self.state.local_groups.iter().map(|group| group.name.clone()).collect(),
+            goals: self.state.goals.clone(),
+            journeys: self.state.journeys.clone(),
+            choices: self.state.choices.clone(),
+            scripts: self.state.scripts.clone(),
+            place: self.state.place.clone(),
+            schedule: self.state.schedule.clone(),
+            tally: self.state.tally.clone(),
+            stranded: self.state.stranded.clone(),
+            standoffs: self.state.standoffs.clone(),
+            stimuli: self.state.stimuli.clone(),
+            figures: self.state.game.saved(),
+            own_journeys: self.state.own_journeys.clone(),
+            field_memories: self.state.field_memories(),
+            extent: self.state.extent,
         };
         // writing to memory cannot fail, and all types are serialisable
         let body = postcard::to_stdvec(&state).unwrap_or_default();
@@ -82,44 +82,44 @@ impl World {
             return Err(fail("its bytes are not as they were saved".into()));
         }
         let state: SavedWorld = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
-        let names: Vec<&String> = self.local_groups.iter().map(|group| &group.name).collect();
+        let names: Vec<&String> = self.state.local_groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
         }
-        if !self.game.has(state.figures.iter().map(|(name, _)| name)) {
+        if !self.state.game.has(state.figures.iter().map(|(name, _)| name)) {
             let names = |all: &[(String, f64)]| all.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-            let (saved, own) = (names(&state.figures), names(&self.game.saved()));
+            let (saved, own) = (names(&state.figures), names(&self.state.game.saved()));
             return Err(fail(format!("its rules have the figures {saved:?}, this world's {own:?}")));
         }
         if !state.agents.is_whole() {
             return Err(fail("its columns differ in length".into()));
         }
-        let adapted = self.fields_that_remember(state.field_memories);
-        self.adapted = adapted.ok_or_else(|| fail("its field memories do not fit this world's fields".into()))?;
-        self.settings = state.settings;
-        self.place = state.place;
-        self.agents = Columns::default();
+        let adapted = self.state.fields_that_remember(state.field_memories);
+        self.state.adapted = adapted.ok_or_else(|| fail("its field memories do not fit this world's fields".into()))?;
+        self.state.settings = state.settings;
+        self.state.place = state.place;
+        self.state.agents = Columns::default();
         self.place_changed();
-        self.steps = state.steps;
-        self.agents = state.agents;
-        let words = self.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
-        self.agents.memory.widen(words.max().unwrap_or(0));
-        self.slots = state.slots;
-        self.goals = state.goals;
-        self.journeys = state.journeys;
-        self.choices = state.choices;
-        self.scripts = state.scripts;
-        self.legs = Legs::new(&self.journeys, &self.goals);
-        self.schedule = state.schedule;
-        self.tally = state.tally;
-        self.stranded = state.stranded;
-        self.standoffs = state.standoffs;
-        self.stimuli = state.stimuli;
-        self.events.clear();
-        self.own_journeys = state.own_journeys;
-        self.game.figures = state.figures.into_iter().map(|(_, value)| value).collect();
-        self.extent = state.extent;
-        self.prepare_all_meshes();
+        self.state.steps = state.steps;
+        self.state.agents = state.agents;
+        let words = self.state.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
+        self.state.agents.memory.widen(words.max().unwrap_or(0));
+        self.state.slots = state.slots;
+        self.state.goals = state.goals;
+        self.state.journeys = state.journeys;
+        self.state.choices = state.choices;
+        self.state.scripts = state.scripts;
+        self.state.legs = Legs::new(&self.state.journeys, &self.state.goals);
+        self.state.schedule = state.schedule;
+        self.state.tally = state.tally;
+        self.state.stranded = state.stranded;
+        self.state.standoffs = state.standoffs;
+        self.state.stimuli = state.stimuli;
+        self.state.events.clear();
+        self.state.own_journeys = state.own_journeys;
+        self.state.game.figures = state.figures.into_iter().map(|(_, value)| value).collect();
+        self.state.extent = state.extent;
+        self.state.prepare_all_meshes();
         Ok(())
     }
 }

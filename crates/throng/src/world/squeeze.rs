@@ -3,7 +3,7 @@
 //! A velocity-obstacle model permits two agents that touch no velocity towards each other. Where many agents come from
 //! both sides, several neighbours block each agent, and all stand. People turn their shoulders, touch and slide past.
 
-use super::World;
+use super::{State, World};
 use super::neighbour_data::SAME_WAY;
 use crate::agent::Group;
 use crate::avoid::SimdNeighbours;
@@ -18,17 +18,19 @@ impl World {
     /// slowly.
     #[inline]
     pub(super) fn squeezes_past(&self, row: usize, other: usize) -> bool {
-        let (agents, shown) = (&self.agents, &self.step.shown);
+        let (agents, shown) = (&self.state.agents, &self.step.shown);
         if !shown[row].way.is_opposite(&shown[other].way) {
             return false;
         }
         let offset = agents.position[other] - agents.position[row];
         let closing = (agents.velocity[row] - agents.velocity[other]).dot(offset);
-        closing < SHUFFLE * offset.length() && self.both_squeeze(row, other)
+        closing < SHUFFLE * offset.length() && self.state.both_squeeze(row, other)
     }
+}
 
+impl State {
     /// Whether the groups of both agents squeeze past others, and the other agent avoids the first.
-    pub(super) fn both_squeeze(&self, row: usize, other: usize) -> bool {
+    pub(crate) fn both_squeeze(&self, row: usize, other: usize) -> bool {
         let squeezes = |row: usize| self.local_groups[self.agents.group[row].index()].squeezes();
         squeezes(row) && squeezes(other) && self.agents.avoids(other, row)
     }

@@ -5,7 +5,7 @@
 //! with the agents around them, which side goes first. The agents of the other side go to the nearest places off its
 //! path, wait there, and continue when it has passed.
 
-use super::World;
+use super::{State, World};
 use super::agree::StandoffAgreement;
 use crate::agent::{AgentId, Status};
 use crate::navigate::{Route, Turn};
@@ -47,10 +47,10 @@ struct First {
 impl World {
     /// Ends standoffs that are over, and lets stuck agents agree on new ones.
     pub(super) fn resolve(&mut self, seconds: f32) {
-        let mut standoffs = std::mem::take(&mut self.standoffs);
+        let mut standoffs = std::mem::take(&mut self.state.standoffs);
         standoffs.retain_mut(|standoff| self.go_on(standoff, seconds));
-        self.standoffs = standoffs;
-        if self.groups_in_use().all(|group| !group.resolve) {
+        self.state.standoffs = standoffs;
+        if self.state.groups_in_use().all(|group| !group.resolve) {
             return;
         }
         let mut stuck = std::mem::take(&mut self.step.stuck);
@@ -65,7 +65,7 @@ impl World {
 
     /// Finds the stuck agents that look for a partner in this sub-step, sorted by number.
     fn find_stuck(&self, seconds: f32, rows: &mut Vec<usize>) {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let looks = |&row: &usize| {
             let stalled = agents.travel[row].stalled;
             let before = || stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
@@ -76,56 +76,46 @@ impl World {
         rows.sort_unstable_by_key(|&row| agents.number[row]);
     }
 
-    /// Whether an agent can join an agreement. Agents in the air cannot: they have another way out, above or below.
-    pub(super) fn may_resolve(&self, row: usize) -> bool {
-        let agents = &self.agents;
-        agents.status[row] == Status::Walking
-            && agents.travel[row].turn == Turn::Free
-            && agents.altitude[row] == 0.0
-            && agents.script[row].is_none()
-            && self.local_groups[agents.group[row].index()].resolve
-    }
-
     /// Returns the nearest agent with which it blocks each other's paths, if both are stuck.
     fn partner(&self, row: usize) -> Option<usize> {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         // in the open only stuck agents agree
-        let may_be_narrow = self.meshes.mesh(agents.body(row).clearance_radius()).is_some();
+        let may_be_narrow = self.state.meshes.mesh(agents.body(row).clearance_radius()).is_some();
         // an agent that joined a standoff in this sub-step already has a partner
-        if !self.may_resolve(row) || agents.travel[row].stalled < STUCK && !may_be_narrow {
+        if !self.state.may_resolve(row) || agents.travel[row].stalled < STUCK && !may_be_narrow {
             return None;
         }
         let nearest = self.neighbours(row).iter().map(|&other| other as usize).find(|&other| {
-            agents.travel[other].stalled >= 0.5 * LOOKS && self.may_resolve(other) && self.opposed(row, other)
+            agents.travel[other].stalled >= 0.5 * LOOKS && self.state.may_resolve(other) && self.state.opposed(row, other)
         });
         nearest.filter(|&other| {
             let close =
                 agents.position[row].distance(agents.position[other]) / (agents.radius[row] + agents.radius[other]);
             let stuck = agents.travel[row].stalled >= STUCK && agents.travel[other].stalled >= 0.5 * STUCK;
-            stuck && close < CLOSE || close < CLOSE_IF_NARROW && self.is_narrow(row, other)
+            stuck && close < CLOSE || close < CLOSE_IF_NARROW && self.state.is_narrow(row, other)
         })
     }
 
     fn begin(&mut self, agreement: StandoffAgreement) {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let way =
             agreement.first.iter().map(|&(row, past)| self.step.shown[row].way.remaining - past).fold(0.0, f32::max);
         let retreat = agreement.aside.iter().map(|(_, path)| path.length as f32).fold(0.0, f32::max);
         let slowest = agreement.first.iter().map(|&(row, _)| agents.preferred_speed[row]).fold(f32::INFINITY, f32::min);
-        let first = |&(row, past): &(usize, f32)| First { agent: self.id(row), leg: self.agents.travel[row].leg, past };
+        let first = |&(row, past): &(usize, f32)| First { agent: self.state.id(row), leg: self.state.agents.travel[row].leg, past };
         let standoff = Standoff {
             first: agreement.first.iter().map(first).collect(),
-            aside: agreement.aside.iter().map(|&(row, _)| self.id(row)).collect(),
+            aside: agreement.aside.iter().map(|&(row, _)| self.state.id(row)).collect(),
             left: PATIENCE * (way + retreat) / slowest + GRACE,
         };
         for (row, _) in agreement.first {
-            self.agents.travel[row].take(Turn::First);
+            self.state.agents.travel[row].take(Turn::First);
         }
         for (row, path) in agreement.aside {
-            self.agents.travel[row].step_aside(Route::new(&path));
+            self.state.agents.travel[row].step_aside(Route::new(&path));
         }
-        self.tally.standoffs += 1;
-        self.standoffs.push(standoff);
+        self.state.tally.standoffs += 1;
+        self.state.standoffs.push(standoff);
     }
 
     /// Updates a standoff. Returns whether it continues: an agent that goes first is not yet past the agents that
@@ -134,10 +124,10 @@ impl World {
         let before = standoff.left;
         standoff.left -= seconds;
         standoff.first.retain(|first| {
-            let Some(row) = self.row(first.agent) else { return false };
-            let walks = self.agents.status[row] == Status::Walking;
+            let Some(row) = self.state.row(first.agent) else { return false };
+            let walks = self.state.agents.status[row] == Status::Walking;
             let remaining = self.step.shown[row].way.remaining;
-            let travel = &mut self.agents.travel[row];
+            let travel = &mut self.state.agents.travel[row];
             let mine = travel.turn == Turn::First && travel.leg == first.leg;
             let passes = mine && walks && remaining > first.past && standoff.left > 0.0;
             if mine && !passes {
@@ -146,8 +136,8 @@ impl World {
             passes
         });
         if standoff.first.is_empty() {
-            for row in self.rows_of(&standoff.aside) {
-                self.agents.travel[row].give_up_turn();
+            for row in self.state.rows_of(&standoff.aside) {
+                self.state.agents.travel[row].give_up_turn();
             }
         } else if (before / LOOK).floor() > (standoff.left / LOOK).floor() {
             self.join(standoff);
@@ -158,10 +148,22 @@ impl World {
     /// Makes agents that come towards the agents that go first step aside too.
     fn join(&mut self, standoff: &mut Standoff) {
         let first: Vec<AgentId> = standoff.first.iter().map(|first| first.agent).collect();
-        for (row, path) in self.newcomers(&self.rows_of(&first), &self.rows_of(&standoff.aside)) {
-            standoff.aside.push(self.id(row));
-            self.agents.travel[row].step_aside(Route::new(&path));
+        for (row, path) in self.newcomers(&self.state.rows_of(&first), &self.state.rows_of(&standoff.aside)) {
+            standoff.aside.push(self.state.id(row));
+            self.state.agents.travel[row].step_aside(Route::new(&path));
         }
+    }
+}
+
+impl State {
+    /// Whether an agent can join an agreement. Agents in the air cannot: they have another way out, above or below.
+    pub(crate) fn may_resolve(&self, row: usize) -> bool {
+        let agents = &self.agents;
+        agents.status[row] == Status::Walking
+            && agents.travel[row].turn == Turn::Free
+            && agents.altitude[row] == 0.0
+            && agents.script[row].is_none()
+            && self.local_groups[agents.group[row].index()].resolve
     }
 
     fn rows_of(&self, ids: &[AgentId]) -> Vec<usize> {
@@ -169,7 +171,7 @@ impl World {
     }
 
     /// Ends all standoffs.
-    pub(super) fn end_standoffs(&mut self) {
+    pub(crate) fn end_standoffs(&mut self) {
         self.standoffs.clear();
         for travel in &mut self.agents.travel {
             travel.give_up_turn();

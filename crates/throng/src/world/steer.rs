@@ -3,7 +3,7 @@
 //! A behaviour returns a force, and the velocity that the vehicle reaches with it is the preferred velocity. Avoidance
 //! and guard follow, as for all agents.
 
-use super::World;
+use super::{State, World};
 use super::flock_simd::Insects;
 use crate::agent::{Group, Status};
 use crate::motion::{Attitude, Basis, Motion, Steering};
@@ -44,12 +44,12 @@ pub(super) struct SteeringIndex {
 
 impl SteeringIndex {
     fn rebuild(&mut self, world: &World) {
-        let agents = &world.agents;
+        let agents = &world.state.agents;
         self.rows.clear();
-        self.rows.resize(world.slots.next_number as usize, u32::MAX);
+        self.rows.resize(world.state.slots.next_number as usize, u32::MAX);
         agents.number.iter().zip(0..).for_each(|(&number, row)| self.rows[number as usize] = row);
         self.counts.clear();
-        self.counts.resize(world.local_groups.len(), 0);
+        self.counts.resize(world.state.local_groups.len(), 0);
         self.slots.resize(agents.len(), 0);
         for &row in self.rows.iter().filter(|&&row| row != u32::MAX) {
             let count = &mut self.counts[agents.group[row as usize].index()];
@@ -62,53 +62,33 @@ impl SteeringIndex {
 impl AgentQuery for World {
     fn find(&self, number: u32) -> Option<Kinematics> {
         let &row = self.step.index.rows.get(number as usize).filter(|&&row| row != u32::MAX)?;
-        let Motion { position, velocity, basis, .. } = self.motion(row as usize);
-        Some(Kinematics { position, velocity, basis, radius: self.agents.radius[row as usize] })
+        let Motion { position, velocity, basis, .. } = self.state.motion(row as usize);
+        Some(Kinematics { position, velocity, basis, radius: self.state.agents.radius[row as usize] })
     }
 }
 
 impl World {
-    /// Returns the behaviour that an agent steers by; `None` if it does not steer.
-    pub(super) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
-        self.local_groups[self.agents.group[row].index()].steering.as_ref()
-    }
-
-    /// Whether any agent steers.
-    pub(super) fn any_steers(&self) -> bool {
-        self.groups_in_use().any(|group| group.steering.is_some())
-    }
-
-    /// Whether all agents steer.
-    pub(super) fn all_steer(&self) -> bool {
-        self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
-    }
-
-    /// Whether any agent that steers may leave the ground.
-    pub(super) fn any_steers_in_space(&self) -> bool {
-        self.groups_in_use().any(Group::steers_in_space)
-    }
-
     /// Computes the preferred velocities of agents that steer.
     pub(super) fn steer(&mut self, seconds: f32, now: f64) {
-        if !self.any_steers() {
+        if !self.state.any_steers() {
             self.step.planned.resize(0);
             return;
         }
-        self.stimuli.retain(|stimulus| now - stimulus.time <= FORGOTTEN);
+        self.state.stimuli.retain(|stimulus| now - stimulus.time <= FORGOTTEN);
         let mut index = std::mem::take(&mut self.step.index);
         index.rebuild(self);
         self.step.index = index;
         self.flock(seconds, now);
         let mut planned = std::mem::take(&mut self.step.planned);
-        planned.resize(self.agents.len());
-        let mut memory = std::mem::take(&mut self.agents.memory);
+        planned.resize(self.state.agents.len());
+        let mut memory = std::mem::take(&mut self.state.agents.memory);
         let mut preferred = std::mem::take(&mut self.step.preferred);
         let each = memory.lists().stride;
         let Planned { velocity, attitude, faces } = &mut planned;
         let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
         let mut scratch = std::mem::take(&mut self.step.steering);
         let world = &*self;
-        let flying = world.lanes_to_fly(seconds);
+        let flying = world.state.lanes_to_fly(seconds);
         parallel::ranges_with(
             all,
             &mut scratch,
@@ -119,10 +99,10 @@ impl World {
                     return world.steer_many(flying, rows, (velocity, attitude), preferred, &mut insects);
                 }
                 for (at, row) in rows.enumerate() {
-                    let Some(steering) = world.steering(row) else { continue };
-                    let vehicle = &world.local_groups[world.agents.group[row].index()].vehicle;
-                    let before = world.motion(row);
-                    let steering = if world.is_bird(row) {
+                    let Some(steering) = world.state.steering(row) else { continue };
+                    let vehicle = &world.state.local_groups[world.state.agents.group[row].index()].vehicle;
+                    let before = world.state.motion(row);
+                    let steering = if world.state.is_bird(row) {
                         world.step.flocks.force(row).into()
                     } else {
                         let memory = &mut memory.all[at * each..][..steering.words()];
@@ -139,22 +119,83 @@ impl World {
             },
         );
         (self.step.planned, self.step.steering) = (planned, scratch);
-        (self.agents.memory, self.step.preferred) = (memory, preferred);
+        (self.state.agents.memory, self.step.preferred) = (memory, preferred);
     }
 
     /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.
     pub(super) fn steering_reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<TraceEntry>) {
         let mut entries = Vec::new();
-        let said = self.steering(row).and_then(|steering| {
-            let (mut memory, mut neighbours) = (self.agents.memory.of(row).to_vec(), Vec::new());
+        let said = self.state.steering(row).and_then(|steering| {
+            let (mut memory, mut neighbours) = (self.state.agents.memory.of(row).to_vec(), Vec::new());
             let view = self.steering_view(row, seconds, now, &mut neighbours);
             steering.steer(&view, &mut memory[..steering.words()], &mut TraceRecorder::requested(&mut entries))
         });
         (said, entries)
     }
 
+    /// Returns the input of the behaviour of an agent.
+    pub(super) fn steering_view<'a>(
+        &'a self,
+        row: usize,
+        seconds: f32,
+        now: f64,
+        neighbours: &'a mut Vec<SteeringNeighbour>,
+    ) -> SteeringInput<'a> {
+        let (agents, own) = (&self.state.agents, self.state.motion(row));
+        neighbours.clear();
+        self.look_at_all(row, neighbours);
+        neighbours.extend(self.neighbours(row).iter().map(|&other| {
+            let other = other as usize;
+            SteeringNeighbour {
+                offset: self.state.place_in_space(other) - own.position,
+                velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
+                forward: self.state.forward(other),
+                radius: agents.radius[other],
+                number: agents.number[other],
+                group: agents.group[other].index(),
+            }
+        }));
+        SteeringInput {
+            motion: own,
+            vehicle: self.state.local_groups[agents.group[row].index()].vehicle,
+            radius: agents.radius[row],
+            group: agents.group[row].index(),
+            slot: self.step.index.slots[row] as usize,
+            goal: self.state.steering_goal(row),
+            neighbours,
+            others: self,
+            stimuli: &self.state.stimuli,
+            figures: &self.state.game.figures,
+            time: now - f64::from(seconds),
+            seconds,
+            rng: self.state.rng(row),
+        }
+    }
+}
+
+impl State {
+    /// Returns the behaviour that an agent steers by; `None` if it does not steer.
+    pub(crate) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
+        self.local_groups[self.agents.group[row].index()].steering.as_ref()
+    }
+
+    /// Whether any agent steers.
+    pub(crate) fn any_steers(&self) -> bool {
+        self.groups_in_use().any(|group| group.steering.is_some())
+    }
+
+    /// Whether all agents steer.
+    pub(crate) fn all_steer(&self) -> bool {
+        self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
+    }
+
+    /// Whether any agent that steers may leave the ground.
+    pub(crate) fn any_steers_in_space(&self) -> bool {
+        self.groups_in_use().any(Group::steers_in_space)
+    }
+
     /// Returns the position, velocity and orientation of an agent.
-    pub(super) fn motion(&self, row: usize) -> Motion {
+    pub(crate) fn motion(&self, row: usize) -> Motion {
         let agents = &self.agents;
         let position = self.place_in_space(row);
         let velocity = agents.velocity_in_space(row);
@@ -166,12 +207,12 @@ impl World {
     }
 
     /// Returns the centre of an agent in space.
-    pub(super) fn place_in_space(&self, row: usize) -> Vec3 {
+    pub(crate) fn place_in_space(&self, row: usize) -> Vec3 {
         self.agents.position[row].extend(self.agents.altitude[row])
     }
 
     /// Returns the direction that an agent faces.
-    pub(super) fn forward(&self, row: usize) -> Vec3 {
+    pub(crate) fn forward(&self, row: usize) -> Vec3 {
         if self.steering(row).is_some() {
             self.agents.attitude[row].basis.forward
         } else {
@@ -180,48 +221,9 @@ impl World {
         }
     }
 
-    /// Returns the input of the behaviour of an agent.
-    pub(super) fn steering_view<'a>(
-        &'a self,
-        row: usize,
-        seconds: f32,
-        now: f64,
-        neighbours: &'a mut Vec<SteeringNeighbour>,
-    ) -> SteeringInput<'a> {
-        let (agents, own) = (&self.agents, self.motion(row));
-        neighbours.clear();
-        self.look_at_all(row, neighbours);
-        neighbours.extend(self.neighbours(row).iter().map(|&other| {
-            let other = other as usize;
-            SteeringNeighbour {
-                offset: self.place_in_space(other) - own.position,
-                velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
-                forward: self.forward(other),
-                radius: agents.radius[other],
-                number: agents.number[other],
-                group: agents.group[other].index(),
-            }
-        }));
-        SteeringInput {
-            motion: own,
-            vehicle: self.local_groups[agents.group[row].index()].vehicle,
-            radius: agents.radius[row],
-            group: agents.group[row].index(),
-            slot: self.step.index.slots[row] as usize,
-            goal: self.steering_goal(row),
-            neighbours,
-            others: self,
-            stimuli: &self.stimuli,
-            figures: &self.game.figures,
-            time: now - f64::from(seconds),
-            seconds,
-            rng: self.rng(row),
-        }
-    }
-
     /// Returns the point that the journey of an agent leads to next: the next corner of its path, or its goal if it
     /// waits or has arrived.
-    pub(super) fn steering_goal(&self, row: usize) -> Option<Vec3> {
+    pub(crate) fn steering_goal(&self, row: usize) -> Option<Vec3> {
         let travel = &self.agents.travel[row];
         let leg = travel.leg;
         let stop = self.stop(row, leg)?;

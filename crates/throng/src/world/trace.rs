@@ -67,7 +67,7 @@ impl World {
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn request_traces(&mut self, request: TraceRequest) {
-        self.traced = request;
+        self.state.traced = request;
         self.step.traces.clear();
     }
 
@@ -80,33 +80,33 @@ impl World {
     /// sub-step.
     pub(super) fn account(&mut self, memory: Option<Memory>, seconds: f32, now: f64) {
         let Some(memory) = memory else { return };
-        let after = std::mem::replace(&mut self.agents.memory, memory);
-        let requested = (0..self.agents.len()).filter(|&row| self.traced.holds(self.agents.number[row]));
+        let after = std::mem::replace(&mut self.state.agents.memory, memory);
+        let requested = (0..self.state.agents.len()).filter(|&row| self.state.traced.holds(self.state.agents.number[row]));
         let mut traces: Vec<Trace> = requested.map(|row| self.account_of(row, seconds, now)).collect();
         traces.sort_unstable_by_key(|trace| trace.number);
-        (self.step.traces, self.agents.memory) = (traces, after);
+        (self.step.traces, self.state.agents.memory) = (traces, after);
     }
 
     fn account_of(&self, row: usize, seconds: f32, now: f64) -> Trace {
         let (said, entries) = self.steering_reasons(row, seconds, now);
-        let mass = self.local_groups[self.agents.group[row].index()].vehicle.mass;
+        let mass = self.state.local_groups[self.state.agents.group[row].index()].vehicle.mass;
         Trace {
-            number: self.agents.number[row],
+            number: self.state.agents.number[row],
             steering: said.map_or(Vec3::ZERO, |steering| steering.force / mass),
             preferred: self.step.preferred.at(row),
-            entries: if self.steering(row).is_some() { entries } else { self.route_trace(row) },
+            entries: if self.state.steering(row).is_some() { entries } else { self.route_trace(row) },
         }
     }
 
     /// Returns the path and the neighbours of an agent that follows its journey.
     fn route_trace(&self, row: usize) -> Vec<TraceEntry> {
-        let agents = &self.agents;
+        let agents = &self.state.agents;
         let altitude = agents.altitude[row];
-        let local = |corner: glam::DVec2| (corner - self.settings.origin).as_vec2().extend(altitude);
+        let local = |corner: glam::DVec2| (corner - self.state.settings.origin).as_vec2().extend(altitude);
         let corners = agents.travel[row].route().into_iter().flat_map(|route| route.corners());
         let via = corners.map(|corner| SteeringReason::Via(local(corner)));
-        let aim = self.steering_goal(row).map(SteeringReason::Aim);
-        let distance = self.local_groups[agents.group[row].index()].neighbour_distance;
+        let aim = self.state.steering_goal(row).map(SteeringReason::Aim);
+        let distance = self.state.local_groups[agents.group[row].index()].neighbour_distance;
         let looks = SteeringReason::Looks { distance, angle: PI };
         let seen = self.neighbours(row).iter().map(|&other| SteeringReason::Regards(agents.number[other as usize]));
         let reasons = via.chain(aim).chain([looks]).chain(seen);

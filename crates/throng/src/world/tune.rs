@@ -29,26 +29,26 @@ impl World {
     /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
     /// unchanged.
     pub fn set_group(&mut self, id: GroupId, group: Group) -> Result<(), Error> {
-        known("group", id.index(), self.local_groups.len())?;
-        let local = self.checked_group(&group)?;
-        let began_to_steer = group.steering.is_some() && self.local_groups[id.index()].steering.is_none();
+        known("group", id.index(), self.state.local_groups.len())?;
+        let local = self.state.checked_group(&group)?;
+        let began_to_steer = group.steering.is_some() && self.state.local_groups[id.index()].steering.is_none();
         if let Some(steering) = &group.steering {
-            self.agents.memory.widen(steering.words());
+            self.state.agents.memory.widen(steering.words());
         }
         self.step.solids.set(id.index(), local.solid.0.clone());
-        self.local_groups[id.index()] = local;
-        self.groups[id.index()] = group;
-        self.end_standoffs();
+        self.state.local_groups[id.index()] = local;
+        self.state.groups[id.index()] = group;
+        self.state.end_standoffs();
         self.step.rest.end();
-        for row in (0..self.agents.len()).filter(|&row| self.agents.group[row] == id).collect::<Vec<_>>() {
-            self.agents.memory.forget(row);
+        for row in (0..self.state.agents.len()).filter(|&row| self.state.agents.group[row] == id).collect::<Vec<_>>() {
+            self.state.agents.memory.forget(row);
             if began_to_steer {
-                let (sin, cos) = libm::sincosf(self.agents.heading[row]);
+                let (sin, cos) = libm::sincosf(self.state.agents.heading[row]);
                 let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
-                self.agents.attitude.set(row, Attitude { basis, ..Attitude::default() });
+                self.state.agents.attitude.set(row, Attitude { basis, ..Attitude::default() });
             }
-            if self.agents.script[row].is_none() {
-                self.update_status_without_stops(row);
+            if self.state.agents.script[row].is_none() {
+                self.state.update_status_without_stops(row);
             }
         }
         Ok(())
@@ -78,13 +78,13 @@ impl World {
             other.check()?;
             Ok(other)
         };
-        let mut here = Vec::with_capacity(self.agents.len());
-        for row in 0..self.agents.len() {
-            if let Some(agent) = self.agent(self.id(row)).map(AgentRef::to_agent) {
-                here.push(changed(self.agents.number[row], &agent)?);
+        let mut here = Vec::with_capacity(self.state.agents.len());
+        for row in 0..self.state.agents.len() {
+            if let Some(agent) = self.agent(self.state.id(row)).map(AgentRef::to_agent) {
+                here.push(changed(self.state.agents.number[row], &agent)?);
             }
         }
-        let mut to_come = self.schedule.clone();
+        let mut to_come = self.state.schedule.clone();
         for agent in to_come.agents() {
             let other = changed(agent.number.unwrap_or_default(), agent)?;
             *agent = Agent {
@@ -98,9 +98,9 @@ impl World {
                 ..other
             };
         }
-        self.schedule = to_come;
+        self.state.schedule = to_come;
         for (row, agent) in here.iter().enumerate() {
-            let agents = &mut self.agents;
+            let agents = &mut self.state.agents;
             if agents.radius[row] != agent.radius || agents.core[row] != agent.core {
                 agents.travel[row].lose_way();
             }
