@@ -44,7 +44,9 @@ pub mod avoid;
 mod error;
 pub mod field;
 pub mod guard;
+mod intend;
 pub mod motion;
+mod moving;
 pub mod navigate;
 mod parallel;
 pub mod perceive;
@@ -52,8 +54,10 @@ mod position;
 pub mod random;
 mod rules;
 mod simd;
+mod sleep;
 pub mod space;
 pub mod steer;
+mod step;
 mod summary;
 mod world;
 
@@ -61,12 +65,11 @@ pub use agent::{
     Agent, AgentId, Body, GoalId, Group, GroupId, Hindered, Hindrance, JourneyId, ObstacleId, ScriptId, Status,
 };
 pub use error::Error;
+pub use intend::{Trace, TraceRequest};
 pub use navigate::{Goal, Journey, Keyframe, Script, Stop};
 pub use position::Position;
 pub use rules::Rules;
 pub use space::{Obstacle, Walkable};
+pub use step::Stage;
 pub use summary::{Counts, Summary};
-pub use world::{
-    AgentRef, Agents, ConsideredAgent, Event, EventKind, Explanation, Settings, Stage, SubSteps, Trace, TraceRequest,
-    World,
-};
+pub use world::{AgentRef, Agents, ConsideredAgent, Event, EventKind, Explanation, Settings, SubSteps, World};

@@ -368,6 +368,13 @@ pub(crate) fn ones(mut word: u64) -> impl Iterator<Item = usize> {
     })
 }
 
+/// Combines ground and vertical components into 3D vectors.
+#[inline(always)]
+pub(crate) fn in_space<S: Simd>(simd: S, ground: &[Vec2], z: S::f32s) -> Vec3s<S> {
+    let Vec2s { x, y } = Vec2s::from_side_by_side(simd, ground);
+    Vec3s { x, y, z }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,72 +1,33 @@
 //! The world: its contents, and the step that advances it.
 
-mod adapt;
-mod advance;
-mod advance_simd;
 mod agents;
-mod agree;
-mod arrive;
-mod avoid;
-mod avoid_simd;
 mod build;
-mod choose;
 mod control;
-mod crowd_ahead;
 mod events;
 mod explain;
-mod fill;
-mod flock;
-mod flock_simd;
-mod govern;
-mod hindrance;
-mod intend;
-mod intend_simd;
 mod local;
-mod look_ahead;
-mod measure;
-mod neighbour_data;
-mod order;
-mod perceive;
-mod plan;
-mod plan_simd;
 mod play;
-mod relax;
 mod replace;
 mod schedule;
-mod sleep;
 mod snapshot;
-mod squeeze;
-mod stage;
-mod standoff;
+mod state;
 mod status;
-mod steer;
-mod trace;
 mod tune;
-mod velocities;
-mod walls_ahead;
 
 pub use agents::{AgentRef, Agents};
 pub use events::{Event, EventKind};
 pub use explain::{ConsideredAgent, Explanation};
-pub use stage::Stage;
-pub use trace::{Trace, TraceRequest};
+pub(crate) use state::State;
 
 use crate::Position;
-use crate::agent::{AgentId, Column, Columns, Cycles, GoalId, Group, GroupId, JourneyId, ProgressMark, Status};
-use crate::guard::BodyPose;
-use crate::guard::{Contacts, Guard, Solids};
-use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
-use crate::perceive::{Grid, Near, SimdLevel, TileScratch};
-use crate::space::{Place, Walls};
-use crate::steer::{SteeringNeighbour, Stimulus};
-use crate::summary::Tally;
-use glam::{DVec2, DVec3, Vec2, Vec3};
-use neighbour_data::NeighbourData;
-use play::RulesState;
-use schedule::Schedule;
+use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::intend::TraceRequest;
+use crate::navigate::{Goal, Journey, Script, Unreachable};
+use crate::perceive::{Grid, SimdLevel};
+use crate::space::Place;
+use crate::step::{Pipeline, Stage};
+use glam::{DVec2, DVec3, Vec3};
 use serde::{Deserialize, Serialize};
-use standoff::Standoff;
-use velocities::Velocities;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -124,116 +85,8 @@ impl Default for Settings {
 /// with the same bits.
 #[derive(Clone, Debug)]
 pub struct World {
-    state: State,
-    step: StepMemory,
-}
-
-/// The state of a world: all that a step reads, and all that it changes.
-#[derive(Clone, Debug)]
-pub(crate) struct State {
-    pub settings: Settings,
-    pub steps: u64,
-    pub agents: Columns,
-    pub slots: Slots,
-    /// Groups as they were given, in local coordinates, and whether they have agents.
-    pub groups: Vec<Group>,
-    pub local_groups: Vec<Group>,
-    pub groups_with_agents: Vec<bool>,
-    pub goals: Vec<Goal>,
-    pub journeys: Vec<Journey>,
-    /// Journeys that are alternatives to each other.
-    pub choices: Vec<Vec<JourneyId>>,
-    pub scripts: Vec<Script>,
-    pub place: Place,
-    pub schedule: Schedule,
-    pub tally: Tally,
-    /// Agents that cannot reach their goals, by number, with the reasons.
-    pub stranded: Vec<(u32, Unreachable)>,
-    /// Standoffs that are being resolved.
-    pub standoffs: Vec<Standoff>,
-    /// Recent stimuli, read by steering behaviours.
-    pub stimuli: Vec<Stimulus>,
-    /// The events of the last step.
-    pub events: Vec<Event>,
-    pub own_journeys: control::OwnJourneys,
-    pub game: RulesState,
-    /// Fields that adapt to the positions of the agents, by group.
-    pub adapted: Vec<Option<adapt::Adapted>>,
-    /// Box of the ground on which paths are planned where no walkable area bounds it. It is kept, because meshes that
-    /// are built later for another box would differ.
-    pub extent: Option<(DVec2, DVec2)>,
-
-    // derived from the fields above whenever needed
-    pub walls: Walls,
-    pub meshes: Meshes,
-    pub legs: Legs,
-    pub instructions: SimdLevel,
-    pub traced: TraceRequest,
-}
-
-/// The row of each id.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Slots {
-    /// The row of the agent in each slot; `u32::MAX` for an empty slot.
-    pub rows: Vec<u32>,
-    /// How many agents had the slot before.
-    pub generations: Column<u32>,
-    pub free: Vec<u32>,
-    pub next_number: u32,
-}
-
-/// Memory that a step passes from stage to stage. It is kept so that a step allocates nothing.
-#[derive(Clone, Debug, Default)]
-struct StepMemory {
-    rest: sleep::SleepBlocks,
-    grid: Grid,
-    long: perceive::LongBodies,
-    /// Rows of the two agents that were last found within a body's width of each other: the first pair that the next
-    /// search tests.
-    close_pair: Option<(usize, usize)>,
-    perceiving: Vec<(TileScratch, Vec<Near>)>,
-    near: perceive::Neighbours,
-    shown: Vec<NeighbourData>,
-    traces: Vec<Trace>,
-    flocks: flock::Flocks,
-    index: steer::SteeringIndex,
-    sources: govern::Sources,
-    steering: Vec<Vec<SteeringNeighbour>>,
-    planned: steer::Planned,
-    stuck: Vec<usize>,
-    /// The result of each agent's look ahead; empty if no agent looks ahead.
-    ahead: Vec<look_ahead::LookAhead>,
-    looking: Vec<look_ahead::LookAheadScratch>,
-    interaction: Vec<intend::InteractionRules>,
-    preferred: Velocities,
-    avoiding: Vec<avoid::AvoidScratch>,
-    irregular: avoid_simd::Irregular,
-    /// Velocities that queueing agents expect of the agents ahead, by row; empty if few agents queue.
-    relaxed: Vec<Vec2>,
-    /// Rows that turn on the scalar path, with their headings and the sums of their turns before the motion.
-    turners: Vec<(usize, f32, f64)>,
-    chosen_velocities: Velocities,
-    /// Chosen velocities in the order of the grid.
-    by_place: Vec<Vec2>,
-    targets: Vec<BodyPose>,
-    reach: Column<f32>,
-    guarded: Column<bool>,
-    contacts: Contacts,
-    solids: Solids,
-    guard: Guard,
-    measured: Vec<measure::Measured>,
-    /// Whether the status of any agent may change in this sub-step.
-    any_may_change: bool,
-    /// Number of agents that have arrived at each goal, and whether any agent has arrived at a goal.
-    arrivals: Vec<u32>,
-    any_arrived: bool,
-    cycles: Cycles,
-    /// Standing places in goal areas.
-    lattices: fill::Lattices,
-    /// Progress of all agents at the last check but one: memory that is reused.
-    progress_marks: Vec<ProgressMark>,
-    /// Rows with a status that may change, with their next status.
-    changes: Vec<(usize, Status)>,
+    pub(crate) state: State,
+    pub(crate) step: Pipeline,
 }
 
 impl World {
@@ -249,36 +102,8 @@ impl World {
     /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step. The world has no clock: a
     /// caller that profiles the stages measures the time itself.
     pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
-        self.state.events.clear();
-        self.enter();
-        self.state.adapt();
-        let parts = self.sub_steps();
-        let seconds = self.state.seconds(parts);
-        for part in 0..parts {
-            let now = self.state.time() + self.state.settings.step * f64::from(part + 1) / f64::from(parts);
-            self.decide(part == 0, seconds, now, &mut ended);
-            if part + 1 == parts {
-                self.note_progress(now);
-            }
-            self.advance(seconds, now);
-            ended(Stage::Move);
-        }
-        self.state.sort_events();
-        self.state.steps += 1;
+        self.step.run(&mut self.state, &mut ended);
         self.play();
-    }
-
-    /// Runs a sub-step that ends at `now`, without the motion. `first` marks the first sub-step of a step.
-    fn decide(&mut self, first: bool, seconds: f32, now: f64, mut ended: impl FnMut(Stage)) {
-        self.fall_asleep(seconds);
-        self.perceive(seconds);
-        ended(Stage::Perceive);
-        self.intend(first, seconds, now);
-        ended(Stage::Intend);
-        self.avoid(seconds);
-        ended(Stage::Avoid);
-        self.guard(seconds, now);
-        ended(Stage::Guard);
     }
 
     /// Returns the seconds since the start.
@@ -318,6 +143,12 @@ impl World {
     /// may change in every step.
     pub fn relative_columns(&self) -> &Columns {
         &self.state.agents
+    }
+
+    /// Sorts the rows of [`relative_columns`](Self::relative_columns) by their position on the ground, strip by strip. Large
+    /// crowds are sorted automatically from time to time. It changes speed only, not results.
+    pub fn sort_rows(&mut self) {
+        self.step.sort_rows(&mut self.state);
     }
 
     /// Returns the centre of an agent, world coordinates; `None` if it has been removed.
@@ -428,50 +259,6 @@ impl World {
         });
         let figures = self.state.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
         fnv_1a(words.flat_map(u32::to_le_bytes).chain(figures))
-    }
-}
-
-impl State {
-    /// Returns the seconds of each sub-step, for this number of sub-steps.
-    fn seconds(&self, parts: u32) -> f32 {
-        (self.settings.step / f64::from(parts)) as f32
-    }
-
-    /// Returns the seconds since the start.
-    pub(crate) fn time(&self) -> f64 {
-        self.steps as f64 * self.settings.step
-    }
-
-    /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.
-    fn ticks(&self, steps: u64, interval: f64) -> u64 {
-        (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
-    }
-
-    /// Whether any agent is above the ground, moves vertically, or may start to.
-    fn in_space_now(&self) -> bool {
-        let agents = &self.agents;
-        let rises = agents.commanded.values().iter().flatten().any(|velocity| velocity.z != 0.0);
-        let in_air = rises || agents.any_flies() || agents.vertical_velocity.uniform() != Some(0.0);
-        in_air || self.legs.lead_up() || self.any_steers_in_space()
-    }
-
-    /// Returns the id of the agent in a row of [`agents`](Self::agents).
-    pub(crate) fn id(&self, row: usize) -> AgentId {
-        let slot = self.agents.slot[row];
-        AgentId { slot, generation: self.slots.generations[slot as usize] }
-    }
-
-    /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
-    /// removed.
-    pub(crate) fn row(&self, id: AgentId) -> Option<usize> {
-        let &row = self.slots.rows.get(id.slot as usize)?;
-        (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
-    }
-
-    /// Returns the goal that an agent walks to; `None` if its journey has ended or has no stops.
-    pub(crate) fn goal_of(&self, row: usize) -> Option<GoalId> {
-        let journey = &self.journeys[self.agents.journey[row].index()];
-        journey.stops.get(self.agents.travel[row].leg as usize).map(|stop| stop.goal)
     }
 }
 

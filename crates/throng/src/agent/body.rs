@@ -1,10 +1,15 @@
 //! The body of an agent: a rounded rectangle along the heading.
 
 use super::{Agent, Columns};
-use crate::avoid::MARGIN_LONG_STEP;
 use crate::space::Core;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
+
+/// Fraction by which [local models](crate::avoid) enlarge two bodies compared with the [guard](crate::guard). Without it the guard must act
+/// in every contact, which jams corridors. With 8 % bodies form arches at doors.
+pub const MARGIN: f32 = 0.03;
+/// [`MARGIN`] for time steps of 0.1 s and longer.
+pub const MARGIN_LONG_STEP: f32 = 0.05;
 
 /// Radius of the corners of a rectangle, as a part of its shorter side.
 const ROUNDING: f32 = 0.1;

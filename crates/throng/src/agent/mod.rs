@@ -14,7 +14,7 @@ mod id;
 mod memory;
 mod statistics;
 
-pub use body::Body;
+pub use body::{Body, MARGIN, MARGIN_LONG_STEP};
 pub use column::{Column, ColumnValue};
 pub use columns::Columns;
 pub(crate) use cycles::Cycles;
@@ -28,6 +28,9 @@ use crate::navigate::Goal;
 use crate::{Error, Position};
 use glam::{DVec3, Vec2};
 use serde::{Deserialize, Serialize};
+
+/// Speed, m/s, below which a velocity has no visible direction.
+pub(crate) const SEEN: f32 = 0.1;
 
 /// The description of an agent, for [`World::add_agent`](crate::World::add_agent).
 ///

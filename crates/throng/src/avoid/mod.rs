@@ -6,8 +6,9 @@
 
 mod anticipation_velocity;
 mod avo;
+mod avoidance;
+mod avoidance_simd;
 mod clearpath;
-mod collision;
 mod collision_free_speed;
 mod descent;
 mod explain;
@@ -24,19 +25,22 @@ mod orca_3d;
 mod orca_simd;
 mod outline;
 mod power_law;
+mod relax;
 mod rvo;
 mod rvo_lab;
 mod sampling;
 mod separation;
 mod social_force;
+mod squeeze;
 mod turning;
 mod vo;
 
+pub use crate::agent::{MARGIN, MARGIN_LONG_STEP};
+pub use crate::space::{time_to_disc, time_to_segment};
 pub use anticipation_velocity::AnticipationVelocity;
 pub use avo::Avo;
+pub(crate) use avoidance::{Avoid, Visibility};
 pub use clearpath::closest_outside;
-pub(crate) use collision::times_to_discs;
-pub use collision::{time_to_disc, time_to_segment};
 pub use collision_free_speed::CollisionFreeSpeed;
 pub use explain::{AvoidanceReason, Cause};
 use forbidden::BoundaryPiece;
@@ -266,13 +270,20 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
     }
 }
 
-/// Fraction by which models enlarge two bodies compared with the [guard](crate::guard). Without it the guard must act
-/// in every contact, which jams corridors. With 8 % bodies form arches at doors.
-pub const MARGIN: f32 = 0.03;
-/// [`MARGIN`] for time steps of 0.1 s and longer.
-pub const MARGIN_LONG_STEP: f32 = 0.05;
-
 /// Returns the factor by which models enlarge the radii of two bodies in a step of `seconds`.
 pub(crate) fn margin(seconds: f32) -> f32 {
     1.0 + if seconds >= 0.1 { MARGIN_LONG_STEP } else { MARGIN }
+}
+
+impl AvoidanceInput<'_> {
+    /// Returns the seconds until a body of `radius` that keeps `velocity` touches a wall in view; infinite if it never
+    /// does.
+    pub(super) fn time_to_walls(&self, velocity: Vec2, radius: f32) -> f32 {
+        let edges = self.edges.iter().map(|near| time_to_segment(near.start, near.end, velocity, radius));
+        let discs = self
+            .discs
+            .iter()
+            .map(|near| near.outline.time_to_collision(near.offset, velocity, near.disc.radius as f32 + radius));
+        edges.chain(discs).fold(f32::INFINITY, f32::min)
+    }
 }

@@ -3,9 +3,9 @@
 //! radii of the polygon.
 
 use super::AvoidanceNeighbour;
-use super::collision::{time_to_disc, time_to_segment};
 use super::obstacle_lines::tangents;
 use crate::space::Core;
+use crate::space::{time_to_disc, time_to_segment};
 use glam::{DVec2, Vec2};
 use std::cmp::Ordering;
 

@@ -84,6 +84,7 @@ mod cell;
 mod certify;
 mod contacts;
 mod cores;
+mod keep_apart;
 mod lists;
 #[cfg(test)]
 mod plain;
@@ -95,9 +96,9 @@ mod sweep;
 
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use certify::{Guard, Report};
-pub(crate) use certify::{led, unguarded, within_reach};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use contacts::{Contacts, RowContacts};
+pub(crate) use keep_apart::{Guarded, KeepApart};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use safe::{SLACK, nearest_approach};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]

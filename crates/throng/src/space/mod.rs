@@ -1,6 +1,7 @@
 //! Geometry: solid obstacles, walkable ground, walls, and the surfaces and paths that steering queries.
 
 mod cells;
+mod collision;
 mod pathway;
 mod place;
 mod raster;
@@ -11,6 +12,8 @@ pub mod surface;
 mod walls;
 
 pub(crate) use cells::Cells;
+pub(crate) use collision::{is_between, times_to_discs};
+pub use collision::{time_to_disc, time_to_segment};
 pub use pathway::{OnPath, PathDirection, Pathway, Segment};
 pub use place::{Place, check_polygon, is_inside};
 pub use raster::Raster;

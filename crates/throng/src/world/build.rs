@@ -1,17 +1,18 @@
 //! Adds and removes groups, goals, journeys, agents and obstacles. All of it is possible while the world runs.
 
 use super::local::localized;
-use super::{Settings, Slots, StepMemory, SubSteps, TraceRequest, World, State};
+use super::state::Slots;
+use super::{Settings, State, SubSteps, TraceRequest, World};
 use crate::agent::{
     Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
 };
 use crate::field::Governed;
-use crate::guard::Solids;
 use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::SimdLevel;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
 use crate::steer::Stimulus;
+use crate::step::Pipeline;
 use crate::summary::Tally;
 use crate::{Error, Position, world::schedule::Schedule};
 use glam::{DVec2, DVec3, Vec2, Vec3};
@@ -31,9 +32,6 @@ impl World {
             Error::unless((1..=10_000).contains(&parts), "number of sub-steps", parts, "from 1 to 10000")?;
         }
         Error::unless_finite("origin", settings.origin.x + settings.origin.y)?;
-        let mut solids = Solids::default();
-        // the solids of the default group
-        solids.add(Vec::new());
         let state = State {
             settings,
             steps: 0,
@@ -63,7 +61,10 @@ impl World {
             instructions: SimdLevel::default(),
             traced: TraceRequest::default(),
         };
-        Ok(Self { state, step: StepMemory { solids, ..StepMemory::default() } })
+        let mut step = Pipeline::default();
+        // the solids of the default group
+        step.guard.solids_mut().add(Vec::new());
+        Ok(Self { state, step })
     }
 
     /// Adds a group.
@@ -75,7 +76,7 @@ impl World {
         if let Some(steering) = &group.steering {
             self.state.agents.memory.widen(steering.words());
         }
-        self.step.solids.add(local.solid.0.clone());
+        self.step.guard.solids_mut().add(local.solid.0.clone());
         self.state.local_groups.push(local);
         self.state.groups.push(group);
         Ok(GroupId(self.state.local_groups.len() as u32 - 1))
@@ -92,7 +93,7 @@ impl World {
         let given = Group { field, ..self.group(group).clone() };
         self.state.local_groups[group.index()].field = self.state.checked_group(&given)?.field;
         self.state.groups[group.index()] = given;
-        self.step.rest.end();
+        self.step.wake();
         for row in 0..self.state.agents.len() {
             if self.state.agents.group[row] == group && self.state.agents.script[row].is_none() {
                 self.state.update_status_without_stops(row);
@@ -285,7 +286,8 @@ impl World {
     pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
         let agent = self.state.with_journey(agent)?;
         let number = self.state.number(&agent)?;
-        Ok(self.put(&agent, number, self.state.time()))
+        self.step.sleep.add();
+        Ok(self.state.put(&agent, number, self.state.time()))
     }
 
     /// Schedules an agent to enter at `time` seconds, or as soon afterwards as its place is free.
@@ -323,75 +325,74 @@ impl World {
     /// Removes an agent. Returns false if it does not exist.
     pub fn remove_agent(&mut self, id: AgentId) -> bool {
         let Some(row) = self.state.row(id) else { return false };
-        self.remove_row(row);
+        self.step.remove(&mut self.state, row);
         true
-    }
-
-    pub(super) fn remove_row(&mut self, row: usize) {
-        let slot = self.state.agents.slot[row] as usize;
-        self.state.unstrand(row);
-        self.step.rest.remove(row, self.state.agents.len() - 1, self.state.agents.position[row]);
-        self.state.agents.swap_remove(row);
-        if row < self.step.ahead.len() {
-            self.step.ahead.swap_remove(row);
-        }
-        let slots = &mut self.state.slots;
-        slots.rows[slot] = u32::MAX;
-        slots.generations.set(slot, slots.generations[slot] + 1);
-        slots.free.push(slot as u32);
-        if let Some(&moved) = self.state.agents.slot.get(row) {
-            slots.rows[moved as usize] = row as u32;
-        }
-    }
-
-    pub(super) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
-        let slot = self.state.slots.free.pop().unwrap_or_else(|| {
-            self.state.slots.rows.push(u32::MAX);
-            self.state.slots.generations.push(0);
-            self.state.slots.rows.len() as u32 - 1
-        });
-        let row = self.state.agents.len() as u32;
-        self.step.rest.add();
-        self.state.slots.rows[slot as usize] = row;
-        let heading = self.state.first_heading(agent);
-        self.state.agents.push(agent, self.state.settings.origin, slot, number, heading, now);
-        if self.state.local_groups[agent.group.index()].steering.is_some() {
-            let (sin, cos) = libm::sincosf(heading);
-            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
-            self.state.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
-        }
-        let status = self.state.first_status(row as usize);
-        self.state.agents.status[row as usize] = status;
-        if status == Status::Arrived {
-            self.state.agents.arrived.set(row as usize, now);
-        }
-        AgentId { slot, generation: self.state.slots.generations[slot as usize] }
     }
 
     /// Rebuilds everything that depends on obstacles and walkable areas.
     pub(super) fn place_changed(&mut self) {
-        self.state.walls = Walls::new(&self.state.place.areas, self.state.place.obstacles(), self.state.settings.origin);
-        self.state.meshes = Meshes::default();
-        self.step.lattices.clear();
-        self.state.extent = None;
-        for travel in &mut self.state.agents.travel {
-            travel.lose_way();
-            travel.set_gap(0.0);
-        }
-        self.state.agents.progress_mark.fill(ProgressMark::default());
-        // a goal that was out of reach may be reachable now
-        for status in &mut self.state.agents.status {
-            if *status == Status::Stranded {
-                *status = Status::Walking;
-            }
-        }
-        self.state.stranded.clear();
-        self.state.end_standoffs();
-        self.step.rest.end();
+        self.state.place_changed();
+        self.step.place_changed();
     }
 }
 
 impl State {
+    pub(crate) fn remove_row(&mut self, row: usize) {
+        let slot = self.agents.slot[row] as usize;
+        self.unstrand(row);
+        self.agents.swap_remove(row);
+        let slots = &mut self.slots;
+        slots.rows[slot] = u32::MAX;
+        slots.generations.set(slot, slots.generations[slot] + 1);
+        slots.free.push(slot as u32);
+        if let Some(&moved) = self.agents.slot.get(row) {
+            slots.rows[moved as usize] = row as u32;
+        }
+    }
+
+    pub(crate) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
+        let slot = self.slots.free.pop().unwrap_or_else(|| {
+            self.slots.rows.push(u32::MAX);
+            self.slots.generations.push(0);
+            self.slots.rows.len() as u32 - 1
+        });
+        let row = self.agents.len() as u32;
+        self.slots.rows[slot as usize] = row;
+        let heading = self.first_heading(agent);
+        self.agents.push(agent, self.settings.origin, slot, number, heading, now);
+        if self.local_groups[agent.group.index()].steering.is_some() {
+            let (sin, cos) = libm::sincosf(heading);
+            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
+            self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
+        }
+        let status = self.first_status(row as usize);
+        self.agents.status[row as usize] = status;
+        if status == Status::Arrived {
+            self.agents.arrived.set(row as usize, now);
+        }
+        AgentId { slot, generation: self.slots.generations[slot as usize] }
+    }
+
+    /// Rebuilds everything that depends on obstacles and walkable areas.
+    fn place_changed(&mut self) {
+        self.walls = Walls::new(&self.place.areas, self.place.obstacles(), self.settings.origin);
+        self.meshes = Meshes::default();
+        self.extent = None;
+        for travel in &mut self.agents.travel {
+            travel.lose_way();
+            travel.set_gap(0.0);
+        }
+        self.agents.progress_mark.fill(ProgressMark::default());
+        // a goal that was out of reach may be reachable now
+        for status in &mut self.agents.status {
+            if *status == Status::Stranded {
+                *status = Status::Walking;
+            }
+        }
+        self.stranded.clear();
+        self.end_standoffs();
+    }
+
     /// Returns a group in local coordinates.
     pub(crate) fn checked_group(&self, group: &Group) -> Result<Group, Error> {
         group.check()?;

@@ -1,10 +1,9 @@
 //! Control by the program while the world runs: goals, preferred velocities and places of agents, and user data.
 
+use super::build::{check_altitude, direction};
 use super::{State, World};
-use super::build::check_altitude;
-use super::velocities::set;
 use crate::agent::{AgentId, JourneyId, ProgressMark, Status};
-use crate::navigate::{Goal, Journey, Stop};
+use crate::navigate::{Goal, Journey, PathRequest, Stop};
 use crate::{Error, Position};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -13,7 +12,7 @@ use std::collections::BTreeMap;
 /// Journeys to a single goal that the world has made for agents: equal goals share one, and one that no agent uses is used
 /// again.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct OwnJourneys {
+pub(crate) struct OwnJourneys {
     /// By the bits of the goal.
     by_goal: BTreeMap<Vec<u8>, JourneyId>,
     unused: Vec<JourneyId>,
@@ -25,6 +24,24 @@ pub(super) struct OwnJourneys {
 const FEW: usize = 64;
 
 impl World {
+    /// Turns agents to the beginning of their paths: around walls to the first corner, otherwise straight to the goal.
+    /// Agents keep their headings if they have been removed, have no goal, or cannot reach it, and if they are not
+    /// discs, because a turned body might not fit. Call it at the start: agents added without a heading face their
+    /// goals, even through walls.
+    pub fn face_ways(&mut self, agents: &[AgentId]) {
+        let leg = |row: usize| self.state.first_leg(self.state.agents.journey[row], self.state.world_place(row));
+        let rows = agents.iter().filter_map(|&id| self.state.row(id)).filter(|&row| self.state.agents.is_disc(row));
+        let mut ways: Vec<PathRequest> = rows.filter_map(|row| self.state.ask_way(row, leg(row)?)).collect();
+        self.state.prepare_meshes(&ways);
+        self.state.meshes.find(&self.state.goals, &mut ways);
+        for way in ways {
+            let Some(Ok((path, _))) = way.found else { continue };
+            if let Some(heading) = path.corners.iter().find_map(|&corner| direction(corner - way.from)) {
+                self.state.agents.heading[way.row] = heading;
+            }
+        }
+    }
+
     /// Sends an agent to another goal: a place, or a [`Goal`]. Its journey ends; its trip goes on.
     ///
     /// ```
@@ -84,7 +101,7 @@ impl World {
         Error::unless_finite("preferred velocity", f64::from(velocity.unwrap_or_default().element_sum()))?;
         self.state.agents.commanded.set(row, velocity);
         self.state.update_status_without_stops(row);
-        self.step.rest.end();
+        self.step.wake();
         Ok(())
     }
 
@@ -110,7 +127,7 @@ impl World {
             self.state.agents.status[row] = Status::Walking;
             self.state.unstrand(row);
         }
-        self.step.rest.end();
+        self.step.wake();
         Ok(())
     }
 
@@ -122,21 +139,6 @@ impl World {
         let row = self.state.row(id).ok_or(Error::Gone)?;
         self.state.agents.user_data.set(row, data);
         Ok(())
-    }
-
-    /// Replaces the preferred velocities of the agents that the program commands.
-    pub(super) fn command(&mut self) {
-        if self.state.agents.commanded.uniform() == Some(None) {
-            return;
-        }
-        let mut preferred = std::mem::take(&mut self.step.preferred);
-        let mut rows = preferred.rows();
-        for row in 0..self.state.agents.len() {
-            if let Some(velocity) = self.state.agents.commanded[row] {
-                set(&mut rows, row, velocity.clamp_length_max(self.state.agents.max_speed[row]));
-            }
-        }
-        self.step.preferred = preferred;
     }
 
     /// Begins a journey, from where the agent is.
@@ -151,7 +153,7 @@ impl World {
         if status == Status::Arrived {
             self.state.agents.arrived.set(row, self.state.time());
         }
-        self.step.rest.end();
+        self.step.wake();
     }
 }
 

@@ -1,10 +1,14 @@
 //! The next sub-step of one agent, with its reasons, as data.
 
-use super::World;
-use super::avoid::Visibility;
+use super::{State, World};
 use crate::agent::AgentId;
-use crate::avoid::{AvoidanceNeighbour, AvoidanceReason, Cause, NearDisc, NearEdge, Workspace, time_to_segment};
+use crate::avoid::{
+    AvoidanceNeighbour, AvoidanceReason, Cause, NearDisc, NearEdge, Visibility, Workspace, time_to_segment,
+};
+use crate::moving::velocity;
+use crate::navigate::Surroundings;
 use crate::steer::TraceEntry;
+use crate::step::Pipeline;
 use glam::{DVec2, Vec2};
 
 /// The motion of one agent in the next sub-step, and the reasons for it. Metres, seconds, radians; velocities along the
@@ -90,55 +94,55 @@ impl World {
     /// ```
     pub fn explain(&self, id: AgentId) -> Option<Explanation> {
         self.state.row(id)?;
-        let mut world = self.clone();
-        world.enter();
-        let parts = world.sub_steps();
-        let seconds = world.state.seconds(parts);
-        let now = world.state.time() + f64::from(seconds);
-        let (memory, draws) = (world.state.agents.memory.clone(), world.state.tally.sub_steps);
-        world.step.rest.end();
-        world.decide(true, seconds, now, |_| ());
+        let Self { mut state, mut step } = self.clone();
+        let (memory, draws) = (state.agents.memory.clone(), state.tally.sub_steps);
+        let of = step.decide(&mut state);
         // `decide` has changed the memory of behaviours and the counter of random draws
-        (world.state.agents.memory, world.state.tally.sub_steps) = (memory, draws);
-        let row = world.state.row(id)?;
-        let (_, steering) = world.steering_reasons(row, seconds, now);
-        Some(Explanation { steering, ..world.explanation(row, seconds) })
+        (state.agents.memory, state.tally.sub_steps) = (memory, draws);
+        let row = state.row(id)?;
+        let seen = step.perceive.result();
+        let (_, steering) = step.intend.steering(&state, seen).reasons(row, of.seconds, of.now);
+        Some(Explanation { steering, ..explanation(&state, &step, row, of.seconds) })
     }
+}
 
-    /// Returns the explanation of the motion that has been decided for a row, but not made yet.
-    fn explanation(&self, row: usize, seconds: f32) -> Explanation {
-        let (agents, model) = (&self.state.agents, self.state.model(row));
-        let (mut sight, mut workspace) = (Visibility::default(), Workspace::default());
-        let view = self.view(row, seconds, &mut sight);
-        let chosen = self.chosen_velocity(row, &view, &mut workspace).truncate();
-        let reasons = model.explain(&view, &mut workspace);
-        let see = |(&other, &seen): (&u32, &AvoidanceNeighbour)| {
-            let other = other as usize;
-            let (number, radius, velocity) = (agents.number[other], agents.radius[other], agents.velocity[other]);
-            ConsideredAgent { number, radius, velocity, seen }
-        };
-        Explanation {
-            number: agents.number[row],
-            time: self.state.time(),
-            seconds,
-            model: format!("{model:?}"),
-            position: self.state.world_position(row),
-            radius: agents.radius[row],
-            heading: agents.heading[row],
-            max_speed: agents.max_speed[row],
-            max_acceleration: agents.max_acceleration[row],
-            velocity: agents.velocity[row],
-            preferred: self.step.preferred.ground[row],
-            relaxed: view.preferred,
-            steering: Vec::new(),
-            reasons,
-            chosen,
-            limited: self.step.chosen_velocities.ground[row],
-            guarded: self.certain_velocity(row, seconds).truncate(),
-            neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
-            edges: sight.edges,
-            discs: sight.discs,
-        }
+/// Returns the explanation of the motion that has been decided for a row, but not made yet.
+fn explanation(state: &State, step: &Pipeline, row: usize, seconds: f32) -> Explanation {
+    let (agents, model, seen) = (&state.agents, state.model(row), step.perceive.result());
+    let around = Surroundings { state, near: seen.near, shown: step.navigate.shown() };
+    let (preferred, chosen) = (step.intend.preferred(), step.avoid.chosen());
+    let avoiding = step.avoid.avoiding(around, seen.grid, preferred);
+    let (mut sight, mut workspace) = (Visibility::default(), Workspace::default());
+    let view = avoiding.view(row, seconds, &mut sight);
+    let unlimited = avoiding.chosen_velocity(row, &view, &mut workspace).truncate();
+    let reasons = model.explain(&view, &mut workspace);
+    let see = |(&other, &seen): (&u32, &AvoidanceNeighbour)| {
+        let other = other as usize;
+        let (number, radius, velocity) = (agents.number[other], agents.radius[other], agents.velocity[other]);
+        ConsideredAgent { number, radius, velocity, seen }
+    };
+    let certain = step.guard.certain_place(state, chosen, &step.sleep, row, seconds);
+    Explanation {
+        number: agents.number[row],
+        time: state.time(),
+        seconds,
+        model: format!("{model:?}"),
+        position: state.world_position(row),
+        radius: agents.radius[row],
+        heading: agents.heading[row],
+        max_speed: agents.max_speed[row],
+        max_acceleration: agents.max_acceleration[row],
+        velocity: agents.velocity[row],
+        preferred: preferred.ground[row],
+        relaxed: view.preferred,
+        steering: Vec::new(),
+        reasons,
+        chosen: unlimited,
+        limited: chosen.ground[row],
+        guarded: velocity(state.place_in_space(row), certain, chosen.at(row), seconds).truncate(),
+        neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
+        edges: sight.edges,
+        discs: sight.discs,
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// The rules of a world, and their figures.
 #[derive(Clone, Debug, Default)]
-pub(super) struct RulesState {
+pub(crate) struct RulesState {
     rules: Option<Arc<dyn Rules>>,
     names: Vec<String>,
     pub figures: Vec<f64>,

@@ -37,9 +37,10 @@ impl World {
         let row = self.state.row(id).ok_or(Error::Gone)?;
         let agent = self.state.with_journey(agent)?;
         let number = self.state.agents.number[row];
-        self.remove_row(row);
+        self.step.remove(&mut self.state, row);
         // the slot that has just become free is the next to be used
-        let AgentId { slot, generation } = self.put(&agent, number, self.state.time());
+        self.step.sleep.add();
+        let AgentId { slot, generation } = self.state.put(&agent, number, self.state.time());
         debug_assert_eq!(slot, id.slot);
         self.state.slots.generations.set(slot as usize, generation - 1);
         Ok(())
@@ -56,7 +57,7 @@ impl World {
         self.state.agents.velocity[row] = velocity.truncate();
         self.state.agents.vertical_velocity.set(row, velocity.z);
         if self.state.agents.status[row] != Status::Walking {
-            self.step.rest.end();
+            self.step.wake();
         }
         Ok(())
     }

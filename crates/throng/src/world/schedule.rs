@@ -1,6 +1,6 @@
 //! The schedule of agents that enter later.
 
-use super::{EventKind, World};
+use super::{EventKind, State};
 use crate::agent::Agent;
 use crate::perceive::Grid;
 use crate::space::Core;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Agents that have yet to enter.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Schedule {
+pub(crate) struct Schedule {
     /// By time, then number, in descending order: the last entry enters first.
     entries: Vec<(f64, Agent)>,
     sorted: bool,
@@ -58,40 +58,41 @@ impl Schedule {
     }
 }
 
-impl World {
-    /// Adds the agents that are due and have a free place; the other agents wait.
-    pub(super) fn enter(&mut self) {
-        let now = self.state.time();
-        let due = self.state.schedule.due(now + 1e-9);
+impl State {
+    /// Adds the agents that are due and have a free place; the other agents wait. Returns whether any enters.
+    pub(crate) fn enter(&mut self) -> bool {
+        let now = self.time();
+        let due = self.schedule.due(now + 1e-9);
         if due.is_empty() {
-            return;
+            return false;
         }
         let mut grid = Grid::default();
-        grid.rebuild(&self.state.agents.position, &self.state.agents.number, 1.0);
-        let largest = self.state.agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
-        let settled = self.state.agents.len();
+        grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
+        let largest = self.agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max);
+        let settled = self.agents.len();
         for (time, agent) in due {
-            let at = (agent.position.truncate() - self.state.settings.origin).as_vec2();
-            let core = Core::new(at.as_dvec2(), self.state.first_heading(&agent), agent.core);
+            let at = (agent.position.truncate() - self.settings.origin).as_vec2();
+            let core = Core::new(at.as_dvec2(), self.first_heading(&agent), agent.core);
             let touches = |other: usize| {
-                let d = if agent.core == Vec2::ZERO && self.state.agents.is_disc(other) {
-                    self.state.agents.center(other).distance(core.center.extend(agent.position.z))
+                let d = if agent.core == Vec2::ZERO && self.agents.is_disc(other) {
+                    self.agents.center(other).distance(core.center.extend(agent.position.z))
                 } else {
-                    core.separation(&self.state.agents.core_of(other)).distance
+                    core.separation(&self.agents.core_of(other)).distance
                 };
-                d < (f64::from(self.state.agents.radius[other]) + f64::from(agent.radius)) * 1.01
+                d < (f64::from(self.agents.radius[other]) + f64::from(agent.radius)) * 1.01
             };
-            let mut taken = (settled..self.state.agents.len()).any(touches);
+            let mut taken = (settled..self.agents.len()).any(touches);
             grid.within(at, (agent.body().bounding_radius() + largest) * 1.02, |near| {
                 taken |= touches(near.row as usize)
             });
-            if taken || self.state.no_room_for(&agent).is_some() {
-                self.state.schedule.add(time, agent);
+            if taken || self.no_room_for(&agent).is_some() {
+                self.schedule.add(time, agent);
             } else {
                 let number = agent.number.unwrap_or_default();
                 self.put(&agent, number, now);
-                self.state.happened(self.state.agents.len() - 1, EventKind::Entered, now);
+                self.happened(self.agents.len() - 1, EventKind::Entered, now);
             }
         }
+        self.agents.len() > settled
     }
 }

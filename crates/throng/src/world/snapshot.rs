@@ -1,8 +1,12 @@
 //! Saving and loading the state of a world.
 
-use super::{Settings, Slots, World, control::OwnJourneys, fnv_1a, schedule::Schedule, standoff::Standoff};
+use super::control::OwnJourneys;
+use super::schedule::Schedule;
+use super::state::Slots;
+use super::{Settings, World, fnv_1a};
 use crate::Error;
 use crate::agent::{Columns, JourneyId};
+use crate::intend::Standoff;
 use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
 use crate::steer::{BoxedBehaviour, Stimulus};
@@ -102,7 +106,8 @@ impl World {
         self.place_changed();
         self.state.steps = state.steps;
         self.state.agents = state.agents;
-        let words = self.state.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
+        let words =
+            self.state.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
         self.state.agents.memory.widen(words.max().unwrap_or(0));
         self.state.slots = state.slots;
         self.state.goals = state.goals;

@@ -1,10 +1,44 @@
 //! The counts and the summary of a run.
 
 use super::{State, World};
-use crate::agent::{Hindered, Status};
+use crate::agent::{Hindered, Hindrance, Status};
+use crate::intend::{Trace, TraceRequest};
 use crate::summary::{Counts, Ended, Summary};
 
 impl World {
+    /// Returns what hinders the agent of a row of [`relative_columns`](Self::relative_columns), as of the last check, at most
+    /// half a second ago.
+    pub fn hindrance(&self, row: usize) -> Hindrance {
+        self.state.hindrance(row)
+    }
+
+    /// Records traces of the requested agents in every step from now on. Nothing else changes.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use throng::steer::{SteeringReason, Seek, Target};
+    /// use throng::{Agent, TraceRequest, Group, Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let seek = Seek { target: Target::Point(Vec3::X * 9.0) };
+    /// let group = world.add_group(Group { steering: Some(seek.into()), ..Group::default() })?;
+    /// world.add_agent(Agent { group, number: Some(7), ..Agent::default() })?;
+    /// world.request_traces(TraceRequest::All);
+    /// world.step();
+    /// let trace = &world.relative_traces()[0];
+    /// assert_eq!((trace.number, trace.entries[0].reason), (7, SteeringReason::Aim(Vec3::X * 9.0)));
+    /// assert!(trace.steering.x > 0.0 && trace.preferred.x > 0.0);
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    pub fn request_traces(&mut self, request: TraceRequest) {
+        self.state.traced = request;
+        self.step.intend.forget_traces();
+    }
+
+    /// Returns the traces of the last sub-step for the [requested](Self::request_traces) agents, by number.
+    pub fn relative_traces(&self) -> &[Trace] {
+        self.step.intend.traces()
+    }
+
     /// Returns how many agents there are, how many have arrived and how many are hindered, without scripted agents. It
     /// is cheap enough for every frame of a recording.
     pub fn counts(&self) -> Counts {

@@ -35,11 +35,11 @@ impl World {
         if let Some(steering) = &group.steering {
             self.state.agents.memory.widen(steering.words());
         }
-        self.step.solids.set(id.index(), local.solid.0.clone());
+        self.step.guard.solids_mut().set(id.index(), local.solid.0.clone());
         self.state.local_groups[id.index()] = local;
         self.state.groups[id.index()] = group;
         self.state.end_standoffs();
-        self.step.rest.end();
+        self.step.wake();
         for row in (0..self.state.agents.len()).filter(|&row| self.state.agents.group[row] == id).collect::<Vec<_>>() {
             self.state.agents.memory.forget(row);
             if began_to_steer {
@@ -117,7 +117,7 @@ impl World {
             agents.layers.set(row, agent.layers);
             agents.avoids.set(row, agent.avoids);
         }
-        self.step.rest.end();
+        self.step.wake();
         Ok(())
     }
 }

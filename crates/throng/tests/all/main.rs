@@ -8,6 +8,7 @@ mod guard;
 mod navigation;
 mod pathway;
 mod perceive;
+mod pipeline;
 #[path = "../shared/polygons.rs"]
 mod polygons;
 #[path = "../shared/kept.rs"]

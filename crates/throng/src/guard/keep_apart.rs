@@ -1,0 +1,217 @@
+//! Stage 4, guard: the stage that finds where agents can move without overlap.
+
+use super::certify::{led, unguarded, within_reach};
+use super::{BodyPose, Contacts, Guard, GuardedBodies, Report, RowContacts, Solids};
+use crate::agent::Column;
+use crate::intend::Velocities;
+use crate::motion::{faces, turn, wrap};
+use crate::parallel::WORD;
+use crate::perceive::{Perceived, SubStep};
+use crate::sleep::SleepBlocks;
+use crate::world::State;
+use glam::Vec3;
+
+/// 4. Guard: finds targets at which no two guarded bodies overlap.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct KeepApart {
+    targets: Vec<BodyPose>,
+    reach: Column<f32>,
+    guarded: Column<bool>,
+    contacts: Contacts,
+    solids: Solids,
+    guard: Guard,
+}
+
+/// The result of the guard.
+#[derive(Clone, Copy)]
+pub(crate) struct Guarded<'a> {
+    /// Where each agent moves. If no agent is guarded: only of the agents near solids, or if not all agents can use SIMD.
+    pub targets: &'a [BodyPose],
+    /// How far each agent may move, metres.
+    pub reach: &'a Column<f32>,
+    /// Whether each agent is guarded.
+    pub guarded: &'a Column<bool>,
+    /// The agents and walls that each agent may touch.
+    pub contacts: &'a Contacts,
+    pub solids: &'a Solids,
+    guard: &'a Guard,
+}
+
+impl Guarded<'_> {
+    /// Whether a pass of the guard has moved an agent from where its chosen velocity leads. Only for guarded worlds.
+    pub fn has_moved(&self, row: usize) -> bool {
+        self.guard.moved(row / WORD) >> (row % WORD) & 1 != 0
+    }
+}
+
+/// What the wishes of agents are made of.
+#[derive(Clone, Copy)]
+struct Wishes<'a> {
+    state: &'a State,
+    preferred: &'a Velocities,
+    chosen: &'a Velocities,
+    seconds: f32,
+    now: f64,
+}
+
+impl KeepApart {
+    /// Finds the targets of all agents in the sub-step that ends at `now`.
+    pub fn run(
+        &mut self,
+        state: &mut State,
+        seen: Perceived<'_>,
+        (preferred, chosen): (&Velocities, &Velocities),
+        sleep: &SleepBlocks,
+        SubStep { seconds, now, .. }: SubStep,
+    ) -> Guarded<'_> {
+        self.reach.map_from(&state.agents.max_speed, |speed| speed * seconds);
+        self.guarded.map_from(&state.agents.group, |group| state.local_groups[group.index()].guard);
+        let mut solids = std::mem::take(&mut self.solids);
+        solids.find(&self.bodies(state, sleep), &state.agents.group);
+        self.solids = solids;
+        let Self { targets, reach, guarded, contacts, solids, guard } = self;
+        let bodies = bodies(state, (reach, guarded, solids), sleep);
+        let wishes = Wishes { state, preferred, chosen, seconds, now };
+        let wished =
+            |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
+        let State { agents, walls, .. } = &*state;
+        let (mut report, mut pushed) = (Report::default(), 0);
+        if state.is_guarded() {
+            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            contacts.collect(&bodies, &agents.number, seen.grid, walls, meets, covered(state, seen));
+            report = guard.certify(&bodies, contacts, walls, wished, targets);
+            let is_pushed = |&row: &usize| state.is_pushed(row, targets[row].place(), seconds);
+            pushed = guard.moved_rows().filter(is_pushed).count();
+        } else {
+            // for measuring
+            contacts.collect_walls_only(&bodies, walls);
+            if state.lanes_to_move().is_none() && state.lanes_to_fly(seconds).is_none() {
+                unguarded(&bodies, wished, targets);
+            } else if bodies.solids.are_near() {
+                led(&bodies, wished, targets);
+            }
+        }
+        let tally = &mut state.tally;
+        tally.pushed += pushed as u64;
+        tally.guard_changed += report.changed as u64;
+        tally.agent_steps += state.agents.len() as u64;
+        tally.sub_steps += 1;
+        self.result()
+    }
+
+    /// Returns the result of the last sub-step.
+    fn result(&self) -> Guarded<'_> {
+        let Self { targets, reach, guarded, contacts, solids, guard } = self;
+        Guarded { targets, reach, guarded, contacts, solids, guard }
+    }
+
+    /// Returns the solids of all groups.
+    pub fn solids_mut(&mut self) -> &mut Solids {
+        &mut self.solids
+    }
+
+    /// Returns the place that the guard and solids permit an agent that has yet to move.
+    pub fn certain_place(
+        &self,
+        state: &State,
+        chosen: &Velocities,
+        sleep: &SleepBlocks,
+        row: usize,
+        seconds: f32,
+    ) -> Vec3 {
+        let target = if state.is_guarded() || self.solids.is_near(row) {
+            self.targets[row]
+        } else {
+            within_reach(row, &self.bodies(state, sleep), chosen_place(state, chosen, row, seconds))
+        };
+        target.place()
+    }
+
+    fn bodies<'a>(&'a self, state: &'a State, sleep: &'a SleepBlocks) -> GuardedBodies<'a> {
+        bodies(state, (&self.reach, &self.guarded, &self.solids), sleep)
+    }
+}
+
+impl Wishes<'_> {
+    /// Returns the heading that an agent turns to in the sub-step, for bodies that are not discs: the heading of its
+    /// script, or the direction of its chosen velocity. The ends of a body turn no faster than the agent's preferred
+    /// speed, because other agents avoid the ends as they move and would flee from a long body that spins.
+    fn heading(&self, row: usize) -> f32 {
+        let (agents, seconds) = (&self.state.agents, self.seconds);
+        let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
+        if agents.is_disc(row) {
+            return heading;
+        }
+        if let Some(there) = self.state.scripted(row, self.now) {
+            let most = most * seconds;
+            let turn = there.heading - f64::from(heading);
+            let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
+            wrap(heading + (turn as f32).clamp(-most, most))
+        } else {
+            let facing = faces(self.chosen.ground[row], self.preferred.ground[row], most);
+            let turned = wrap(turn(heading, facing, seconds, most) - heading);
+            let most = agents.preferred_speed[row] / agents.core[row].length() * seconds;
+            wrap(heading + turned.clamp(-most, most))
+        }
+    }
+}
+
+fn bodies<'a>(
+    state: &'a State,
+    (reach, guarded, solids): (&'a Column<f32>, &'a Column<bool>, &'a Solids),
+    sleep: &'a SleepBlocks,
+) -> GuardedBodies<'a> {
+    let agents = &state.agents;
+    GuardedBodies {
+        positions: &agents.position,
+        altitudes: &agents.altitude,
+        headings: &agents.heading,
+        cores: &agents.core,
+        radii: &agents.radius,
+        reach,
+        guarded,
+        solids,
+        resting: sleep.asleep(),
+    }
+}
+
+/// Returns the pose that the chosen velocity leads to at the end of the sub-step, with the present heading.
+fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) -> BodyPose {
+    let agents = &state.agents;
+    BodyPose {
+        position: agents.position[row] + chosen.ground[row] * seconds,
+        altitude: agents.altitude[row] + chosen.vertical_velocity(row) * seconds,
+        heading: agents.heading[row],
+    }
+}
+
+/// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
+/// agents are discs on the ground that avoid each other.
+fn covered<'a>(state: &'a State, seen: Perceived<'a>) -> impl Fn(usize) -> Option<RowContacts<'a>> {
+    let State { agents, local_groups: groups, .. } = state;
+    let sees_all = seen.discs_only && !agents.any_flies() && agents.all_avoid();
+    move |row| {
+        let group = &groups[agents.group[row].index()];
+        let nearest = seen.near.of(row);
+        let all = nearest.len() < group.nearest();
+        (sees_all && group.nearest() > 0).then_some(RowContacts { nearest, range: group.neighbour_distance, all })
+    }
+}
+
+impl State {
+    /// Whether any agent is guarded.
+    pub(crate) fn is_guarded(&self) -> bool {
+        self.agents.group.uniform().is_none_or(|group| self.local_groups[group.index()].guard)
+    }
+
+    /// Whether an agent must accelerate harder than its limit to reach a position in this sub-step. Braking does not
+    /// count: it may be as hard as necessary.
+    fn is_pushed(&self, row: usize, to: Vec3, seconds: f32) -> bool {
+        let agents = &self.agents;
+        let (from, before) = (agents.center(row).as_vec3(), agents.velocity_in_space(row));
+        let after = (to - from) / seconds;
+        let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
+        (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
+    }
+}

@@ -1,0 +1,181 @@
+//! Agents with the neighbour search over all agents within a distance, instead of the nearest few: their neighbours,
+//! and the forces of flocks.
+
+use super::steering::{Behaving, SteeringIndex};
+use crate::agent::Group;
+use crate::parallel;
+use crate::perceive::{CellLattice, Perceived};
+use crate::simd::LANES;
+use crate::steer::{Behaviour, Bird, Birds, Flock, FlockTileScratch, Flocking, SteeringNeighbour, TraceRecorder};
+use crate::world::State;
+use glam::Vec3;
+use std::ops::Range;
+
+/// The data of all agents, for agents that search for all neighbours within a distance.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flocks {
+    pub birds: Birds,
+    /// Forces of the birds of a flock, in the order of the lattice; zero for other agents.
+    pub forces: Vec<Vec3>,
+    scratch: Vec<FlockingScratch>,
+    /// Rows of the pairs to be measured, each pair once.
+    close_pairs: Vec<(u32, u32)>,
+}
+
+/// Scratch memory of a thread.
+#[derive(Clone, Debug, Default)]
+struct FlockingScratch {
+    pack: FlockTileScratch,
+    neighbours: Vec<SteeringNeighbour>,
+}
+
+impl Flocks {
+    /// Returns the rows of the pairs to be measured after motion.
+    pub fn close_pairs(&self) -> &[(u32, u32)] {
+        &self.close_pairs
+    }
+
+    /// Forgets the pairs to be measured.
+    pub fn clear(&mut self) {
+        self.close_pairs.clear();
+    }
+
+    /// Computes the forces of the birds of flocks, and finds the pairs that are close enough to be measured.
+    pub fn run(&mut self, state: &State, seen: Perceived<'_>, index: &SteeringIndex, seconds: f32, now: f64) {
+        if !state.any_looks_at_all() {
+            return;
+        }
+        self.note_birds(state, seen.lattice);
+        let Self { birds, forces, scratch, close_pairs } = self;
+        forces.resize(state.agents.len(), Vec3::ZERO);
+        let flocking = Behaving { state, near: seen.near, lattice: seen.lattice, index, birds, forces: &[] };
+        parallel::ranges_with(&mut forces[..], scratch, |scratch, places, forces| {
+            for index in (0..state.local_groups.len()).filter(|&index| state.groups_with_agents[index]) {
+                if state.local_groups[index].neighbours == Group::ALL_NEIGHBOURS {
+                    flocking.flock_of_group(index, places.clone(), scratch, forces, (seen.close, seconds, now));
+                }
+            }
+        });
+        let order = seen.lattice.order();
+        let rows = |(a, b): (u32, u32)| (order[a as usize], order[b as usize]);
+        let pairs = scratch.iter_mut().flat_map(|scratch| scratch.pack.take_close()).map(rows);
+        let number = |row: u32| state.agents.number[row as usize];
+        close_pairs.extend(pairs.filter(|&(a, b)| number(a) < number(b)));
+    }
+
+    /// Gathers the bird data of all agents.
+    fn note_birds(&mut self, state: &State, lattice: &CellLattice) {
+        let Birds { all, forward: [x, y, z], radius } = &mut self.birds;
+        all.resize(state.agents.len(), Bird::default());
+        for column in [&mut *x, &mut *y, &mut *z] {
+            column.resize(state.agents.len() + LANES, 0.0);
+        }
+        *radius = state.agents.radius.uniform();
+        let order = lattice.order();
+        let columns = (&mut x[..order.len()], &mut y[..order.len()], &mut z[..order.len()]);
+        parallel::ranges((&mut all[..], columns), |places, (birds, (x, y, z))| {
+            for (at, (&row, bird)) in order[places].iter().zip(birds).enumerate() {
+                let row = row as usize;
+                let forward = state.forward(row);
+                [x[at], y[at], z[at]] = forward.to_array();
+                let (group, radius) = (state.agents.group[row].index() as u32, state.agents.radius[row]);
+                *bird = Bird { position: state.place_in_space(row), forward, group, radius };
+            }
+        });
+    }
+}
+
+impl Behaving<'_> {
+    /// Returns the force of a row that is a bird of a flock.
+    pub fn force(&self, row: usize) -> Vec3 {
+        self.forces[self.lattice.places()[row] as usize]
+    }
+
+    /// Computes the forces of the birds of flocks, for the agents of a group in a range of the lattice's order.
+    fn flock_of_group(
+        &self,
+        index: usize,
+        places: Range<usize>,
+        FlockingScratch { pack, neighbours }: &mut FlockingScratch,
+        forces: &mut [Vec3],
+        (close, seconds, now): (f32, f32, f64),
+    ) {
+        let (group, Self { lattice, birds, .. }) = (&self.state.local_groups[index], *self);
+        let close = close.min(group.neighbour_distance);
+        let flocking = group.steering.as_ref().and_then(|steering| steering.as_flocking());
+        let mut force = |place: usize, flocking: &Flocking| {
+            let row = lattice.order()[place] as usize;
+            let view = self.view(row, seconds, now, neighbours);
+            flocking.steer(&view, &mut [], &mut TraceRecorder::default()).unwrap_or_default().force
+        };
+        let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
+        if let (Some(level), Some(flocking)) = (level, flocking) {
+            let flock = Flock {
+                flocking,
+                vehicle: &group.vehicle,
+                group: index as u32,
+                range: group.neighbour_distance,
+                close,
+                lattice,
+                birds,
+            };
+            return flock.forces(level, places, pack, forces, |place| force(place, flocking));
+        }
+        for (place, out) in places.zip(forces).filter(|(place, _)| birds.all[*place].group as usize == index) {
+            lattice.within(birds.all[place].position, close, |other, _| {
+                if other != place {
+                    pack.note_close(place, other);
+                }
+            });
+            if let Some(flocking) = flocking {
+                *out = force(place, flocking);
+            }
+        }
+    }
+
+    /// Adds all agents within the distance to `neighbours`, if the agent's group searches for all.
+    pub fn look_at_all(&self, row: usize, neighbours: &mut Vec<SteeringNeighbour>) {
+        let (agents, Self { lattice, birds, .. }) = (&self.state.agents, *self);
+        let group = &self.state.local_groups[agents.group[row].index()];
+        if group.neighbours != Group::ALL_NEIGHBOURS {
+            return;
+        }
+        lattice.within(self.state.place_in_space(row), group.neighbour_distance, |place, offset| {
+            let other = lattice.order()[place] as usize;
+            if other != row && agents.avoids(row, other) {
+                neighbours.push(SteeringNeighbour {
+                    offset,
+                    velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
+                    forward: birds.all[place].forward,
+                    radius: agents.radius[other],
+                    number: agents.number[other],
+                    group: agents.group[other].index(),
+                });
+            }
+        });
+        // birds are many, and their forces do not depend on the order
+        if group.steering.as_ref().is_none_or(|steering| steering.as_flocking().is_none()) {
+            let distance = |other: &SteeringNeighbour| other.offset.length_squared();
+            neighbours.sort_unstable_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.number.cmp(&b.number)));
+        }
+    }
+}
+
+impl State {
+    /// Whether any group searches for all neighbours within a distance.
+    pub(crate) fn any_looks_at_all(&self) -> bool {
+        self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
+    }
+
+    /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
+    pub(crate) fn is_bird(&self, row: usize) -> bool {
+        let group = &self.local_groups[self.agents.group[row].index()];
+        group.neighbours == Group::ALL_NEIGHBOURS
+            && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
+    }
+
+    /// Whether no group searches for the nearest few neighbours.
+    pub(crate) fn none_counts_the_nearest(&self) -> bool {
+        self.groups_in_use().all(|group| group.nearest() == 0)
+    }
+}

@@ -1,0 +1,293 @@
+//! Intention, for agents that steer.
+//!
+//! A behaviour returns a force, and the velocity that the vehicle reaches with it is the preferred velocity. Avoidance
+//! and guard follow, as for all agents.
+
+use super::flock::Flocks;
+use super::flock_simd::Insects;
+use super::velocities::{Velocities, set};
+use crate::agent::{Group, Memory, Status};
+use crate::motion::{Attitude, Basis, Motion, Steering};
+use crate::parallel;
+use crate::perceive::{CellLattice, Neighbours, Perceived};
+use crate::steer::{
+    AgentQuery, Birds, BoxedBehaviour, Kinematics, SteeringInput, SteeringNeighbour, TraceEntry, TraceRecorder,
+};
+use crate::world::State;
+use glam::Vec3;
+
+/// Seconds after which events are forgotten.
+const FORGOTTEN: f64 = 600.0;
+
+/// The planned motion of agents that steer, if nothing hinders them, by row.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Planned {
+    pub velocity: Vec<Vec3>,
+    pub attitude: Vec<Attitude>,
+    /// Whether they face the direction that the behaviour gives, instead of the direction of motion.
+    pub faces: Vec<bool>,
+}
+
+impl Planned {
+    fn resize(&mut self, rows: usize) {
+        self.velocity.resize(rows, Vec3::ZERO);
+        self.attitude.resize(rows, Attitude::default());
+        self.faces.resize(rows, false);
+    }
+}
+
+/// Rows of agents by their numbers; `u32::MAX` for an unused number.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SteeringIndex {
+    rows: Vec<u32>,
+    /// Index of each agent within its group, in the order of numbers.
+    slots: Vec<u32>,
+    counts: Vec<u32>,
+}
+
+impl SteeringIndex {
+    fn rebuild(&mut self, state: &State) {
+        let agents = &state.agents;
+        self.rows.clear();
+        self.rows.resize(state.slots.next_number as usize, u32::MAX);
+        agents.number.iter().zip(0..).for_each(|(&number, row)| self.rows[number as usize] = row);
+        self.counts.clear();
+        self.counts.resize(state.local_groups.len(), 0);
+        self.slots.resize(agents.len(), 0);
+        for &row in self.rows.iter().filter(|&&row| row != u32::MAX) {
+            let count = &mut self.counts[agents.group[row as usize].index()];
+            self.slots[row as usize] = *count;
+            *count += 1;
+        }
+    }
+}
+
+/// Computes the motion that agents plan that steer.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Steer {
+    pub planned: Planned,
+    pub flocks: Flocks,
+    index: SteeringIndex,
+    scratch: Vec<Vec<SteeringNeighbour>>,
+}
+
+impl Steer {
+    /// Computes the planned motions, and so the preferred velocities, of all agents that steer.
+    pub fn run(&mut self, state: &mut State, seen: Perceived<'_>, preferred: &mut Velocities, seconds: f32, now: f64) {
+        self.flocks.clear();
+        if !state.any_steers() {
+            self.planned.resize(0);
+            return;
+        }
+        state.stimuli.retain(|stimulus| now - stimulus.time <= FORGOTTEN);
+        self.index.rebuild(state);
+        self.flocks.run(state, seen, &self.index, seconds, now);
+        let Self { planned, flocks, index, scratch } = self;
+        planned.resize(state.agents.len());
+        state.with_memory(|state, memory| {
+            let steering = Behaving {
+                state,
+                near: seen.near,
+                lattice: seen.lattice,
+                index,
+                birds: &flocks.birds,
+                forces: &flocks.forces,
+            };
+            steering.run(planned, memory, preferred, scratch, (seconds, now));
+        });
+    }
+
+    /// Returns what the behaviours read, after a sub-step.
+    pub fn view<'a>(&'a self, state: &'a State, seen: Perceived<'a>) -> Behaving<'a> {
+        let Self { index, flocks, .. } = self;
+        let Flocks { birds, forces, .. } = flocks;
+        Behaving { state, near: seen.near, lattice: seen.lattice, index, birds, forces }
+    }
+}
+
+impl State {
+    /// Lends the memory of all behaviours to be changed, while all else is read.
+    fn with_memory(&mut self, work: impl FnOnce(&Self, &mut Memory)) {
+        let mut memory = std::mem::take(&mut self.agents.memory);
+        work(self, &mut memory);
+        self.agents.memory = memory;
+    }
+}
+
+/// What behaviours read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Behaving<'a> {
+    pub(super) state: &'a State,
+    pub(super) near: &'a Neighbours,
+    pub(super) lattice: &'a CellLattice,
+    pub(super) index: &'a SteeringIndex,
+    /// The data of all agents, in the order of the lattice, if any agent searches for all neighbours.
+    pub(super) birds: &'a Birds,
+    /// The forces of the birds of flocks, in the order of the lattice.
+    pub(super) forces: &'a [Vec3],
+}
+
+impl AgentQuery for Behaving<'_> {
+    fn find(&self, number: u32) -> Option<Kinematics> {
+        let &row = self.index.rows.get(number as usize).filter(|&&row| row != u32::MAX)?;
+        let Motion { position, velocity, basis, .. } = self.state.motion(row as usize);
+        Some(Kinematics { position, velocity, basis, radius: self.state.agents.radius[row as usize] })
+    }
+}
+
+impl Behaving<'_> {
+    fn run(
+        &self,
+        planned: &mut Planned,
+        memory: &mut Memory,
+        preferred: &mut Velocities,
+        scratch: &mut Vec<Vec<SteeringNeighbour>>,
+        (seconds, now): (f32, f64),
+    ) {
+        let each = memory.lists().stride;
+        let Planned { velocity, attitude, faces } = planned;
+        let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
+        let state = self.state;
+        let flying = state.lanes_to_fly(seconds);
+        parallel::ranges_with(
+            all,
+            scratch,
+            |neighbours, rows, ((velocity, attitude, faces), memory, mut preferred)| {
+                if let Some(flying) = flying {
+                    faces.fill(false);
+                    let mut insects = Insects { neighbours, memory, seconds, now };
+                    return self.steer_many(flying, rows, (velocity, attitude), preferred, &mut insects);
+                }
+                for (at, row) in rows.enumerate() {
+                    let Some(steering) = state.steering(row) else { continue };
+                    let vehicle = &state.local_groups[state.agents.group[row].index()].vehicle;
+                    let before = state.motion(row);
+                    let steering = if state.is_bird(row) {
+                        self.force(row).into()
+                    } else {
+                        let memory = &mut memory.all[at * each..][..steering.words()];
+                        let view = self.view(row, seconds, now, neighbours);
+                        steering.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
+                    };
+                    let mut motion = before;
+                    vehicle.step(&mut motion, steering, seconds);
+                    let moved = (motion.position - before.position) / seconds;
+                    set(&mut preferred, at, moved);
+                    (velocity[at], attitude[at]) = (motion.velocity, motion.into());
+                    faces[at] = steering.facing.is_some();
+                }
+            },
+        );
+    }
+
+    /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.
+    pub fn reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<TraceEntry>) {
+        let mut entries = Vec::new();
+        let said = self.state.steering(row).and_then(|steering| {
+            let (mut memory, mut neighbours) = (self.state.agents.memory.of(row).to_vec(), Vec::new());
+            let view = self.view(row, seconds, now, &mut neighbours);
+            steering.steer(&view, &mut memory[..steering.words()], &mut TraceRecorder::requested(&mut entries))
+        });
+        (said, entries)
+    }
+
+    /// Returns the input of the behaviour of an agent.
+    pub fn view<'b>(
+        &'b self,
+        row: usize,
+        seconds: f32,
+        now: f64,
+        neighbours: &'b mut Vec<SteeringNeighbour>,
+    ) -> SteeringInput<'b> {
+        let (agents, own) = (&self.state.agents, self.state.motion(row));
+        neighbours.clear();
+        self.look_at_all(row, neighbours);
+        neighbours.extend(self.near.of(row).iter().map(|&other| {
+            let other = other as usize;
+            SteeringNeighbour {
+                offset: self.state.place_in_space(other) - own.position,
+                velocity: agents.velocity[other].extend(agents.vertical_velocity[other]),
+                forward: self.state.forward(other),
+                radius: agents.radius[other],
+                number: agents.number[other],
+                group: agents.group[other].index(),
+            }
+        }));
+        SteeringInput {
+            motion: own,
+            vehicle: self.state.local_groups[agents.group[row].index()].vehicle,
+            radius: agents.radius[row],
+            group: agents.group[row].index(),
+            slot: self.index.slots[row] as usize,
+            goal: self.state.steering_goal(row),
+            neighbours,
+            others: self,
+            stimuli: &self.state.stimuli,
+            figures: &self.state.game.figures,
+            time: now - f64::from(seconds),
+            seconds,
+            rng: self.state.rng(row),
+        }
+    }
+}
+
+impl State {
+    /// Returns the behaviour that an agent steers by; `None` if it does not steer.
+    pub(crate) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
+        self.local_groups[self.agents.group[row].index()].steering.as_ref()
+    }
+
+    /// Whether any agent steers.
+    pub(crate) fn any_steers(&self) -> bool {
+        self.groups_in_use().any(|group| group.steering.is_some())
+    }
+
+    /// Whether all agents steer.
+    pub(crate) fn all_steer(&self) -> bool {
+        self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
+    }
+
+    /// Whether any agent that steers may leave the ground.
+    pub(crate) fn any_steers_in_space(&self) -> bool {
+        self.groups_in_use().any(Group::steers_in_space)
+    }
+
+    /// Returns the position, velocity and orientation of an agent.
+    pub(crate) fn motion(&self, row: usize) -> Motion {
+        let agents = &self.agents;
+        let position = self.place_in_space(row);
+        let velocity = agents.velocity_in_space(row);
+        if self.steering(row).is_some() {
+            agents.attitude[row].motion(position, velocity)
+        } else {
+            Motion { position, velocity, basis: Basis::facing(self.forward(row)), ..Motion::default() }
+        }
+    }
+
+    /// Returns the centre of an agent in space.
+    pub(crate) fn place_in_space(&self, row: usize) -> Vec3 {
+        self.agents.position[row].extend(self.agents.altitude[row])
+    }
+
+    /// Returns the direction that an agent faces.
+    pub(crate) fn forward(&self, row: usize) -> Vec3 {
+        if self.steering(row).is_some() {
+            self.agents.attitude[row].basis.forward
+        } else {
+            let (sin, cos) = libm::sincosf(self.agents.heading[row]);
+            Vec3::new(cos, sin, 0.0)
+        }
+    }
+
+    /// Returns the point that the journey of an agent leads to next: the next corner of its path, or its goal if it
+    /// waits or has arrived.
+    pub(crate) fn steering_goal(&self, row: usize) -> Option<Vec3> {
+        let travel = &self.agents.travel[row];
+        let leg = travel.leg;
+        let stop = self.stop(row, leg)?;
+        let corner = travel.aim().filter(|_| self.agents.status[row] == Status::Walking);
+        let aim = corner.or_else(|| self.goal_middle(row, leg))?;
+        let altitude = self.goals[stop.goal.index()].altitude().unwrap_or(0.0);
+        Some((aim - self.settings.origin).as_vec2().extend(altitude as f32))
+    }
+}

@@ -1,0 +1,117 @@
+//! The pipeline: the only file that knows all stages.
+//!
+//! A stage owns its memory. It reads the state and the results of earlier stages, and returns its own result. Data flows
+//! forward only.
+
+use super::Stage;
+use super::measure::Measure;
+use crate::avoid::Avoid;
+use crate::guard::{KeepApart, PASSES};
+use crate::intend::{Intend, ProgressCheck};
+use crate::moving::Move;
+use crate::navigate::Navigate;
+use crate::perceive::{Perceive, SubStep};
+use crate::sleep::SleepBlocks;
+use crate::world::State;
+
+/// All stages of a step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pipeline {
+    pub sleep: SleepBlocks,
+    pub perceive: Perceive,
+    pub navigate: Navigate,
+    pub intend: Intend,
+    pub avoid: Avoid,
+    pub guard: KeepApart,
+    progress: ProgressCheck,
+    motion: Move,
+    measure: Measure,
+}
+
+impl Pipeline {
+    /// Advances the state by one step, and calls `ended` at the end of each stage of each sub-step.
+    pub fn run(&mut self, state: &mut State, mut ended: impl FnMut(Stage)) {
+        state.events.clear();
+        let parts = self.begin(state);
+        state.adapt();
+        for part in 0..parts {
+            self.sub_step(state, SubStep::new(state, part, parts), true, &mut ended);
+        }
+        state.sort_events();
+        state.steps += 1;
+    }
+
+    /// Runs the first sub-step of the next step, without its motion.
+    pub fn decide(&mut self, state: &mut State) -> SubStep {
+        let parts = self.begin(state);
+        let of = SubStep::new(state, 0, parts);
+        self.sleep.end();
+        self.sub_step(state, of, false, |_| ());
+        of
+    }
+
+    /// Lets scheduled agents enter. Returns the number of sub-steps of the next step.
+    fn begin(&mut self, state: &mut State) -> u32 {
+        if state.enter() {
+            self.sleep.add();
+        }
+        self.perceive.sub_steps(state, &mut self.sleep)
+    }
+
+    /// Runs a sub-step; without its motion unless `moves`.
+    fn sub_step(&mut self, state: &mut State, of: SubStep, moves: bool, mut ended: impl FnMut(Stage)) {
+        let Self { sleep, perceive, navigate, intend, avoid, guard, progress, motion, measure } = self;
+        state.note_groups();
+        sleep.fall_asleep(state, of.seconds, PASSES, |block| measure.no_overlap(block));
+
+        let seen = perceive.run(state, sleep, of);
+        ended(Stage::Perceive);
+
+        let shown = navigate.run(state, seen, sleep, of);
+        let intended = intend.run(state, (seen, shown), sleep, of);
+        ended(Stage::Intend);
+
+        let chosen = avoid.run(state, (seen, shown), intended.preferred, sleep, of);
+        ended(Stage::Avoid);
+
+        let safe = guard.run(state, seen, (intended.preferred, chosen), sleep, of);
+        ended(Stage::Guard);
+        if !moves {
+            return;
+        }
+
+        progress.run(state, (seen, shown), of);
+        let close_pairs = intended.close_pairs;
+        motion.run(state, shown, intended, (chosen, safe), sleep, of);
+        measure.run(state, seen, safe, close_pairs, sleep);
+        for &row in navigate.arrive(state, seen, sleep, of) {
+            state.end_trip(row);
+            sleep.remove(row, state.agents.len() - 1, state.agents.position[row]);
+            intend.remove(row);
+            state.remove_row(row);
+        }
+        ended(Stage::Move);
+    }
+
+    /// Sorts the rows by their position on the ground.
+    pub fn sort_rows(&mut self, state: &mut State) {
+        self.perceive.sort_rows(state, &mut self.sleep);
+    }
+
+    /// Records that something has changed that agents which sleep depend on.
+    pub fn wake(&mut self) {
+        self.sleep.end();
+    }
+
+    /// Removes an agent between two steps.
+    pub fn remove(&mut self, state: &mut State, row: usize) {
+        self.sleep.remove(row, state.agents.len() - 1, state.agents.position[row]);
+        state.remove_row(row);
+    }
+
+    /// Forgets what depends on obstacles and walkable areas.
+    pub fn place_changed(&mut self) {
+        self.navigate.place_changed();
+        self.sleep.end();
+    }
+}
