@@ -17,22 +17,31 @@ pub(super) const GAP_TOLERANCE: f64 = 0.05;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Arrivals {
     counts: Vec<u32>,
-    /// Whether any agent has arrived at a goal.
-    pub any: bool,
+    /// The goals with a count above zero.
+    taken: Vec<GoalId>,
 }
 
 impl Arrivals {
     /// Counts the agents that have arrived at each goal.
     pub fn count(&mut self, state: &State) {
-        self.counts.clear();
+        // goals may be as many as agents, and few of them taken
+        self.taken.drain(..).for_each(|goal| self.counts[goal.index()] = 0);
         self.counts.resize(state.goals.len(), 0);
-        self.any = false;
         for (row, _) in state.agents.status.iter().enumerate().filter(|&(_, &status)| status == Status::Arrived) {
             if let Some(goal) = state.goal_of(row) {
-                self.counts[goal.index()] += 1;
-                self.any = true;
+                let count = &mut self.counts[goal.index()];
+                if *count == 0 {
+                    self.taken.push(goal);
+                }
+                *count += 1;
             }
         }
+    }
+
+    /// Whether any agent has arrived at a goal.
+    #[inline]
+    pub fn any(&self) -> bool {
+        !self.taken.is_empty()
     }
 
     /// Returns the number of agents that have arrived at a goal.

@@ -81,7 +81,7 @@ impl Planning<'_> {
                 {
                     set(&mut towards, lane, (leg.middle - self.state.world_position(row)).as_vec2());
                     tolerance[lane] = near;
-                    let taken = self.arrivals.any && self.arrivals.at(leg.goal) > 0;
+                    let taken = self.arrivals.any() && self.arrivals.at(leg.goal) > 0;
                     let way = NavFlags::walking(Some(leg.goal), Vec2::ZERO, 0.0)
                         .stopping(leg.is_last)
                         .changing(taken)

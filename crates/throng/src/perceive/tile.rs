@@ -3,9 +3,10 @@
 //! Points that are adjacent in the grid's order have the same surroundings. A *tile* is as many of them as a SIMD
 //! vector holds. The points near the tile are packed once, then each point of the tile is compared with all of them.
 //! The nearest are kept as keys: the bits of the squared distance with the lowest bits replaced by the place in the
-//! pack. Insertion is a sequence of minima and maxima without branches. If the remaining bits cannot distinguish two
-//! points, the search for that point is left to the [scalar search](super::nearest). So the answer is always exact and
-//! the same for every instruction set.
+//! pack. Insertion is a sequence of minima and maxima without branches. Where the remaining bits cannot distinguish two
+//! points, the exact distances of the kept points decide. If even these are equal, or a point that was not kept may be
+//! nearer, the search is left to the [scalar search](super::nearest). So the answer is always exact and the same for
+//! every instruction set.
 
 use super::grid::Grid;
 use crate::simd::{LANES, ones};
@@ -118,6 +119,7 @@ macro_rules! exchange {
 struct PointTile<'a, S: Simd> {
     simd: S,
     grid: &'a Grid,
+    start: usize,
     count: usize,
     x: S::f32s,
     y: S::f32s,
@@ -139,7 +141,7 @@ impl<'a, S: Simd> PointTile<'a, S> {
         let (x, y) = (column(&grid.x), column(&grid.y));
         let low = Vec2::new(x.reduce_min(), y.reduce_min());
         let high = Vec2::new(x.reduce_max(), y.reduce_max());
-        Self { simd, grid, count, x, y, low, high }
+        Self { simd, grid, start, count, x, y, low, high }
     }
 
     /// Finds the nearest neighbours of all points of the tile, and how many are close. Returns the points that need the
@@ -168,7 +170,12 @@ impl<'a, S: Simd> PointTile<'a, S> {
                 pack.radius_squared = MORE * f32::from_bits(last.min(range_squared.to_bits()));
                 let all_points = (1u64 << self.count) - 1;
                 self.count_close(k, close.min(range), &keys, close_counts);
-                return Some(self.list(k, range_squared, &keys, pack, out) & all_points);
+                let alike = self.list(k, range_squared, &keys, pack, out) & all_points;
+                if alike == 0 {
+                    return Some(0);
+                }
+                let unclear = |lane: &usize| !self.resolve(*lane, (k, range, close), &keys, pack, (out, close_counts));
+                return Some(ones(alike).filter(unclear).fold(0, |bits, lane| bits | 1 << lane));
             }
             let next = if last < f32::INFINITY.to_bits() {
                 f32::from_bits(last | PLACE) * 1.01
@@ -298,6 +305,44 @@ impl<'a, S: Simd> PointTile<'a, S> {
         }
         alike.to_bitmask()
     }
+
+    /// Lists the neighbours of one point by their exact distances. Returns false if the kept points do not determine them.
+    #[inline(never)]
+    fn resolve(
+        &self,
+        lane: usize,
+        (k, range, close): (usize, f32, f32),
+        keys: &[S::u32s; KEYS],
+        pack: &TileScratch,
+        (out, close_counts): (&mut [u32], &mut [u16]),
+    ) -> bool {
+        let (own, at) = (self.grid.order[self.start + lane], Vec2::new(self.x[lane], self.y[lane]));
+        let mut near = [(f32::INFINITY, u32::MAX); KEYS];
+        let mut count = 0;
+        for key in keys.iter().map(|keys| keys[lane]).filter(|key| key & !PLACE < f32::INFINITY.to_bits() & !PLACE) {
+            let place = (key & PLACE) as usize;
+            if pack.row[place] != own {
+                near[count] = (at.distance_squared(Vec2::new(pack.x[place], pack.y[place])), pack.row[place]);
+                count += 1;
+            }
+        }
+        let near = &mut near[..count];
+        near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let within = near.iter().take_while(|near| near.0 <= range * range).count();
+        let (listed, limit) = (within.min(k), if within < k { range * range } else { near[k - 1].0 });
+        // any point that was not kept has a key of at least the last one
+        let is_complete = limit.to_bits() & !PLACE < keys[KEYS - 1][lane] & !PLACE;
+        let are_equal = near.windows(2).take(listed).any(|pair| pair[0].0 == pair[1].0);
+        if !is_complete || are_equal {
+            return false;
+        }
+        let stride = out.len() / self.count;
+        let list = &mut out[lane * stride..][..=k];
+        list[0] = listed as u32;
+        list[1..].iter_mut().zip(&near[..listed]).for_each(|(row, near)| *row = near.1);
+        close_counts[lane] = near[..listed].iter().take_while(|near| near.0 <= close * close).count() as u16;
+        true
+    }
 }
 
 #[cfg(test)]
@@ -365,6 +410,21 @@ mod tests {
             for level in levels() {
                 assert_eq!(tiles(level, &grid, &points, 10, 5.0).0, expected, "{level:?}, {count} in {side} m");
             }
+        }
+    }
+
+    #[test]
+    fn neighbours_at_almost_the_same_distance_are_told_apart() {
+        let on_ring = |k: u32| 103.5 * Vec2::from_angle(std::f32::consts::TAU * k as f32 / 1000.0);
+        let points: Vec<Vec2> = (0..1000).map(on_ring).collect();
+        let numbers: Vec<u32> = (0..1000).collect();
+        let mut grid = Grid::default();
+        grid.rebuild(&points, &numbers, 8.0);
+        let expected = plain(&grid, &points, 10, 8.0);
+        for level in levels() {
+            let (found, left) = tiles(level, &grid, &points, 10, 8.0);
+            assert_eq!(found, expected, "{level:?}");
+            assert!(left <= 100, "{left} points need the scalar search");
         }
     }
 
