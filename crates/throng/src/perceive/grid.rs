@@ -57,6 +57,8 @@ pub struct Grid {
     /// Points, numbers and rows in the order of cells.
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
+    /// Heights of the points, for the [SIMD search](super::tile) in space; empty for a search in the plane.
+    pub(super) z: Vec<f32>,
     numbers: Vec<u32>,
     pub(super) order: Vec<u32>,
     cell_of: Vec<u32>,
@@ -100,6 +102,15 @@ impl Grid {
             *block = blocks.len() as u32;
             let (start, end) = (starts[*cell as usize], starts[*cell as usize + 1]);
             divide(blocks, start, end, &mut Points { x, y, numbers, rows }, part);
+        }
+    }
+
+    /// Sets the heights of the points, by row, for the SIMD search in space; `None` for a search in the plane.
+    pub(crate) fn set_heights(&mut self, heights: Option<impl Fn(usize) -> f32>) {
+        self.z.clear();
+        if let Some(height) = heights {
+            self.z.extend(self.order.iter().take(self.numbers.len()).map(|&row| height(row as usize)));
+            self.z.resize(self.z.len() + LANES, 0.0);
         }
     }
 

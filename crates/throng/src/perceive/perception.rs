@@ -109,13 +109,20 @@ impl Perceive {
             (&state.agents, &state.local_groups, self.close, state.instructions.level());
         self.long.rebuild(agents, range);
         self.near.resize(self.grid.order(), most);
+        let any_flies = agents.any_flies();
+        let in_space = any_flies && self.long.is_empty();
+        self.grid.set_heights(in_space.then_some(|row: usize| agents.altitude[row]));
         let Self { grid, long, near, scratch, .. } = self;
         let (grid, long, sleep) = (&*grid, &*long, &*sleep);
-        let any_flies = agents.any_flies();
+        // an agent that does not look up ignores agents that it passes clear of
+        let looks_up = |row: usize| {
+            let group = &groups[agents.group[row].index()];
+            group.model.looks_in_space() || group.steers_in_space()
+        };
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
-            let flat = !group.model.looks_in_space() && !group.steers_in_space();
+            let flat = !looks_up(row);
             let accept = |near: &mut Near| {
                 let other = near.row as usize;
                 if other == row || !agents.avoids(row, other) || any_flies && flat && agents.passes_clear(row, other) {
@@ -143,23 +150,35 @@ impl Perceive {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
-            let counts = |&&other: &&u32| agents.position[other as usize].distance_squared(at) <= range * range;
+            let counts = |&&other: &&u32| {
+                let (other, mut distance_squared) = (other as usize, 0.0);
+                if in_space {
+                    let above = agents.above(row, other);
+                    distance_squared = above * above;
+                }
+                agents.position[other].distance_squared(at) + distance_squared <= range * range
+            };
             let seen = &list[1..=group.nearest().min(list[0] as usize)];
             list[0] = seen.iter().take_while(counts).count() as u32;
             *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
-        // the SIMD search finds the nearest centres: not enough for an agent that ignores others or is near a long body
+        // the SIMD search finds the nearest centres: not enough for an agent that ignores agents or is near a long body
         let avoids_all = AvoidsAll::of(agents);
+        let passes_any = |row: usize, list: &[u32]| {
+            let passes = |&other: &u32| agents.passes_clear(row, other as usize);
+            !looks_up(row) && list[1..=list[0] as usize].iter().any(passes)
+        };
         let is_other = |place: usize, list: &[u32]| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
             group.nearest() > MOST_NEIGHBOURS
                 || !avoids_all.holds(agents, row)
+                || any_flies && passes_any(row, list)
                 || long.may_reach(agents, row, &list[1..=list[0] as usize], (group.nearest(), group.neighbour_distance))
         };
-        let alone = most <= MOST_NEIGHBOURS && agents.all_avoid() && long.is_empty();
+        let alone = most <= MOST_NEIGHBOURS && agents.all_avoid() && long.is_empty() && !any_flies;
         let any_fast = state.groups_in_use().any(|group| group.nearest() <= MOST_NEIGHBOURS);
-        let many = level.filter(|_| any_fast && !any_flies);
+        let many = level.filter(|_| any_fast && (in_space || !any_flies));
         let lists = RowLists { all: &mut near.lists, stride: most + 1 };
         let all = (lists, &mut near.close[..]);
         parallel::ranges_with(all, scratch, |(pack, found), places, all| {
@@ -247,7 +266,7 @@ mod tests {
                 ),
                 1..40,
             ),
-            k in 1usize..8, range in 1.0f32..6.0, looks_up: bool,
+            k in 1usize..8, range in 1.0f32..6.0, (looks_up, only_discs) in any::<(bool, bool)>(),
         ) {
             let mut world = World::new(Settings::default()).unwrap();
             let model: Arc<dyn LocalModel> =
@@ -255,7 +274,7 @@ mod tests {
             let group = Group { neighbours: k, neighbour_distance: range, model, ..Group::default() };
             let group = world.add_group(group).unwrap();
             for ((x, y), heading, (length, width), disc, altitude) in all as Vec<One> {
-                let body = if disc { Body::disc(width) } else { Body::capsule(length, width) };
+                let body = if disc || only_discs { Body::disc(width) } else { Body::capsule(length, width) };
                 let position = DVec2::new(x, y);
                 let agent = Agent { position: position.extend(f64::from(altitude)), heading: Some(heading), group, ..Agent::default() };
                 world.add_agent(agent.with_body(body)).unwrap();

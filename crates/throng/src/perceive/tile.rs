@@ -36,6 +36,7 @@ pub(crate) const MOST_NEIGHBOURS: usize = 10;
 pub(crate) struct TileScratch {
     x: [f32; MOST + LANES],
     y: [f32; MOST + LANES],
+    z: [f32; MOST + LANES],
     row: [u32; MOST + LANES],
     /// Ranges of points that may be near the tile.
     runs: Vec<(u32, u32)>,
@@ -45,13 +46,14 @@ pub(crate) struct TileScratch {
 
 impl Default for TileScratch {
     fn default() -> Self {
-        let (x, y, row) = ([0.0; MOST + LANES], [0.0; MOST + LANES], [0; MOST + LANES]);
-        Self { x, y, row, runs: Vec::new(), radius_squared: f32::INFINITY }
+        let (zeros, row) = ([0.0; MOST + LANES], [0; MOST + LANES]);
+        Self { x: zeros, y: zeros, z: zeros, row, runs: Vec::new(), radius_squared: f32::INFINITY }
     }
 }
 
 impl Grid {
-    /// Finds the `k` nearest neighbours within `range` of each point in `places`, which are in the order of cells. A
+    /// Finds the `k` nearest neighbours within `range` of each point in `places`, which are in the order of cells: in
+    /// space if the points have [heights](Self::set_heights), else in the plane. A
     /// point is not its own neighbour. Writes `k + 1` values per point to the first part of `found`, which has at least this
     /// number of values for each: the number of neighbours and their rows, nearest first. Writes to the second part how many of these may be within `close`.
     /// Calls `left` with the place and the results of each point that needs the scalar search.
@@ -68,12 +70,16 @@ impl Grid {
         left: impl FnMut(usize, &mut [u32], &mut u16),
     ) {
         assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
-        dispatch!(level, simd => many(simd, self, places, (k, range, close), pack, found, left));
+        if self.z.is_empty() {
+            dispatch!(level, simd => many::<_, false>(simd, self, places, (k, range, close), pack, found, left));
+        } else {
+            dispatch!(level, simd => many::<_, true>(simd, self, places, (k, range, close), pack, found, left));
+        }
     }
 }
 
 #[inline(always)]
-fn many<S: Simd>(
+fn many<S: Simd, const SPACE: bool>(
     simd: S,
     grid: &Grid,
     places: Range<usize>,
@@ -91,8 +97,11 @@ fn many<S: Simd>(
         let rows = start - places.start..end - places.start;
         let out = &mut found[rows.start * stride..rows.end * stride];
         let close_counts = &mut close_counts[rows];
-        let missing = match PointTile::new(simd, grid, start, end).nearest((k, range, close), pack, (out, close_counts))
-        {
+        let missing = match PointTile::<S, SPACE>::new(simd, grid, start, end).nearest(
+            (k, range, close),
+            pack,
+            (out, close_counts),
+        ) {
             Some(unclear) => unclear,
             None if end - start > 1 => {
                 most = (end - start) / 2;
@@ -115,19 +124,21 @@ macro_rules! exchange {
     };
 }
 
-/// Adjacent points and their bounding box.
-struct PointTile<'a, S: Simd> {
+/// Adjacent points and their bounding box on the ground.
+struct PointTile<'a, S: Simd, const SPACE: bool> {
     simd: S,
     grid: &'a Grid,
     start: usize,
     count: usize,
     x: S::f32s,
     y: S::f32s,
+    /// Heights; 0 in the plane.
+    z: S::f32s,
     low: Vec2,
     high: Vec2,
 }
 
-impl<'a, S: Simd> PointTile<'a, S> {
+impl<'a, S: Simd, const SPACE: bool> PointTile<'a, S, SPACE> {
     #[inline(always)]
     fn new(simd: S, grid: &'a Grid, start: usize, end: usize) -> Self {
         let count = end - start;
@@ -139,9 +150,10 @@ impl<'a, S: Simd> PointTile<'a, S> {
             }
         };
         let (x, y) = (column(&grid.x), column(&grid.y));
+        let z = if SPACE { column(&grid.z) } else { S::f32s::splat(simd, 0.0) };
         let low = Vec2::new(x.reduce_min(), y.reduce_min());
         let high = Vec2::new(x.reduce_max(), y.reduce_max());
-        Self { simd, grid, start, count, x, y, low, high }
+        Self { simd, grid, start, count, x, y, z, low, high }
     }
 
     /// Finds the nearest neighbours of all points of the tile, and how many are close. Returns the points that need the
@@ -206,7 +218,7 @@ impl<'a, S: Simd> PointTile<'a, S> {
                 let range = at..at + S::f32s::LEN;
                 let x = S::f32s::from_slice(simd, &grid.x[range.clone()]);
                 let y = S::f32s::from_slice(simd, &grid.y[range.clone()]);
-                let row = S::u32s::from_slice(simd, &grid.order[range]);
+                let row = S::u32s::from_slice(simd, &grid.order[range.clone()]);
                 let dx = (left - x).max(x - right).max(zero);
                 let dy = (bottom - y).max(y - top).max(zero);
                 let distance = dx * dx + dy * dy;
@@ -217,6 +229,10 @@ impl<'a, S: Simd> PointTile<'a, S> {
                 }
                 x.compress(within).store_slice(&mut pack.x[count..count + S::f32s::LEN]);
                 y.compress(within).store_slice(&mut pack.y[count..count + S::f32s::LEN]);
+                if SPACE {
+                    let z = S::f32s::from_slice(simd, &grid.z[range]);
+                    z.compress(within).store_slice(&mut pack.z[count..count + S::f32s::LEN]);
+                }
                 row.compress(within).store_slice(&mut pack.row[count..count + S::f32s::LEN]);
                 count += within.to_bitmask().count_ones() as usize;
                 at += S::f32s::LEN;
@@ -260,7 +276,12 @@ impl<'a, S: Simd> PointTile<'a, S> {
     fn key(&self, pack: &TileScratch, place: usize) -> S::u32s {
         let (dx, dy) =
             (S::f32s::splat(self.simd, pack.x[place]) - self.x, S::f32s::splat(self.simd, pack.y[place]) - self.y);
-        let distance: S::u32s = (dx * dx + dy * dy).bitcast();
+        let mut distance = dx * dx + dy * dy;
+        if SPACE {
+            let dz = S::f32s::splat(self.simd, pack.z[place]) - self.z;
+            distance += dz * dz;
+        }
+        let distance: S::u32s = distance.bitcast();
         distance & !PLACE | place as u32
     }
 
@@ -322,7 +343,9 @@ impl<'a, S: Simd> PointTile<'a, S> {
         for key in keys.iter().map(|keys| keys[lane]).filter(|key| key & !PLACE < f32::INFINITY.to_bits() & !PLACE) {
             let place = (key & PLACE) as usize;
             if pack.row[place] != own {
-                near[count] = (at.distance_squared(Vec2::new(pack.x[place], pack.y[place])), pack.row[place]);
+                let above = if SPACE { pack.z[place] - self.z[lane] } else { 0.0 };
+                let distance_squared = at.distance_squared(Vec2::new(pack.x[place], pack.y[place])) + above * above;
+                near[count] = (distance_squared, pack.row[place]);
                 count += 1;
             }
         }
