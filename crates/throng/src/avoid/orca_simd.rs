@@ -9,7 +9,7 @@ use fearless_simd::prelude::*;
 use glam::Vec2;
 
 /// Maximum number of neighbours of an agent.
-pub(crate) const MOST: usize = crate::perceive::MOST_NEIGHBOURS;
+pub(crate) const MOST: usize = crate::perceive::FEW_NEIGHBOURS;
 
 /// A SIMD vector of agents.
 #[derive(Clone, Copy)]

@@ -23,4 +23,4 @@ pub(crate) use neighbours::Neighbours;
 pub(crate) use perception::{Nearby, Perceive, Perceived};
 pub use simd_level::SimdLevel;
 pub(crate) use sub_steps::SubStep;
-pub(crate) use tile::{MOST_NEIGHBOURS, TileScratch};
+pub(crate) use tile::{FEW_NEIGHBOURS, MOST_NEIGHBOURS, TileScratch};

@@ -1,6 +1,6 @@
 //! Stage 1, perception: the nearest neighbours of all agents.
 
-use super::{CellLattice, Grid, LongBodies, MOST_NEIGHBOURS, Near, Neighbours, SubStep, TileScratch};
+use super::{CellLattice, FEW_NEIGHBOURS, Grid, LongBodies, MOST_NEIGHBOURS, Near, Neighbours, SubStep, TileScratch};
 use crate::agent::{Columns, Cycles, Group};
 use crate::parallel::{self, RowLists};
 use crate::sleep::SleepBlocks;
@@ -162,6 +162,9 @@ impl Perceive {
             list[0] = seen.iter().take_while(counts).count() as u32;
             *close_count = list[0].min(u32::from(*close_count)) as u16;
         };
+        // a group of agents with more neighbours does not slow the others
+        let any_few = state.groups_in_use().any(|group| group.nearest() <= FEW_NEIGHBOURS);
+        let k = most.min(if any_few { FEW_NEIGHBOURS } else { MOST_NEIGHBOURS });
         // the SIMD search finds the nearest centres: not enough for an agent that ignores agents or is near a long body
         let avoids_all = AvoidsAll::of(agents);
         let passes_any = |row: usize, list: &[u32]| {
@@ -171,13 +174,13 @@ impl Perceive {
         let is_other = |place: usize, list: &[u32]| {
             let row = grid.order()[place] as usize;
             let group = &groups[agents.group[row].index()];
-            group.nearest() > MOST_NEIGHBOURS
+            group.nearest() > k
                 || !avoids_all.holds(agents, row)
                 || any_flies && passes_any(row, list)
                 || long.may_reach(agents, row, &list[1..=list[0] as usize], (group.nearest(), group.neighbour_distance))
         };
-        let alone = most <= MOST_NEIGHBOURS && agents.all_avoid() && long.is_empty() && !any_flies;
-        let any_fast = state.groups_in_use().any(|group| group.nearest() <= MOST_NEIGHBOURS);
+        let alone = most <= k && agents.all_avoid() && long.is_empty() && !any_flies;
+        let any_fast = state.groups_in_use().any(|group| group.nearest() <= k);
         let many = level.filter(|_| any_fast && (in_space || !any_flies));
         let lists = RowLists { all: &mut near.lists, stride: most + 1 };
         let all = (lists, &mut near.close[..]);
@@ -188,7 +191,6 @@ impl Perceive {
                     return places.zip(all).for_each(|(place, (list, count))| plain(found, place, list, count));
                 };
                 let left = |place: usize, list: &mut [u32], count: &mut u16| plain(found, place, list, count);
-                let k = most.min(MOST_NEIGHBOURS);
                 grid.nearest_of_many(level, places.clone(), (k, range, close), pack, (lists, counts), left);
                 if !alike {
                     let all = lists.chunks_mut(most + 1).zip(&mut *counts);
@@ -266,7 +268,7 @@ mod tests {
                 ),
                 1..40,
             ),
-            k in 1usize..8, range in 1.0f32..6.0, (looks_up, only_discs) in any::<(bool, bool)>(),
+            k in prop_oneof![1usize..8, 1usize..40], range in 1.0f32..6.0, (looks_up, only_discs) in any::<(bool, bool)>(),
         ) {
             let mut world = World::new(Settings::default()).unwrap();
             let model: Arc<dyn LocalModel> =

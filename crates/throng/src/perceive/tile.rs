@@ -22,14 +22,16 @@ const PLACE: u32 = (1 << PLACE_BITS) - 1;
 /// leaves the point to the scalar search.
 const MOST: usize = 1 << PLACE_BITS;
 /// Number of keys kept per point: the point itself, its nearest, and one more that shows whether the last of them is
-/// unique.
-const KEYS: usize = MOST_NEIGHBOURS + 2;
+/// unique. Most searches are for few neighbours.
+const FEW: usize = FEW_NEIGHBOURS + 2;
+const MANY: usize = MOST_NEIGHBOURS + 2;
 /// Number of points that are merged into the keys together.
 const BATCH: usize = 4;
 /// Factor from the squared radius that the previous tile needed to the one tried first.
 const MORE: f32 = 1.1;
-/// Maximum number of neighbours that a tile can find for each of its points.
-pub(crate) const MOST_NEIGHBOURS: usize = 10;
+/// Maximum number of neighbours that a tile can find for each of its points, and the maximum that it finds fast.
+pub(crate) const MOST_NEIGHBOURS: usize = 32;
+pub(crate) const FEW_NEIGHBOURS: usize = 10;
 
 /// Buffers that a thread keeps from tile to tile.
 #[derive(Clone, Debug)]
@@ -70,16 +72,22 @@ impl Grid {
         left: impl FnMut(usize, &mut [u32], &mut u16),
     ) {
         assert!(k <= MOST_NEIGHBOURS, "at most {MOST_NEIGHBOURS} neighbours");
-        if self.z.is_empty() {
-            dispatch!(level, simd => many::<_, false>(simd, self, places, (k, range, close), pack, found, left));
-        } else {
-            dispatch!(level, simd => many::<_, true>(simd, self, places, (k, range, close), pack, found, left));
+        let of = (k, range, close);
+        match (self.z.is_empty(), k <= FEW_NEIGHBOURS) {
+            (true, true) => dispatch!(level, simd => many::<_, false, FEW>(simd, self, places, of, pack, found, left)),
+            (true, false) => {
+                dispatch!(level, simd => many::<_, false, MANY>(simd, self, places, of, pack, found, left))
+            }
+            (false, true) => dispatch!(level, simd => many::<_, true, FEW>(simd, self, places, of, pack, found, left)),
+            (false, false) => {
+                dispatch!(level, simd => many::<_, true, MANY>(simd, self, places, of, pack, found, left))
+            }
         }
     }
 }
 
 #[inline(always)]
-fn many<S: Simd, const SPACE: bool>(
+fn many<S: Simd, const SPACE: bool, const KEYS: usize>(
     simd: S,
     grid: &Grid,
     places: Range<usize>,
@@ -97,7 +105,7 @@ fn many<S: Simd, const SPACE: bool>(
         let rows = start - places.start..end - places.start;
         let out = &mut found[rows.start * stride..rows.end * stride];
         let close_counts = &mut close_counts[rows];
-        let missing = match PointTile::<S, SPACE>::new(simd, grid, start, end).nearest(
+        let missing = match PointTile::<S, SPACE, KEYS>::new(simd, grid, start, end).nearest(
             (k, range, close),
             pack,
             (out, close_counts),
@@ -125,7 +133,7 @@ macro_rules! exchange {
 }
 
 /// Adjacent points and their bounding box on the ground.
-struct PointTile<'a, S: Simd, const SPACE: bool> {
+struct PointTile<'a, S: Simd, const SPACE: bool, const KEYS: usize> {
     simd: S,
     grid: &'a Grid,
     start: usize,
@@ -138,7 +146,7 @@ struct PointTile<'a, S: Simd, const SPACE: bool> {
     high: Vec2,
 }
 
-impl<'a, S: Simd, const SPACE: bool> PointTile<'a, S, SPACE> {
+impl<'a, S: Simd, const SPACE: bool, const KEYS: usize> PointTile<'a, S, SPACE, KEYS> {
     #[inline(always)]
     fn new(simd: S, grid: &'a Grid, start: usize, end: usize) -> Self {
         let count = end - start;
@@ -256,6 +264,17 @@ impl<'a, S: Simd, const SPACE: bool> PointTile<'a, S, SPACE> {
             let mut batch = [self.key(pack, first); BATCH];
             for (at, key) in batch.iter_mut().enumerate().skip(1) {
                 *key = self.key(pack, first + at);
+            }
+            if KEYS != FEW {
+                // a long list takes one key after the other
+                for mut key in batch {
+                    if key.simd_lt(least[KEYS - 1]).any_true() {
+                        for kept in &mut least {
+                            (*kept, key) = (kept.min(key), kept.max(key));
+                        }
+                    }
+                }
+                continue;
             }
             exchange!(batch: 0-1 2-3 0-2 1-3 1-2);
             if batch[0].simd_lt(least[KEYS - 1]).any_true() {
@@ -458,7 +477,7 @@ mod tests {
         fn tiles_find_what_the_plain_search_finds(
             points in prop::collection::vec((-20.0f32..20.0, -20.0f32..20.0), 1..600),
             spot in 0usize..600, coarse in prop_oneof![Just(0.0f32), Just(0.25)], scale in 0.01f32..10.0,
-            cell in 0.1f32..20.0, k in 1usize..=MOST_NEIGHBOURS, range in 0.1f32..30.0,
+            cell in 0.1f32..20.0, k in prop_oneof![1usize..=FEW_NEIGHBOURS, 1usize..=MOST_NEIGHBOURS], range in 0.1f32..30.0,
         ) {
             let place = |(i, &(x, y)): (usize, &(f32, f32))| {
                 let p = Vec2::new(x, y) * if i < spot { scale } else { 1.0 };
