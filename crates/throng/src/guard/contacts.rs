@@ -1,10 +1,11 @@
 //! Contacts: for each body a complete list of the bodies and walls that it could touch in this step.
 
 use super::GuardedBodies;
-use super::lists::ContactLists;
+use super::lists::{ContactLists, Reports};
+use crate::parallel::{self, WORD, Words};
 use crate::perceive::{Grid, Near};
+use crate::simd::ones;
 use crate::space::{NearWalls, Walls};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The bodies and walls within the reach of each body. Two bodies that are both in a pile are not in each other's
 /// lists, so the cost of a step is linear in the number of bodies even if all of them start at one point.
@@ -13,14 +14,15 @@ pub struct Contacts {
     others: ContactLists<Vec<Near>>,
     /// Per row: nothing, or the number of edges, then the edges, then the discs.
     walls: ContactLists<NearWalls>,
-    /// Pairs (body, body that found it): contacts that the first body does not search for itself.
-    reported: Vec<(u32, u32)>,
+    /// Contacts that a body does not search for itself.
+    reports: Reports,
+    sizes: BodySizes,
 }
 
 /// The result of an earlier neighbour search of a row, among the bodies that it collides with.
 #[derive(Clone, Copy, Debug)]
 pub struct RowContacts<'a> {
-    /// The nearest bodies, nearest first.
+    /// The nearest bodies by the distance of cores, nearest first.
     pub nearest: &'a [u32],
     /// The range of the search, metres.
     pub range: f32,
@@ -38,6 +40,64 @@ const PILE: usize = 6;
 /// the least radius.
 const DEEP: f32 = 0.8;
 
+/// Sizes of the bodies of 64 rows.
+#[derive(Clone, Copy, Debug, Default)]
+struct SizeRange {
+    sum: f64,
+    largest: f32,
+    least_radius: f32,
+}
+
+/// Sizes of all bodies, by blocks of 64 rows, and the rows larger than usual. Few bodies are.
+#[derive(Clone, Debug, Default)]
+struct BodySizes {
+    blocks: Vec<SizeRange>,
+    larger: Vec<u32>,
+}
+
+impl BodySizes {
+    /// Measures all bodies for a search. A body is larger than usual if its size exceeds twice the mean.
+    fn measure(&mut self, search: &mut ContactSearch<'_>) {
+        let Self { blocks, larger } = self;
+        larger.clear();
+        let rows = search.bodies.positions.len();
+        if let (Some((size, _)), Some(radius)) = (search.alike, search.bodies.radii.uniform()) {
+            (search.least_radius, search.usual, search.largest) = (radius, size, size);
+            return;
+        }
+        blocks.resize(rows.div_ceil(WORD), SizeRange::default());
+        let of = *search;
+        parallel::ranges(Words(blocks), |rows_of_range, Words(blocks)| {
+            for (first, block) in rows_of_range.step_by(WORD).zip(blocks) {
+                *block = SizeRange { least_radius: f32::INFINITY, ..SizeRange::default() };
+                for row in first..rows.min(first + WORD) {
+                    let size = of.size(row);
+                    block.sum += f64::from(size);
+                    block.largest = block.largest.max(size);
+                    block.least_radius = block.least_radius.min(of.bodies.radii[row]);
+                }
+            }
+        });
+        search.least_radius = blocks.iter().map(|block| block.least_radius).fold(f32::INFINITY, f32::min);
+        search.largest = blocks.iter().map(|block| block.largest).fold(0.0, f32::max);
+        let limit = (2.0 * blocks.iter().map(|block| block.sum).sum::<f64>() / rows as f64) as f32;
+        search.usual = 0.0;
+        for (first, block) in (0..rows).step_by(WORD).zip(blocks) {
+            if block.largest <= limit {
+                search.usual = search.usual.max(block.largest);
+                continue;
+            }
+            for row in first..rows.min(first + WORD) {
+                if search.size(row) > limit {
+                    larger.push(row as u32);
+                } else {
+                    search.usual = search.usual.max(search.size(row));
+                }
+            }
+        }
+    }
+}
+
 /// The search for contacts. A body searches as far as is needed for all bodies that are not larger than the usual size
 /// or than itself. The few larger bodies report their contacts to the smaller ones.
 #[derive(Clone, Copy)]
@@ -47,19 +107,22 @@ struct ContactSearch<'a> {
     grid: &'a Grid,
     /// The size of all bodies and the range within which two touch, if all bodies are alike.
     alike: Option<(f32, f32)>,
-    /// The least radius.
-    least: f32,
+    least_radius: f32,
+    /// The usual size.
+    usual: f32,
+    /// The largest size.
+    largest: f32,
 }
 
 impl<'a> ContactSearch<'a> {
-    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
-        let least = bodies.radii.values().iter().copied().fold(f32::INFINITY, f32::min);
-        let mut search = Self { bodies, numbers, grid, alike: None, least };
+    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid, sizes: &mut BodySizes) -> Self {
+        let mut search = Self { bodies, numbers, grid, alike: None, least_radius: 0.0, usual: 0.0, largest: 0.0 };
         let GuardedBodies { altitudes, cores, radii, reach, positions, .. } = bodies;
         let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
         if uniform.is_some() && !positions.is_empty() {
             search.alike = Some((search.size(0), search.range(0, 0)));
         }
+        sizes.measure(&mut search);
         search
     }
 
@@ -92,21 +155,33 @@ impl<'a> ContactSearch<'a> {
         });
     }
 
-    /// Adds to `found` the bodies that can touch `row` among those of an earlier search. Returns whether they are
-    /// complete, given that every body that can touch the row is within `reach`.
+    /// Adds to `found` the bodies that can touch `row` and are not larger than `limit`, among those of an earlier search.
+    /// Returns whether the search found all of them.
     #[inline]
-    fn take(&self, row: usize, reach: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
+    fn take(&self, row: usize, limit: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
         let at = self.bodies.positions[row];
+        let reach = (self.size(row) + limit) * (PAD * PAD);
         for &other in seen.nearest {
             let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
             if distance_squared > reach * reach {
-                return true;
-            }
-            if self.touch(row, other as usize, distance_squared) {
+                if self.are_discs(row, other as usize) {
+                    return true;
+                }
+            } else if self.touch(row, other as usize, distance_squared)
+                && (self.largest <= limit || self.size(other as usize) <= limit)
+            {
                 found.push(other);
             }
         }
         seen.all && seen.range > reach
+    }
+
+    /// Whether two bodies are discs. The distance of the cores of other bodies is at most that of the centres. So if the
+    /// centres of two discs in the list of an earlier search are farther apart than a range, the list holds all bodies
+    /// with centres within that range.
+    #[inline]
+    fn are_discs(&self, row: usize, other: usize) -> bool {
+        self.bodies.is_disc(row) && self.bodies.is_disc(other)
     }
 
     /// Whether two bodies can touch, given the squared distance of their centres in the plan.
@@ -119,8 +194,7 @@ impl<'a> ContactSearch<'a> {
         // the order of the operands does not depend on the caller, so both rows get the same rounding
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
         let range = if rank(a) < rank(b) { self.range(b, a) } else { self.range(a, b) };
-        let discs = bodies.is_disc(a) && bodies.is_disc(b);
-        let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
+        let above = if self.are_discs(a, b) { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
     }
 
@@ -133,15 +207,21 @@ impl<'a> ContactSearch<'a> {
         found: &mut Vec<Near>,
     ) -> bool {
         let GuardedBodies { positions, altitudes, radii, .. } = self.bodies;
-        let reach = radii[row] + DEEP * self.least;
+        let reach = radii[row] + DEEP * self.least_radius;
         // the earlier search decides most cases
         if let Some(RowContacts { nearest, range, all }) = seen {
-            let is_deep = |&&other: &&u32| positions[row].distance_squared(positions[other as usize]) < reach * reach;
-            let deep = nearest.iter().take(PILE + 1).take_while(is_deep).count();
+            let mut deep = 0;
+            for &other in nearest {
+                if positions[row].distance_squared(positions[other as usize]) < reach * reach {
+                    deep += 1;
+                } else if deep <= PILE && self.are_discs(row, other as usize) {
+                    return false;
+                }
+            }
             if deep > PILE && altitudes.uniform().is_some() {
                 return true;
             }
-            if deep < nearest.len().min(PILE + 1) || deep <= PILE && all && range > reach {
+            if deep <= PILE && all && range > reach {
                 return false;
             }
         }
@@ -168,83 +248,66 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
-        let search = ContactSearch::new(bodies, numbers, grid);
-        let (usual, largest) = self.tell(search, &meets);
-        let reported = &self.reported;
-        let piles = AtomicBool::new(false);
+        let search = ContactSearch::new(bodies, numbers, grid, &mut self.sizes);
+        self.report_larger(search, &meets);
+        let reports = &self.reports;
         self.others.fill(
             bodies.positions.len(),
             |part| bodies.rest(part),
             |near, row, others| {
                 let (start, seen) = (others.len(), seen(row));
                 if search.is_piled(row, &meets, seen, near) {
-                    piles.store(true, Ordering::Relaxed);
-                    return;
+                    return true;
                 }
-                let size = search.size(row);
-                let reach = (size + largest) * (PAD * PAD);
-                let all = seen.is_some_and(|seen| search.take(row, reach, seen, others));
+                let limit = search.size(row).max(search.usual);
+                let all = seen.is_some_and(|seen| search.take(row, limit, seen, others));
                 if !all {
                     others.truncate(start);
-                    search.look(row, size.max(usual), |other| {
+                    search.look(row, limit, |other| {
                         if meets(row, other) {
                             others.push(other as u32);
                         }
                     });
-                    if !reported.is_empty() {
-                        let first = reported.partition_point(|&(of, _)| of < row as u32);
-                        others.extend(
-                            reported[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by),
-                        );
-                    }
                 }
+                others.extend(reports.to(row));
                 if others.len() > start + 1 {
                     others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
                 }
+                false
             },
         );
-        if piles.into_inner() {
-            self.answer(numbers);
-        }
+        self.report_to_piles(numbers);
         self.collect_walls(bodies, walls);
     }
 
     /// Adds to the lists of piled bodies the contacts found by bodies that are not in a pile.
-    fn answer(&mut self, numbers: &[u32]) {
-        self.reported.clear();
-        for row in 0..numbers.len() {
-            let unknown = |&&other: &&u32| !self.others.of(other as usize).contains(&(row as u32));
-            self.reported.extend(self.others.of(row).iter().filter(unknown).map(|&other| (other, row as u32)));
+    fn report_to_piles(&mut self, numbers: &[u32]) {
+        let others = &self.others;
+        if !others.any_marked() {
+            return;
         }
-        self.reported.sort_unstable();
-        self.others.add(&self.reported, |other| numbers[other as usize]);
+        self.reports.collect(numbers.len(), |first, found| {
+            for row in ones(others.some(first / WORD)).map(|at| first + at) {
+                let piled = others.of(row).iter().filter(|&&other| others.is_marked(other as usize));
+                found.extend(piled.map(|&other| (other, row as u32)));
+            }
+        });
+        self.others.add(self.reports.all(), |other| numbers[other as usize]);
     }
 
-    /// Collects the contacts of bodies larger than usual for the bodies that they can touch. Returns the usual size and
-    /// the largest size.
-    fn tell(&mut self, search: ContactSearch<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
-        self.reported.clear();
-        if let Some((size, _)) = search.alike {
-            return (size, size);
-        }
-        let rows = search.bodies.positions.len();
-        let sizes = || (0..rows).map(|row| search.size(row));
-        let largest = sizes().fold(0.0, f32::max);
-        let twice_the_mean = (2.0 * sizes().map(f64::from).sum::<f64>() / rows as f64) as f32;
-        if largest <= twice_the_mean {
-            return (largest, largest);
-        }
-        let usual = sizes().filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
-        for row in (0..rows).filter(|&row| search.size(row) > usual) {
-            let size = search.size(row);
-            search.look(row, size, |other| {
-                if search.size(other) < size && meets(row, other) {
-                    self.reported.push((other as u32, row as u32));
-                }
-            });
-        }
-        self.reported.sort_unstable();
-        (usual, largest)
+    /// Collects the contacts of bodies larger than usual for the smaller bodies that they can touch.
+    fn report_larger(&mut self, search: ContactSearch<'_>, meets: &(impl Fn(usize, usize) -> bool + Sync)) {
+        let Self { reports, sizes: BodySizes { larger, .. }, .. } = self;
+        reports.collect(larger.len(), |first, found| {
+            for &row in larger[first..].iter().take(WORD) {
+                let (row, size) = (row as usize, search.size(row as usize));
+                search.look(row, size, |other| {
+                    if search.size(other) < size && meets(row, other) {
+                        found.push((other as u32, row as u32));
+                    }
+                });
+            }
+        });
     }
 
     /// Collects the walls only and leaves the lists of bodies empty.
@@ -268,6 +331,7 @@ impl Contacts {
                     found.push(near.edges.len() as u32);
                     found.extend(near.edges.iter().chain(&near.discs).map(|&(_, index)| index));
                 }
+                false
             },
         );
     }

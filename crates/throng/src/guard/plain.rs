@@ -1,7 +1,7 @@
 //! Reference versions of the guard and its contacts: they evaluate every agent in every pass. The fast versions must
 //! agree with them bit for bit.
 
-use super::certify::{CertifyScratch, ROUNDS, within_reach};
+use super::certify::{CertifyScratch, within_reach};
 use super::cores::Cores;
 use super::safe::is_safe;
 use super::solid::GuardedObjects;
@@ -33,12 +33,7 @@ fn certify(
     let mut clamped = vec![false; desired_poses.len()];
     let mut report = Report::default();
     for round in 1.. {
-        let clamps = |row: usize| {
-            !clamped[row]
-                && (round > ROUNDS
-                    && (!contacts.of(row).is_empty() || !contacts.is_off_walls(row) || bodies.solids.is_near(row))
-                    || !is_safe(row, solid, &now))
-        };
+        let clamps = |row: usize| !clamped[row] && !is_safe(row, solid, &now);
         let unsafe_rows: Vec<usize> = rows.clone().filter(|&row| clamps(row)).collect();
         if unsafe_rows.is_empty() {
             break;

@@ -1,5 +1,6 @@
 //! Stages 4, guard, and 5, motion: agents move to where the guard finds no overlap.
 
+use super::perceive::AvoidsAll;
 use super::{StepMemory, World};
 use crate::agent::{Columns, Status};
 use crate::guard::{self, BodyPose, GuardedBodies, Report, RowContacts};
@@ -90,16 +91,17 @@ impl World {
         }
     }
 
-    /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
-    /// agents are discs on the ground that avoid each other.
+    /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: no
+    /// agent flies, and the agent is a disc that avoids all others.
     fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<RowContacts<'a>> {
         let Self { agents, step, local_groups: groups, .. } = self;
-        let sees_all = step.long.is_empty() && !agents.any_flies() && agents.all_avoid();
+        let (none_flies, avoids_all) = (!agents.any_flies(), AvoidsAll::of(agents));
         move |row| {
             let group = &groups[agents.group[row].index()];
             let nearest = step.near.of(row);
             let all = nearest.len() < group.nearest();
-            (sees_all && group.nearest() > 0).then_some(RowContacts { nearest, range: group.neighbour_distance, all })
+            let sees_all = none_flies && group.nearest() > 0 && agents.is_disc(row) && avoids_all.holds(agents, row);
+            sees_all.then_some(RowContacts { nearest, range: group.neighbour_distance, all })
         }
     }
 
