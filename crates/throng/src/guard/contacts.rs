@@ -2,7 +2,8 @@
 
 use super::GuardedBodies;
 use super::lists::{ContactLists, Reports};
-use crate::parallel::{self, WORD, Words};
+use super::sizes::{BodySizes, CommonBody};
+use crate::parallel::WORD;
 use crate::perceive::{Grid, Near};
 use crate::simd::ones;
 use crate::space::{NearWalls, Walls};
@@ -31,7 +32,7 @@ pub struct RowContacts<'a> {
 }
 
 /// Ranges are slightly larger than the sums, because squares are rounded.
-const PAD: f32 = 1.0001;
+pub(super) const PAD: f32 = 1.0001;
 
 /// At most six discs of equal size can touch a disc. A body that overlaps more than six others, by more than touching,
 /// is in a *pile*.
@@ -40,64 +41,6 @@ const PILE: usize = 6;
 /// the least radius.
 const DEEP: f32 = 0.8;
 
-/// Sizes of the bodies of 64 rows.
-#[derive(Clone, Copy, Debug, Default)]
-struct SizeRange {
-    sum: f64,
-    largest: f32,
-    least_radius: f32,
-}
-
-/// Sizes of all bodies, by blocks of 64 rows, and the rows larger than usual. Few bodies are.
-#[derive(Clone, Debug, Default)]
-struct BodySizes {
-    blocks: Vec<SizeRange>,
-    larger: Vec<u32>,
-}
-
-impl BodySizes {
-    /// Measures all bodies for a search. A body is larger than usual if its size exceeds twice the mean.
-    fn measure(&mut self, search: &mut ContactSearch<'_>) {
-        let Self { blocks, larger } = self;
-        larger.clear();
-        let rows = search.bodies.positions.len();
-        if let (Some((size, _)), Some(radius)) = (search.alike, search.bodies.radii.uniform()) {
-            (search.least_radius, search.usual, search.largest) = (radius, size, size);
-            return;
-        }
-        blocks.resize(rows.div_ceil(WORD), SizeRange::default());
-        let of = *search;
-        parallel::ranges(Words(blocks), |rows_of_range, Words(blocks)| {
-            for (first, block) in rows_of_range.step_by(WORD).zip(blocks) {
-                *block = SizeRange { least_radius: f32::INFINITY, ..SizeRange::default() };
-                for row in first..rows.min(first + WORD) {
-                    let size = of.size(row);
-                    block.sum += f64::from(size);
-                    block.largest = block.largest.max(size);
-                    block.least_radius = block.least_radius.min(of.bodies.radii[row]);
-                }
-            }
-        });
-        search.least_radius = blocks.iter().map(|block| block.least_radius).fold(f32::INFINITY, f32::min);
-        search.largest = blocks.iter().map(|block| block.largest).fold(0.0, f32::max);
-        let limit = (2.0 * blocks.iter().map(|block| block.sum).sum::<f64>() / rows as f64) as f32;
-        search.usual = 0.0;
-        for (first, block) in (0..rows).step_by(WORD).zip(blocks) {
-            if block.largest <= limit {
-                search.usual = search.usual.max(block.largest);
-                continue;
-            }
-            for row in first..rows.min(first + WORD) {
-                if search.size(row) > limit {
-                    larger.push(row as u32);
-                } else {
-                    search.usual = search.usual.max(search.size(row));
-                }
-            }
-        }
-    }
-}
-
 /// The search for contacts. A body searches as far as is needed for all bodies that are not larger than the usual size
 /// or than itself. The few larger bodies report their contacts to the smaller ones.
 #[derive(Clone, Copy)]
@@ -105,32 +48,29 @@ struct ContactSearch<'a> {
     bodies: &'a GuardedBodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
-    /// The size of all bodies and the range within which two touch, if all bodies are alike.
-    alike: Option<(f32, f32)>,
-    least_radius: f32,
-    /// The usual size.
-    usual: f32,
-    /// The largest size.
-    largest: f32,
+    sizes: &'a BodySizes,
+    common: Option<CommonBody>,
+    /// Whether all rows have the common body.
+    all_common: bool,
 }
 
 impl<'a> ContactSearch<'a> {
-    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid, sizes: &mut BodySizes) -> Self {
-        let mut search = Self { bodies, numbers, grid, alike: None, least_radius: 0.0, usual: 0.0, largest: 0.0 };
-        let GuardedBodies { altitudes, cores, radii, reach, positions, .. } = bodies;
-        let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
-        if uniform.is_some() && !positions.is_empty() {
-            search.alike = Some((search.size(0), search.range(0, 0)));
-        }
-        sizes.measure(&mut search);
-        search
+    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid, sizes: &'a BodySizes) -> Self {
+        Self { bodies, numbers, grid, sizes, common: sizes.common, all_common: sizes.blocks.is_empty() }
+    }
+
+    /// Returns the common body if a row has it.
+    #[inline]
+    fn common(&self, row: usize) -> Option<&CommonBody> {
+        let has_it = self.all_common || self.sizes.blocks[row / WORD].common >> (row % WORD) & 1 == 1;
+        self.common.as_ref().filter(|_| has_it)
     }
 
     /// Returns how far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
-        match self.alike {
-            Some((size, _)) => size,
+        match self.common(row) {
+            Some(common) => common.size,
             None => self.bodies.bound(row) + self.bodies.reach[row],
         }
     }
@@ -155,20 +95,39 @@ impl<'a> ContactSearch<'a> {
         });
     }
 
-    /// Adds to `found` the bodies that can touch `row` and are not larger than `limit`, among those of an earlier search.
-    /// Returns whether the search found all of them.
+    /// Adds the contacts of a larger body to `found`, for the smaller bodies.
+    fn report_larger(&self, row: u32, meets: &impl Fn(usize, usize) -> bool, found: &mut Vec<(u32, u32)>) {
+        let size = self.size(row as usize);
+        self.look(row as usize, size, |other| {
+            if self.size(other) < size && meets(row as usize, other) {
+                found.push((other as u32, row));
+            }
+        });
+    }
+
+    /// Whether a body is a disc.
     #[inline]
-    fn take(&self, row: usize, limit: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
+    fn is_disc(&self, row: usize) -> bool {
+        self.common(row).map_or_else(|| self.bodies.is_disc(row), |common| common.is_disc)
+    }
+
+    /// Adds to `found` the bodies not larger than `limit` that can touch a disc of this size, among those of an earlier
+    /// search. Returns whether the search found all of them.
+    ///
+    /// The distance of cores is at most that of centres. So if the list of a disc holds another disc beyond a range, it
+    /// holds all bodies with centres within that range.
+    #[inline]
+    fn take(&self, (row, size): (usize, f32), limit: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
         let at = self.bodies.positions[row];
-        let reach = (self.size(row) + limit) * (PAD * PAD);
+        let reach = (size + limit) * (PAD * PAD);
         for &other in seen.nearest {
             let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
             if distance_squared > reach * reach {
-                if self.are_discs(row, other as usize) {
+                if self.is_disc(other as usize) {
                     return true;
                 }
             } else if self.touch(row, other as usize, distance_squared)
-                && (self.largest <= limit || self.size(other as usize) <= limit)
+                && (self.sizes.largest <= limit || self.size(other as usize) <= limit)
             {
                 found.push(other);
             }
@@ -176,29 +135,23 @@ impl<'a> ContactSearch<'a> {
         seen.all && seen.range > reach
     }
 
-    /// Whether two bodies are discs. The distance of the cores of other bodies is at most that of the centres. So if the
-    /// centres of two discs in the list of an earlier search are farther apart than a range, the list holds all bodies
-    /// with centres within that range.
-    #[inline]
-    fn are_discs(&self, row: usize, other: usize) -> bool {
-        self.bodies.is_disc(row) && self.bodies.is_disc(other)
-    }
-
     /// Whether two bodies can touch, given the squared distance of their centres in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
-        if let Some((_, range)) = self.alike {
+        if let (Some(CommonBody { range, .. }), Some(_)) = (self.common(a), self.common(b)) {
             return distance_squared <= range * range;
         }
         let Self { bodies, numbers, .. } = self;
         // the order of the operands does not depend on the caller, so both rows get the same rounding
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
         let range = if rank(a) < rank(b) { self.range(b, a) } else { self.range(a, b) };
-        let above = if self.are_discs(a, b) { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
+        let above = if self.is_disc(a) && self.is_disc(b) { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
     }
 
-    /// Whether `row` is in a pile. `meets` is as for [`Contacts::collect`].
+    /// Whether `row` is in a pile. `meets` is as for [`Contacts::collect`]. Only for a disc can there be an earlier
+    /// search.
+    #[inline]
     fn is_piled(
         &self,
         row: usize,
@@ -207,14 +160,14 @@ impl<'a> ContactSearch<'a> {
         found: &mut Vec<Near>,
     ) -> bool {
         let GuardedBodies { positions, altitudes, radii, .. } = self.bodies;
-        let reach = radii[row] + DEEP * self.least_radius;
+        let reach = radii[row] + DEEP * self.sizes.least_radius;
         // the earlier search decides most cases
         if let Some(RowContacts { nearest, range, all }) = seen {
             let mut deep = 0;
             for &other in nearest {
                 if positions[row].distance_squared(positions[other as usize]) < reach * reach {
                     deep += 1;
-                } else if deep <= PILE && self.are_discs(row, other as usize) {
+                } else if deep <= PILE && self.is_disc(other as usize) {
                     return false;
                 }
             }
@@ -238,7 +191,7 @@ impl<'a> ContactSearch<'a> {
 impl Contacts {
     /// Collects all pairs that could touch, and all walls. `grid` holds the positions of the bodies. `meets` says
     /// whether two rows collide with each other; it must be symmetric. `seen` may return the nearest bodies that a row
-    /// collides with, from an earlier search.
+    /// collides with, from an earlier search. It is called for discs only.
     pub fn collect<'a>(
         &mut self,
         bodies: &GuardedBodies<'_>,
@@ -248,19 +201,24 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
-        let search = ContactSearch::new(bodies, numbers, grid, &mut self.sizes);
-        self.report_larger(search, &meets);
-        let reports = &self.reports;
-        self.others.fill(
+        let Self { others, reports, sizes, .. } = self;
+        sizes.measure(bodies);
+        let (search, usual) = (ContactSearch::new(bodies, numbers, grid, sizes), sizes.usual);
+        reports.collect(sizes.larger.len(), |first, found| {
+            sizes.larger[first..].iter().take(WORD).for_each(|&row| search.report_larger(row, &meets, found));
+        });
+        others.fill(
             bodies.positions.len(),
             |part| bodies.rest(part),
             |near, row, others| {
-                let (start, seen) = (others.len(), seen(row));
+                let start = others.len();
+                let seen = if search.is_disc(row) { seen(row) } else { None };
                 if search.is_piled(row, &meets, seen, near) {
                     return true;
                 }
-                let limit = search.size(row).max(search.usual);
-                let all = seen.is_some_and(|seen| search.take(row, limit, seen, others));
+                let size = search.size(row);
+                let limit = size.max(usual);
+                let all = seen.is_some_and(|seen| search.take((row, size), limit, seen, others));
                 if !all {
                     others.truncate(start);
                     search.look(row, limit, |other| {
@@ -269,7 +227,7 @@ impl Contacts {
                         }
                     });
                 }
-                others.extend(reports.to(row));
+                others.extend(reports.to(row).iter().map(|&(_, by)| by));
                 if others.len() > start + 1 {
                     others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
                 }
@@ -293,21 +251,6 @@ impl Contacts {
             }
         });
         self.others.add(self.reports.all(), |other| numbers[other as usize]);
-    }
-
-    /// Collects the contacts of bodies larger than usual for the smaller bodies that they can touch.
-    fn report_larger(&mut self, search: ContactSearch<'_>, meets: &(impl Fn(usize, usize) -> bool + Sync)) {
-        let Self { reports, sizes: BodySizes { larger, .. }, .. } = self;
-        reports.collect(larger.len(), |first, found| {
-            for &row in larger[first..].iter().take(WORD) {
-                let (row, size) = (row as usize, search.size(row as usize));
-                search.look(row, size, |other| {
-                    if search.size(other) < size && meets(row, other) {
-                        found.push((other as u32, row as u32));
-                    }
-                });
-            }
-        });
     }
 
     /// Collects the walls only and leaves the lists of bodies empty.

@@ -141,14 +141,15 @@ impl Reports {
         &self.pairs
     }
 
-    /// Returns the items reported to a row, in ascending order.
+    /// Returns the pairs of a row, sorted.
     #[inline]
-    pub fn to(&self, row: usize) -> impl Iterator<Item = u32> + '_ {
-        let part = match self.starts.get(row / WORD..) {
-            Some(&[start, end, ..]) => &self.pairs[start as usize..end as usize],
-            _ => &[],
-        };
-        let first = part.partition_point(|&(of, _)| (of as usize) < row);
-        part[first..].iter().take_while(move |&&(of, _)| of as usize == row).map(|&(_, item)| item)
+    pub fn to(&self, row: usize) -> &[(u32, u32)] {
+        let Some(&[start, end, ..]) = self.starts.get(row / WORD..) else { return &[] };
+        if start == end {
+            return &[];
+        }
+        let part = &self.pairs[start as usize..end as usize];
+        let of_row = |before: usize| part.partition_point(|&(of, _)| (of as usize) < before);
+        &part[of_row(row)..of_row(row + 1)]
     }
 }

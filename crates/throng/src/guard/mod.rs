@@ -89,6 +89,7 @@ mod lists;
 mod plain;
 mod relax;
 mod safe;
+mod sizes;
 mod solid;
 mod solids;
 mod sweep;
