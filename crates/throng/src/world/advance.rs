@@ -92,7 +92,7 @@ impl World {
     }
 
     /// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: no
-    /// agent flies, and the agent is a disc that avoids all others.
+    /// agent flies, and the agent, a disc, avoids all others.
     fn seen<'a>(&'a self) -> impl Fn(usize) -> Option<RowContacts<'a>> {
         let Self { agents, step, local_groups: groups, .. } = self;
         let (none_flies, avoids_all) = (!agents.any_flies(), AvoidsAll::of(agents));
@@ -100,7 +100,7 @@ impl World {
             let group = &groups[agents.group[row].index()];
             let nearest = step.near.of(row);
             let all = nearest.len() < group.nearest();
-            let sees_all = none_flies && group.nearest() > 0 && agents.is_disc(row) && avoids_all.holds(agents, row);
+            let sees_all = none_flies && group.nearest() > 0 && avoids_all.holds(agents, row);
             sees_all.then_some(RowContacts { nearest, range: group.neighbour_distance, all })
         }
     }
@@ -255,4 +255,61 @@ pub(super) fn diverted(
 fn velocity(from: Vec3, to: Vec3, chosen: Vec3, seconds: f32) -> Vec3 {
     let unchanged = to.distance(from + chosen * seconds) <= to.abs().max_element() * f32::EPSILON;
     if unchanged { chosen } else { (to - from) / seconds }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::guard::Contacts;
+    use crate::{Agent, Body, Group, Settings, SubSteps};
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    /// Returns agents in rows. Some of them are larger, long, or avoid only some agents.
+    fn crowd(spacing: f64, group: Group, others: &[(usize, u8)]) -> World {
+        let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
+        let mut world = World::new(settings).unwrap();
+        let group = world.add_group(group).unwrap();
+        for at in 0..240u32 {
+            let (x, y) = (f64::from(at % 16), f64::from(at / 16));
+            let position = DVec2::new(x + 0.3 * (y * 1.7).sin(), y + 0.3 * (x * 2.3).sin()) * spacing;
+            let agent = Agent { position: position.extend(0.0), group, radius: 0.2, ..Agent::default() };
+            let kind = others.iter().find(|&&(row, _)| row == at as usize).map(|&(_, kind)| kind);
+            let agent = match kind {
+                None => agent,
+                Some(0) => agent.with_body(Body::rectangle(4.2, 1.8)),
+                Some(1) => Agent { avoids: 0, ..agent.with_body(Body::rectangle(2.0, 0.3)) },
+                Some(2) => agent.with_body(Body::capsule(0.9, 0.4)),
+                Some(3) => agent.with_body(Body::disc(1.5)),
+                Some(4) => Agent { layers: 2, ..agent },
+                Some(_) => Agent { avoids: 2, ..agent },
+            };
+            world.add_agent(agent).unwrap();
+        }
+        world
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        #[test]
+        fn contacts_from_neighbour_lists_are_those_of_a_search(
+            others in prop::collection::vec((0usize..240, 0u8..6), 0..6),
+            spacing in 0.2..1.5,
+            (neighbours, neighbour_distance) in (1usize..12, 0.5f32..5.0),
+        ) {
+            let group = Group { neighbours, neighbour_distance, ..Group::default() };
+            let mut world = crowd(spacing, group, &others);
+            world.step();
+            world.perceive(0.1);
+            world.guard(0.1, 0.0);
+            let World { agents, step, walls, .. } = &world;
+            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            let mut contacts = Contacts::default();
+            contacts.collect(&world.bodies(), &agents.number, &step.grid, walls, meets, |_| None);
+            for row in 0..agents.len() {
+                prop_assert_eq!(step.contacts.of(row), contacts.of(row));
+            }
+        }
+    }
 }
