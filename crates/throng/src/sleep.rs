@@ -9,7 +9,7 @@
 //! - twice the neighbour distance. An agent that was not still changes the chosen velocities of the agents that see it,
 //!   so these may move. Sleeping agents must not see a moving agent, because its separation from them would have to be
 //!   measured.
-//! - one contact distance for each pass of the guard: each pass may push one more agent.
+//! - one contact distance for each relaxation of the guard: each may push one more agent.
 //!
 //! The data of a stage for a block stay as they are while the block sleeps. On the scalar path no agent sleeps: it is
 //! the reference.

@@ -16,8 +16,8 @@ use glam::Vec3;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Maximum number of certification rounds. After them every agent that is still free is clamped.
-pub(super) const ROUNDS: usize = 8;
+/// At most this many waiting rows are listed, so that a pass does not look for them among all rows.
+const FEW: usize = 256;
 
 /// Statistics of one certification.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,6 +35,7 @@ pub struct Report {
 pub struct Guard {
     parts: Vec<RowRange>,
     waiting: Vec<Waiting>,
+    listed: Vec<u32>,
     scratch: Vec<CertifyScratch>,
     cores: Cores,
 }
@@ -58,6 +59,8 @@ struct RowRange {
 pub(super) struct CertifyScratch {
     /// New targets of this pass, in the order of rows.
     targets: Vec<BodyPose>,
+    /// Rows of these targets, in a pass over listed rows.
+    rows: Vec<u32>,
     /// Buffers for the cell of one agent.
     pub lines: Vec<HalfPlane>,
     pub planes: Vec<HalfSpace>,
@@ -86,6 +89,19 @@ impl Clone for Waiting {
 impl Guard {
     /// Computes safe `targets`: the poses of `desired`, changed as little as possible. `contacts` must hold every pair
     /// and every wall that can meet within the reach of the bodies.
+    ///
+    /// Clamping spreads only where it must. A round clamps the free rows that are not safe with the targets of the round
+    /// before. No limit on the rounds is necessary:
+    /// - Every round but the last clamps a row, and no row twice. So there are at most as many rounds as rows.
+    /// - No row is clamped in the last round, so every free row was safe with the final targets when it was last
+    ///   evaluated. A row waits again whenever a target that it depends on changes. So it is safe in the end.
+    /// - Clamped rows are in their cells, and two rows that are both in their cells are safe.
+    ///
+    /// The rows clamped in a round depend on the targets of the round before only, so they are the same for any number
+    /// of threads. Clamping leaves a row that stands where it stands, so it spreads through moving rows only.
+    ///
+    /// Together the rounds evaluate no row more often than once for each target that changes among its contacts and its
+    /// own. A round with few waiting rows takes time for these rows only.
     pub fn certify(
         &mut self,
         bodies: &GuardedBodies<'_>,
@@ -95,7 +111,7 @@ impl Guard {
         targets: &mut Vec<BodyPose>,
     ) -> Report {
         let count = bodies.positions.len();
-        let Self { parts, waiting, scratch, cores } = self;
+        let Self { parts, waiting, listed, scratch, cores } = self;
         cores.rebuild(bodies);
         let solid = GuardedObjects { bodies, contacts, walls, cores };
         let touching = |part: usize| contacts.touching(part) | bodies.solids.near(part);
@@ -116,7 +132,7 @@ impl Guard {
                 }
             }
         });
-        let mut passes = Passes { contacts, parts, waiting, scratch, targets };
+        let mut passes = Passes { contacts, parts, waiting, listed, is_listed: false, scratch, targets };
         passes.look_at(|at, _, targets| {
             let touching = rows(at, if bodies.rest(at) { 0 } else { touching(at) });
             touching.filter(|&row| !relax::is_clear(row, solid, targets)).fold(0, |some, row| some | bit(row))
@@ -126,22 +142,15 @@ impl Guard {
         }
         passes.look_at(|_, part, _| part.seen);
         let mut report = Report::default();
-        for round in 1..=ROUNDS + 1 {
-            let last = round > ROUNDS;
-            if last {
-                passes.look_at(|at, _, _| touching(at));
-            }
-            let clamped = passes.run(|part, scratch, row, targets| {
-                let free = part.clamped & bit(row) == 0;
-                (free && (last || !is_safe(row, solid, targets))).then(|| {
-                    part.clamped |= bit(row);
-                    cell::clamp(row, solid, targets[row], scratch)
-                })
-            });
-            if clamped == 0 {
-                break;
-            }
-            report.rounds = round;
+        let clamps = |part: &mut RowRange, scratch: &mut CertifyScratch, row: usize, targets: &[BodyPose]| {
+            let free = part.clamped & bit(row) == 0;
+            (free && !is_safe(row, solid, targets)).then(|| {
+                part.clamped |= bit(row);
+                cell::clamp(row, solid, targets[row], scratch)
+            })
+        };
+        while passes.run(clamps) > 0 {
+            report.rounds += 1;
         }
         let moved = parts.iter().map(|part| part.moved.count_ones() as usize).sum();
         let note = |part_rows: Range<usize>, parts: &mut [RowRange]| {
@@ -201,6 +210,9 @@ struct Passes<'a> {
     contacts: &'a Contacts,
     parts: &'a mut [RowRange],
     waiting: &'a mut [Waiting],
+    /// The waiting rows in no particular order, if `is_listed`.
+    listed: &'a mut Vec<u32>,
+    is_listed: bool,
     scratch: &'a mut Vec<CertifyScratch>,
     targets: &'a mut [BodyPose],
 }
@@ -208,6 +220,7 @@ struct Passes<'a> {
 impl Passes<'_> {
     /// Adds to the next pass the rows that `select` returns for each part.
     fn look_at(&mut self, select: impl Fn(usize, &RowRange, &[BodyPose]) -> u64 + Sync) {
+        self.is_listed = false;
         let targets = &*self.targets;
         parallel::ranges((Words(self.parts), Words(self.waiting)), |rows, (Words(parts), Words(waiting))| {
             for ((first, part), waiting) in rows.step_by(WORD).zip(parts).zip(waiting) {
@@ -223,7 +236,10 @@ impl Passes<'_> {
         &mut self,
         target: impl Fn(&mut RowRange, &mut CertifyScratch, usize, &[BodyPose]) -> Option<BodyPose> + Sync,
     ) -> usize {
-        let Self { contacts, parts, waiting, scratch, targets } = self;
+        if self.list() {
+            return self.run_listed(target);
+        }
+        let Self { contacts, parts, waiting, scratch, targets, .. } = self;
         let busy = waiting.iter_mut().map(|waiting| waiting.0.get_mut().count_ones() as usize).sum();
         let both = (Words(parts), Words(waiting));
         parallel::ranges_if_busy(both, busy, scratch, |scratch, part_rows, (Words(parts), Words(waiting))| {
@@ -258,6 +274,60 @@ impl Passes<'_> {
             }
         });
         parts.iter().map(|part| part.moving.count_ones() as usize).sum()
+    }
+
+    /// Lists the waiting rows if they are few. Returns whether they are.
+    fn list(&mut self) -> bool {
+        if !self.is_listed {
+            self.listed.clear();
+            for (part, waiting) in (0..).zip(&mut *self.waiting) {
+                self.listed.extend(rows(part, *waiting.0.get_mut()).map(|row| row as u32));
+                if self.listed.len() > FEW {
+                    break;
+                }
+            }
+        }
+        self.is_listed = self.listed.len() <= FEW;
+        self.is_listed
+    }
+
+    /// As [`run`](Self::run), on this thread. It visits listed rows only.
+    fn run_listed(
+        &mut self,
+        target: impl Fn(&mut RowRange, &mut CertifyScratch, usize, &[BodyPose]) -> Option<BodyPose>,
+    ) -> usize {
+        let Self { contacts, parts, waiting, listed, scratch, targets, .. } = self;
+        if scratch.is_empty() {
+            scratch.push(CertifyScratch::default());
+        }
+        let scratch = &mut scratch[0];
+        scratch.targets.clear();
+        scratch.rows.clear();
+        for row in listed.drain(..) {
+            let at = row as usize;
+            *waiting[at / WORD].0.get_mut() &= !bit(at);
+            let part = &mut parts[at / WORD];
+            part.seen |= bit(at);
+            if let Some(pose) = target(part, scratch, at, targets) {
+                scratch.rows.push(row);
+                scratch.targets.push(pose);
+            }
+        }
+        for (&row, &pose) in scratch.rows.iter().zip(&scratch.targets) {
+            let at = row as usize;
+            if targets[at] != pose {
+                parts[at / WORD].moved |= bit(at);
+                for &row in [row].iter().chain(contacts.of(at)) {
+                    let (at, waiting) = (row as usize, waiting[row as usize / WORD].0.get_mut());
+                    if *waiting & bit(at) == 0 {
+                        *waiting |= bit(at);
+                        listed.push(row);
+                    }
+                }
+            }
+            targets[at] = pose;
+        }
+        scratch.rows.len()
     }
 }
 

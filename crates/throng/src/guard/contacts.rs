@@ -1,10 +1,12 @@
 //! Contacts: for each body a complete list of the bodies and walls that it could touch in this step.
 
 use super::GuardedBodies;
-use super::lists::ContactLists;
+use super::lists::{ContactLists, Reports};
+use super::sizes::{BodySizes, CommonBody};
+use crate::parallel::WORD;
 use crate::perceive::{Grid, Near};
+use crate::simd::ones;
 use crate::space::{NearWalls, Walls};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The bodies and walls within the reach of each body. Two bodies that are both in a pile are not in each other's
 /// lists, so the cost of a step is linear in the number of bodies even if all of them start at one point.
@@ -13,14 +15,15 @@ pub struct Contacts {
     others: ContactLists<Vec<Near>>,
     /// Per row: nothing, or the number of edges, then the edges, then the discs.
     walls: ContactLists<NearWalls>,
-    /// Pairs (body, body that found it): contacts that the first body does not search for itself.
-    reported: Vec<(u32, u32)>,
+    /// Contacts that a body does not search for itself.
+    reports: Reports,
+    sizes: BodySizes,
 }
 
 /// The result of an earlier neighbour search of a row, among the bodies that it collides with.
 #[derive(Clone, Copy, Debug)]
 pub struct RowContacts<'a> {
-    /// The nearest bodies, nearest first.
+    /// The nearest bodies by the distance of cores, nearest first.
     pub nearest: &'a [u32],
     /// The range of the search, metres.
     pub range: f32,
@@ -29,7 +32,7 @@ pub struct RowContacts<'a> {
 }
 
 /// Ranges are slightly larger than the sums, because squares are rounded.
-const PAD: f32 = 1.0001;
+pub(super) const PAD: f32 = 1.0001;
 
 /// At most six discs of equal size can touch a disc. A body that overlaps more than six others, by more than touching,
 /// is in a *pile*.
@@ -45,29 +48,29 @@ struct ContactSearch<'a> {
     bodies: &'a GuardedBodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
-    /// The size of all bodies and the range within which two touch, if all bodies are alike.
-    alike: Option<(f32, f32)>,
-    /// The least radius.
-    least: f32,
+    sizes: &'a BodySizes,
+    common: Option<CommonBody>,
+    /// Whether all rows have the common body.
+    all_common: bool,
 }
 
 impl<'a> ContactSearch<'a> {
-    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid) -> Self {
-        let least = bodies.radii.values().iter().copied().fold(f32::INFINITY, f32::min);
-        let mut search = Self { bodies, numbers, grid, alike: None, least };
-        let GuardedBodies { altitudes, cores, radii, reach, positions, .. } = bodies;
-        let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform()).and(altitudes.uniform());
-        if uniform.is_some() && !positions.is_empty() {
-            search.alike = Some((search.size(0), search.range(0, 0)));
-        }
-        search
+    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid, sizes: &'a BodySizes) -> Self {
+        Self { bodies, numbers, grid, sizes, common: sizes.common, all_common: sizes.blocks.is_empty() }
+    }
+
+    /// Returns the common body if a row has it.
+    #[inline]
+    fn common(&self, row: usize) -> Option<&CommonBody> {
+        let has_it = self.all_common || self.sizes.blocks[row / WORD].common >> (row % WORD) & 1 == 1;
+        self.common.as_ref().filter(|_| has_it)
     }
 
     /// Returns how far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
-        match self.alike {
-            Some((size, _)) => size,
+        match self.common(row) {
+            Some(common) => common.size,
             None => self.bodies.bound(row) + self.bodies.reach[row],
         }
     }
@@ -92,17 +95,40 @@ impl<'a> ContactSearch<'a> {
         });
     }
 
-    /// Adds to `found` the bodies that can touch `row` among those of an earlier search. Returns whether they are
-    /// complete, given that every body that can touch the row is within `reach`.
+    /// Adds the contacts of a larger body to `found`, for the smaller bodies.
+    fn report_larger(&self, row: u32, meets: &impl Fn(usize, usize) -> bool, found: &mut Vec<(u32, u32)>) {
+        let size = self.size(row as usize);
+        self.look(row as usize, size, |other| {
+            if self.size(other) < size && meets(row as usize, other) {
+                found.push((other as u32, row));
+            }
+        });
+    }
+
+    /// Whether a body is a disc.
     #[inline]
-    fn take(&self, row: usize, reach: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
+    fn is_disc(&self, row: usize) -> bool {
+        self.common(row).map_or_else(|| self.bodies.is_disc(row), |common| common.is_disc)
+    }
+
+    /// Adds to `found` the bodies not larger than `limit` that can touch a disc of this size, among those of an earlier
+    /// search. Returns whether the search found all of them.
+    ///
+    /// The distance of cores is at most that of centres. So if the list of a disc holds another disc beyond a range, it
+    /// holds all bodies with centres within that range.
+    #[inline]
+    fn take(&self, (row, size): (usize, f32), limit: f32, seen: RowContacts<'_>, found: &mut Vec<u32>) -> bool {
         let at = self.bodies.positions[row];
+        let reach = (size + limit) * (PAD * PAD);
         for &other in seen.nearest {
             let distance_squared = at.distance_squared(self.bodies.positions[other as usize]);
             if distance_squared > reach * reach {
-                return true;
-            }
-            if self.touch(row, other as usize, distance_squared) {
+                if self.is_disc(other as usize) {
+                    return true;
+                }
+            } else if self.touch(row, other as usize, distance_squared)
+                && (self.sizes.largest <= limit || self.size(other as usize) <= limit)
+            {
                 found.push(other);
             }
         }
@@ -112,19 +138,20 @@ impl<'a> ContactSearch<'a> {
     /// Whether two bodies can touch, given the squared distance of their centres in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
-        if let Some((_, range)) = self.alike {
+        if let (Some(CommonBody { range, .. }), Some(_)) = (self.common(a), self.common(b)) {
             return distance_squared <= range * range;
         }
         let Self { bodies, numbers, .. } = self;
         // the order of the operands does not depend on the caller, so both rows get the same rounding
         let rank = |row: usize| (bodies.bound(row), numbers[row]);
         let range = if rank(a) < rank(b) { self.range(b, a) } else { self.range(a, b) };
-        let discs = bodies.is_disc(a) && bodies.is_disc(b);
-        let above = if discs { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
+        let above = if self.is_disc(a) && self.is_disc(b) { bodies.altitudes[b] - bodies.altitudes[a] } else { 0.0 };
         distance_squared + above * above <= range * range
     }
 
-    /// Whether `row` is in a pile. `meets` is as for [`Contacts::collect`].
+    /// Whether `row` is in a pile. `meets` is as for [`Contacts::collect`]. Only for a disc can there be an earlier
+    /// search.
+    #[inline]
     fn is_piled(
         &self,
         row: usize,
@@ -133,15 +160,21 @@ impl<'a> ContactSearch<'a> {
         found: &mut Vec<Near>,
     ) -> bool {
         let GuardedBodies { positions, altitudes, radii, .. } = self.bodies;
-        let reach = radii[row] + DEEP * self.least;
+        let reach = radii[row] + DEEP * self.sizes.least_radius;
         // the earlier search decides most cases
         if let Some(RowContacts { nearest, range, all }) = seen {
-            let is_deep = |&&other: &&u32| positions[row].distance_squared(positions[other as usize]) < reach * reach;
-            let deep = nearest.iter().take(PILE + 1).take_while(is_deep).count();
+            let mut deep = 0;
+            for &other in nearest {
+                if positions[row].distance_squared(positions[other as usize]) < reach * reach {
+                    deep += 1;
+                } else if deep <= PILE && self.is_disc(other as usize) {
+                    return false;
+                }
+            }
             if deep > PILE && altitudes.uniform().is_some() {
                 return true;
             }
-            if deep < nearest.len().min(PILE + 1) || deep <= PILE && all && range > reach {
+            if deep <= PILE && all && range > reach {
                 return false;
             }
         }
@@ -158,7 +191,7 @@ impl<'a> ContactSearch<'a> {
 impl Contacts {
     /// Collects all pairs that could touch, and all walls. `grid` holds the positions of the bodies. `meets` says
     /// whether two rows collide with each other; it must be symmetric. `seen` may return the nearest bodies that a row
-    /// collides with, from an earlier search.
+    /// collides with, from an earlier search. It is called for discs only.
     pub fn collect<'a>(
         &mut self,
         bodies: &GuardedBodies<'_>,
@@ -168,83 +201,56 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
-        let search = ContactSearch::new(bodies, numbers, grid);
-        let (usual, largest) = self.tell(search, &meets);
-        let reported = &self.reported;
-        let piles = AtomicBool::new(false);
-        self.others.fill(
+        let Self { others, reports, sizes, .. } = self;
+        sizes.measure(bodies);
+        let (search, usual) = (ContactSearch::new(bodies, numbers, grid, sizes), sizes.usual);
+        reports.collect(sizes.larger.len(), |first, found| {
+            sizes.larger[first..].iter().take(WORD).for_each(|&row| search.report_larger(row, &meets, found));
+        });
+        others.fill(
             bodies.positions.len(),
             |part| bodies.rest(part),
             |near, row, others| {
-                let (start, seen) = (others.len(), seen(row));
+                let start = others.len();
+                let seen = if search.is_disc(row) { seen(row) } else { None };
                 if search.is_piled(row, &meets, seen, near) {
-                    piles.store(true, Ordering::Relaxed);
-                    return;
+                    return true;
                 }
                 let size = search.size(row);
-                let reach = (size + largest) * (PAD * PAD);
-                let all = seen.is_some_and(|seen| search.take(row, reach, seen, others));
+                let limit = size.max(usual);
+                let all = seen.is_some_and(|seen| search.take((row, size), limit, seen, others));
                 if !all {
                     others.truncate(start);
-                    search.look(row, size.max(usual), |other| {
+                    search.look(row, limit, |other| {
                         if meets(row, other) {
                             others.push(other as u32);
                         }
                     });
-                    if !reported.is_empty() {
-                        let first = reported.partition_point(|&(of, _)| of < row as u32);
-                        others.extend(
-                            reported[first..].iter().take_while(|&&(of, _)| of == row as u32).map(|&(_, by)| by),
-                        );
-                    }
                 }
+                others.extend(reports.to(row).iter().map(|&(_, by)| by));
                 if others.len() > start + 1 {
                     others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
                 }
+                false
             },
         );
-        if piles.into_inner() {
-            self.answer(numbers);
-        }
+        self.report_to_piles(numbers);
         self.collect_walls(bodies, walls);
     }
 
     /// Adds to the lists of piled bodies the contacts found by bodies that are not in a pile.
-    fn answer(&mut self, numbers: &[u32]) {
-        self.reported.clear();
-        for row in 0..numbers.len() {
-            let unknown = |&&other: &&u32| !self.others.of(other as usize).contains(&(row as u32));
-            self.reported.extend(self.others.of(row).iter().filter(unknown).map(|&other| (other, row as u32)));
+    fn report_to_piles(&mut self, numbers: &[u32]) {
+        let others = &self.others;
+        if !others.any_marked() {
+            return;
         }
-        self.reported.sort_unstable();
-        self.others.add(&self.reported, |other| numbers[other as usize]);
-    }
-
-    /// Collects the contacts of bodies larger than usual for the bodies that they can touch. Returns the usual size and
-    /// the largest size.
-    fn tell(&mut self, search: ContactSearch<'_>, meets: impl Fn(usize, usize) -> bool) -> (f32, f32) {
-        self.reported.clear();
-        if let Some((size, _)) = search.alike {
-            return (size, size);
-        }
-        let rows = search.bodies.positions.len();
-        let sizes = || (0..rows).map(|row| search.size(row));
-        let largest = sizes().fold(0.0, f32::max);
-        let twice_the_mean = (2.0 * sizes().map(f64::from).sum::<f64>() / rows as f64) as f32;
-        if largest <= twice_the_mean {
-            return (largest, largest);
-        }
-        let usual = sizes().filter(|&size| size <= twice_the_mean).fold(0.0, f32::max);
-        for row in (0..rows).filter(|&row| search.size(row) > usual) {
-            let size = search.size(row);
-            search.look(row, size, |other| {
-                if search.size(other) < size && meets(row, other) {
-                    self.reported.push((other as u32, row as u32));
-                }
-            });
-        }
-        self.reported.sort_unstable();
-        (usual, largest)
+        self.reports.collect(numbers.len(), |first, found| {
+            for row in ones(others.some(first / WORD)).map(|at| first + at) {
+                let piled = others.of(row).iter().filter(|&&other| others.is_marked(other as usize));
+                found.extend(piled.map(|&other| (other, row as u32)));
+            }
+        });
+        self.others.add(self.reports.all(), |other| numbers[other as usize]);
     }
 
     /// Collects the walls only and leaves the lists of bodies empty.
@@ -268,6 +274,7 @@ impl Contacts {
                     found.push(near.edges.len() as u32);
                     found.extend(near.edges.iter().chain(&near.discs).map(|&(_, index)| index));
                 }
+                false
             },
         );
     }

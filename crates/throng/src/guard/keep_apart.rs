@@ -6,7 +6,7 @@ use crate::agent::Column;
 use crate::intend::Velocities;
 use crate::motion::{faces, turn, wrap};
 use crate::parallel::WORD;
-use crate::perceive::{Perceived, SubStep};
+use crate::perceive::{AvoidsAll, Perceived, SubStep};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
 use glam::Vec3;
@@ -185,16 +185,17 @@ fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) ->
     }
 }
 
-/// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: all
-/// agents are discs on the ground that avoid each other.
+/// Returns the neighbours that the neighbour search found, and its range, if the search covers every contact: no agent
+/// flies, and the agent, a disc, avoids all others.
 fn covered<'a>(state: &'a State, seen: Perceived<'a>) -> impl Fn(usize) -> Option<RowContacts<'a>> {
     let State { agents, local_groups: groups, .. } = state;
-    let sees_all = seen.discs_only && !agents.any_flies() && agents.all_avoid();
+    let (none_flies, avoids_all) = (!agents.any_flies(), AvoidsAll::of(agents));
     move |row| {
         let group = &groups[agents.group[row].index()];
         let nearest = seen.near.of(row);
         let all = nearest.len() < group.nearest();
-        (sees_all && group.nearest() > 0).then_some(RowContacts { nearest, range: group.neighbour_distance, all })
+        let sees_all = none_flies && group.nearest() > 0 && avoids_all.holds(agents, row);
+        sees_all.then_some(RowContacts { nearest, range: group.neighbour_distance, all })
     }
 }
 
@@ -213,5 +214,71 @@ impl State {
         let kept = (after.dot(before) / before.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
         let rounding = 4.0 * f32::EPSILON * from.abs().max_element() / seconds;
         (after - kept * before).length() > 1.01 * agents.max_acceleration[row] * seconds + rounding
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::perceive::Perceive;
+    use crate::{Agent, Body, Group, Settings, SubSteps, World};
+    use glam::{DVec2, Vec2};
+    use proptest::prelude::*;
+
+    /// Returns agents in rows. Some of them are larger, long, or avoid only some agents.
+    fn crowd(spacing: f64, group: Group, others: &[(usize, u8)]) -> World {
+        let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
+        let mut world = World::new(settings).unwrap();
+        let group = world.add_group(group).unwrap();
+        for at in 0..240u32 {
+            let (x, y) = (f64::from(at % 16), f64::from(at / 16));
+            let position = DVec2::new(x + 0.3 * (y * 1.7).sin(), y + 0.3 * (x * 2.3).sin()) * spacing;
+            let agent = Agent { position: position.extend(0.0), group, radius: 0.2, ..Agent::default() };
+            let kind = others.iter().find(|&&(row, _)| row == at as usize).map(|&(_, kind)| kind);
+            let agent = match kind {
+                None => agent,
+                Some(0) => agent.with_body(Body::rectangle(4.2, 1.8)),
+                Some(1) => Agent { avoids: 0, ..agent.with_body(Body::rectangle(2.0, 0.3)) },
+                Some(2) => agent.with_body(Body::capsule(0.9, 0.4)),
+                Some(3) => agent.with_body(Body::disc(1.5)),
+                Some(4) => Agent { layers: 2, ..agent },
+                Some(_) => Agent { avoids: 2, ..agent },
+            };
+            world.add_agent(agent).unwrap();
+        }
+        world
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        #[test]
+        fn contacts_from_neighbour_lists_are_those_of_a_search(
+            others in prop::collection::vec((0usize..240, 0u8..6), 0..6),
+            spacing in 0.2..1.5,
+            (neighbours, neighbour_distance) in (1usize..12, 0.5f32..5.0),
+        ) {
+            let group = Group { neighbours, neighbour_distance, ..Group::default() };
+            let mut world = crowd(spacing, group, &others);
+            world.step();
+            let (mut state, mut sleep) = (world.state, SleepBlocks::default());
+            let (mut perceive, mut guard) = (Perceive::default(), KeepApart::default());
+            guard.solids_mut().add(Vec::new());
+            guard.solids_mut().add(Vec::new());
+            let of = SubStep::new(&state, 0, 1);
+            let seen = perceive.run(&mut state, &mut sleep, of);
+            let mut chosen = Velocities::default();
+            chosen.resize(state.agents.len(), false);
+            chosen.ground.fill(Vec2::new(0.5, 0.2));
+            guard.run(&mut state, seen, (&chosen, &chosen), &sleep, of);
+            let agents = &state.agents;
+            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            let mut contacts = Contacts::default();
+            let bodies = guard.bodies(&state, &sleep);
+            contacts.collect(&bodies, &agents.number, seen.grid, &state.walls, meets, |_| None);
+            for row in 0..agents.len() {
+                prop_assert_eq!(guard.contacts.of(row), contacts.of(row));
+            }
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! A list of numbers for every row, in flat memory.
+//! Lists of numbers for rows, in flat memory.
 
 use crate::parallel::{self, WORD, Words};
 
@@ -17,6 +17,8 @@ struct ListPart {
     items: Vec<u32>,
     /// Rows with a list that is not empty, one bit per row.
     some: u64,
+    /// Marked rows, one bit per row.
+    marked: u64,
 }
 
 /// Initial capacity for the items of a part. Most lists are short.
@@ -24,26 +26,26 @@ const ROOM: usize = 3 * WORD;
 
 impl<S: Default + Send> ContactLists<S> {
     /// Rebuilds the lists of all parts for which `keep` returns false. `list(scratch, row, items)` appends the items of
-    /// a row and must not change what is there.
+    /// a row and must not change what is there. It returns whether the row is marked.
     pub fn fill(
         &mut self,
         rows: usize,
         keep: impl Fn(usize) -> bool + Sync,
-        list: impl Fn(&mut S, usize, &mut Vec<u32>) + Sync,
+        list: impl Fn(&mut S, usize, &mut Vec<u32>) -> bool + Sync,
     ) {
-        let empty = || ListPart { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0 };
+        let empty = || ListPart { starts: [0; WORD + 1], items: Vec::with_capacity(ROOM), some: 0, marked: 0 };
         self.parts.resize_with(rows.div_ceil(WORD), empty);
         parallel::ranges_with(Words(&mut self.parts), &mut self.scratch, |scratch, part_rows, Words(parts)| {
-            for (first, ListPart { starts, items, some }) in part_rows.step_by(WORD).zip(parts) {
+            for (first, ListPart { starts, items, some, marked }) in part_rows.step_by(WORD).zip(parts) {
                 if keep(first / WORD) {
                     continue;
                 }
                 items.clear();
-                *some = 0;
+                (*some, *marked) = (0, 0);
                 for (at, end) in starts[1..].iter_mut().enumerate() {
                     let (row, start) = (first + at, items.len());
                     if row < rows {
-                        list(scratch, row, items);
+                        *marked |= u64::from(list(scratch, row, items)) << at;
                     }
                     *some |= u64::from(items.len() > start) << at;
                     *end = items.len() as u32;
@@ -84,10 +86,70 @@ impl<S: Default + Send> ContactLists<S> {
         self.parts.get(part).map_or(0, |part| part.some)
     }
 
+    /// Whether any row is marked.
+    pub fn any_marked(&self) -> bool {
+        self.parts.iter().any(|part| part.marked != 0)
+    }
+
+    /// Whether a row is marked.
+    pub fn is_marked(&self, row: usize) -> bool {
+        self.parts[row / WORD].marked >> (row % WORD) & 1 == 1
+    }
+
     /// Returns the list of a row; empty if there are no lists.
     #[inline]
     pub fn of(&self, row: usize) -> &[u32] {
         let Some(part) = self.parts.get(row / WORD) else { return &[] };
         &part.items[part.starts[row % WORD] as usize..part.starts[row % WORD + 1] as usize]
+    }
+}
+
+/// Items reported to rows: pairs (row, item).
+#[derive(Clone, Debug, Default)]
+pub(super) struct Reports {
+    /// The pairs, sorted.
+    pairs: Vec<(u32, u32)>,
+    /// For each part of 64 rows the index of its first pair.
+    starts: Vec<u32>,
+    scratch: Vec<Vec<(u32, u32)>>,
+}
+
+impl Reports {
+    /// Replaces the pairs by those that `report(first, pairs)` adds for every 64 of `count` sources, from `first` on.
+    pub fn collect(&mut self, count: usize, report: impl Fn(usize, &mut Vec<(u32, u32)>) + Sync) {
+        let Self { pairs, starts, scratch } = self;
+        pairs.clear();
+        starts.clear();
+        scratch.iter_mut().for_each(Vec::clear);
+        if count == 0 {
+            return;
+        }
+        // the division needs a column; this has no memory
+        parallel::ranges_with(&mut vec![(); count][..], scratch, |found, sources, _| {
+            sources.step_by(WORD).for_each(|first| report(first, found));
+        });
+        pairs.extend(scratch.iter().flatten());
+        pairs.sort_unstable();
+        for (at, &(row, _)) in (0..).zip(&*pairs) {
+            starts.resize(starts.len().max(row as usize / WORD + 1), at);
+        }
+        starts.push(pairs.len() as u32);
+    }
+
+    /// Returns all pairs, sorted.
+    pub fn all(&self) -> &[(u32, u32)] {
+        &self.pairs
+    }
+
+    /// Returns the pairs of a row, sorted.
+    #[inline]
+    pub fn to(&self, row: usize) -> &[(u32, u32)] {
+        let Some(&[start, end, ..]) = self.starts.get(row / WORD..) else { return &[] };
+        if start == end {
+            return &[];
+        }
+        let part = &self.pairs[start as usize..end as usize];
+        let of_row = |before: usize| part.partition_point(|&(of, _)| (of as usize) < before);
+        &part[of_row(row)..of_row(row + 1)]
     }
 }

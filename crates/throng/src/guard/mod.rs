@@ -32,9 +32,9 @@
 //!    ground. Standing still is in every cell.
 //! 3. All agents start free. In each round every free agent in an unsafe pair with another agent, or unsafe with a
 //!    wall, is *clamped*: its target is moved into its cell. Its turn is kept if the cell has room for it, else halved,
-//!    else dropped. A clamped agent stays clamped. The rounds end when no agent is newly clamped. If eight rounds are
-//!    not enough, every free agent is clamped. Each agent is clamped at most once, so the rounds end. Then every pair
-//!    is safe, either by the check (one of the two is free) or by 2 (both are clamped).
+//!    else dropped. A clamped agent stays clamped. The rounds end when no agent is newly clamped. Each agent is clamped
+//!    at most once, so the rounds end. Then every pair is safe, either by the check (one of the two is free) or by 2
+//!    (both are clamped).
 //! 4. Rounding: the check uses the motion after rounding, `fl(x + d) - x`, and the turn to the stored heading, in
 //!    `f64`. A clamped result is checked against its cell after rounding. If rounding moved it out of the cell the
 //!    motion is shortened. If that fails too the agent stands still.
@@ -90,6 +90,7 @@ mod lists;
 mod plain;
 mod relax;
 mod safe;
+mod sizes;
 mod solid;
 mod solids;
 mod sweep;
@@ -133,8 +134,9 @@ pub struct GuardedBodies<'a> {
     pub resting: &'a [bool],
 }
 
-/// Length of the longest chain of contacts along which the motion of one agent can change that of another in a step.
-pub(crate) const PASSES: usize = relax::ITERATIONS + certify::ROUNDS + 1;
+/// Length of the longest chain of contacts along which the motion of one agent can move another that would stand still.
+/// Only relaxation can: clamping leaves an agent that stands where it stands.
+pub(crate) const PASSES: usize = relax::ITERATIONS;
 
 impl GuardedBodies<'_> {
     /// Whether a body is a disc: its centre and radius describe it completely.
@@ -146,7 +148,8 @@ impl GuardedBodies<'_> {
     /// Returns the bounding radius: that of the disc about the centre that holds the body at any heading.
     #[inline]
     fn bound(&self, row: usize) -> f32 {
-        self.radii[row] + self.cores[row].length()
+        // most bodies are discs
+        if self.is_disc(row) { self.radii[row] } else { self.radii[row] + self.cores[row].length() }
     }
 
     /// Whether a block of 64 rows sleeps.

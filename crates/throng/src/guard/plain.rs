@@ -1,7 +1,7 @@
 //! Reference versions of the guard and its contacts: they evaluate every agent in every pass. The fast versions must
 //! agree with them bit for bit.
 
-use super::certify::{CertifyScratch, ROUNDS, within_reach};
+use super::certify::{CertifyScratch, within_reach};
 use super::cores::Cores;
 use super::safe::is_safe;
 use super::solid::GuardedObjects;
@@ -9,11 +9,12 @@ use super::{BodyPose, Contacts, Guard, GuardedBodies, Report, RowContacts, Solid
 use crate::Obstacle;
 use crate::agent::GroupId;
 use crate::perceive::Grid;
-use crate::space::Walls;
 use crate::space::surface::{SeenFrom, Sphere};
+use crate::space::{Core, Walls};
 use crate::steer::Barriers;
 use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Returns the certified poses and the statistics, without the number of changed agents.
 fn certify(
@@ -33,12 +34,7 @@ fn certify(
     let mut clamped = vec![false; desired_poses.len()];
     let mut report = Report::default();
     for round in 1.. {
-        let clamps = |row: usize| {
-            !clamped[row]
-                && (round > ROUNDS
-                    && (!contacts.of(row).is_empty() || !contacts.is_off_walls(row) || bodies.solids.is_near(row))
-                    || !is_safe(row, solid, &now))
-        };
+        let clamps = |row: usize| !clamped[row] && !is_safe(row, solid, &now);
         let unsafe_rows: Vec<usize> = rows.clone().filter(|&row| clamps(row)).collect();
         if unsafe_rows.is_empty() {
             break;
@@ -130,18 +126,61 @@ fn uniform_body() -> impl Strategy<Value = TestBody> {
     })
 }
 
+/// Discs that are alike, and a few bodies that are larger or long.
+fn few_others() -> impl Strategy<Value = Vec<TestBody>> {
+    const CORES: [Vec2; 4] = [Vec2::ZERO, Vec2::new(2.0, 0.75), Vec2::new(1.0, 0.0), Vec2::new(0.0, 0.25)];
+    let other = (uniform_body(), prop::sample::select(&CORES[..]), 0.125f32..1.25, -3.0f32..3.0, -0.5f32..0.5);
+    let other = other.prop_map(|(body, core, radius, heading, turn)| TestBody { core, radius, heading, turn, ..body });
+    let discs = prop::collection::vec(uniform_body(), 60..200);
+    (discs, prop::collection::vec((any::<prop::sample::Index>(), other), 1..6)).prop_map(|(mut bodies, others)| {
+        others.into_iter().for_each(|(at, other)| bodies.insert(at.index(bodies.len()), other));
+        bodies
+    })
+}
+
+/// Discs side by side in rows. Most want to go the same way, much farther than they can, and some stand. So clamping
+/// spreads from each to the next.
+fn jam() -> impl Strategy<Value = Vec<TestBody>> {
+    let size = prop_oneof![(12usize..40, 1usize..4), (16usize..24, 16usize..24)];
+    let all = (size, 0.0f32..0.0625, 0.25f32..1.0, prop::collection::vec(any::<prop::sample::Index>(), 1..4));
+    all.prop_map(|((columns, rows), gap, way, standing)| {
+        let place = |at: usize| Vec2::new((at % columns) as f32, (at / columns) as f32) * (0.375 + gap);
+        let mut bodies: Vec<TestBody> = (0..columns * rows)
+            .map(|at| TestBody {
+                place: (place(at) - 3.0).extend(0.0),
+                heading: 0.0,
+                core: Vec2::ZERO,
+                radius: 0.1875,
+                reach: way,
+                guarded: true,
+                desired: Vec3::new(way, 0.125 * (at % 3) as f32, 0.0),
+                turn: 0.0,
+            })
+            .collect();
+        let count = bodies.len();
+        standing.iter().for_each(|at| bodies[at.index(count)].desired = Vec3::ZERO);
+        bodies
+    })
+}
+
 fn crowd() -> impl Strategy<Value = Vec<TestBody>> {
     prop_oneof![
         prop::collection::vec(any_body(), 1..90),
         prop::collection::vec(uniform_body(), 60..200),
+        few_others(),
+        few_others().prop_map(|bodies| bodies.into_iter().map(near_origin).collect()),
         prop::collection::vec(piled(uniform_body()), 60..200),
         prop::collection::vec(piled(any_body()), 60..200),
     ]
 }
 
+fn near_origin(body: TestBody) -> TestBody {
+    TestBody { place: body.place * 0.25, ..body }
+}
+
 /// The same bodies, close to the origin.
 fn piled(bodies: impl Strategy<Value = TestBody>) -> impl Strategy<Value = TestBody> {
-    bodies.prop_map(|body| TestBody { place: body.place * 0.25, ..body })
+    bodies.prop_map(near_origin)
 }
 
 fn room() -> Walls {
@@ -159,79 +198,111 @@ fn pillars() -> Solids {
     solids
 }
 
+/// Checks contacts by a test of all bodies, and the result of the guard by the reference. `walled` and `solid`: whether
+/// there are walls and solids. `knows`: whether every other row has an earlier search. Returns the number of rounds.
+fn check(all: &[TestBody], walled: bool, knows: bool, solid: bool) -> Result<usize, TestCaseError> {
+    let walls = if walled { room() } else { Walls::default() };
+    let mut solids = if solid { pillars() } else { Solids::default() };
+    let positions: Vec<Vec2> = all.iter().map(|body| body.place.truncate()).collect();
+    let mut bodies = GuardedBodies {
+        positions: &positions,
+        altitudes: &all.iter().map(|body| body.place.z).collect(),
+        headings: &all.iter().map(|body| body.heading).collect::<Vec<_>>(),
+        cores: &all.iter().map(|body| body.core).collect(),
+        radii: &all.iter().map(|body| body.radius).collect(),
+        reach: &all.iter().map(|body| body.reach).collect(),
+        guarded: &all.iter().map(|body| body.guarded).collect(),
+        solids: &Solids::default(),
+        resting: &[],
+    };
+    solids.find(&bodies, &(0..all.len()).map(|row| GroupId((row % 2) as u32)).collect());
+    bodies.solids = &solids;
+    // numbers in descending order of rows
+    let numbers: Vec<u32> = (0..all.len() as u32).rev().collect();
+    let mut grid = Grid::default();
+    grid.rebuild(&positions, &numbers, 1.0);
+    // every other row has an earlier search, with a range of 1.5 m between cores and at most seven bodies
+    let core = |row: usize| Core::new(positions[row].as_dvec2(), all[row].heading, all[row].core);
+    let nearest: Vec<Vec<u32>> = (0..all.len())
+        .map(|row| {
+            let distance = |other: usize| match (all[row].core, all[other].core) {
+                (Vec2::ZERO, Vec2::ZERO) => f64::from(positions[row].distance(positions[other])),
+                _ => core(row).separation(&core(other)).distance.max(0.0),
+            };
+            let others = (0..all.len()).filter(|&other| other != row && meets(row, other));
+            let mut near: Vec<(f64, u32)> = others.map(|other| (distance(other), other as u32)).collect();
+            near.retain(|&(distance, _)| distance <= 1.5);
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+            near.iter().map(|&(_, other)| other).take(7).collect()
+        })
+        .collect();
+    let known = |row: usize| {
+        let nearest = &nearest[row][..];
+        (knows && row.is_multiple_of(2)).then_some(RowContacts { nearest, range: 1.5, all: nearest.len() < 7 })
+    };
+    let mut contacts = Contacts::default();
+    contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);
+    let mut found = Contacts::default();
+    found.collect(&bodies, &numbers, &grid, &walls, meets, |_| None);
+    let piled: Vec<bool> = (0..all.len()).map(|row| is_piled(&bodies, row)).collect();
+    for row in 0..all.len() {
+        let of = contacts.of(row);
+        prop_assert_eq!(of, found.of(row), "with and without earlier searches");
+        prop_assert!(of.is_sorted_by(|&a, &b| numbers[a as usize] < numbers[b as usize]), "{of:?}");
+        prop_assert!(of.iter().all(|&other| contacts.of(other as usize).contains(&(row as u32))));
+        let counts = |&other: &u32| !(piled[row] && piled[other as usize]);
+        let [surely, maybe] = [1.0, 1.0002].map(|scale| {
+            let mut others = touching(&bodies, row, scale);
+            others.retain(counts);
+            others
+        });
+        prop_assert!(surely.iter().all(|other| of.contains(other)), "{row}: {of:?} of {surely:?}");
+        prop_assert!(of.iter().all(|other| maybe.contains(other)), "{row}: {of:?} of {maybe:?}");
+    }
+    let pose = |body: &TestBody| {
+        BodyPose { heading: body.heading + body.turn, ..BodyPose::default() }.with_place(body.place + body.desired)
+    };
+    let desired_poses: Vec<BodyPose> = all.iter().map(pose).collect();
+    let (plain, report) = certify(&bodies, &contacts, &walls, &desired_poses);
+    let (mut guard, mut targets) = (Guard::default(), Vec::new());
+    for _ in 0..2 {
+        let fast = guard.certify(&bodies, &contacts, &walls, |row| desired_poses[row], &mut targets);
+        let bits = |poses: &[BodyPose]| -> Vec<[u32; 4]> {
+            let of =
+                |pose: &BodyPose| [pose.position.x, pose.position.y, pose.altitude, pose.heading].map(f32::to_bits);
+            poses.iter().map(of).collect()
+        };
+        prop_assert_eq!(bits(&targets), bits(&plain));
+        prop_assert_eq!((fast.clamped, fast.rounds), (report.clamped, report.rounds));
+        let changed = (0..all.len()).filter(|&row| {
+            let (goal, certain) = (desired_poses[row].place(), plain[row].place());
+            let tolerance = goal.distance(all[row].place).max(1e-3 * all[row].radius) * 1e-2;
+            goal.distance(certain) > tolerance
+                || all[row].core != Vec2::ZERO && desired_poses[row].heading != plain[row].heading
+        });
+        prop_assert_eq!(fast.changed, changed.count());
+    }
+    Ok(report.rounds)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
     fn evaluating_some_rows_gives_the_bits_of_evaluating_all(all in crowd(), walled: bool, knows: bool, solid: bool) {
-        let walls = if walled { room() } else { Walls::default() };
-        let mut solids = if solid { pillars() } else { Solids::default() };
-        let positions: Vec<Vec2> = all.iter().map(|body| body.place.truncate()).collect();
-        let mut bodies = GuardedBodies {
-            positions: &positions,
-            altitudes: &all.iter().map(|body| body.place.z).collect(),
-            headings: &all.iter().map(|body| body.heading).collect::<Vec<_>>(),
-            cores: &all.iter().map(|body| body.core).collect(),
-            radii: &all.iter().map(|body| body.radius).collect(),
-            reach: &all.iter().map(|body| body.reach).collect(),
-            guarded: &all.iter().map(|body| body.guarded).collect(),
-            solids: &Solids::default(),
-            resting: &[],
-        };
-        solids.find(&bodies, &(0..all.len()).map(|row| GroupId((row % 2) as u32)).collect());
-        bodies.solids = &solids;
-        // numbers in descending order of rows
-        let numbers: Vec<u32> = (0..all.len() as u32).rev().collect();
-        let mut grid = Grid::default();
-        grid.rebuild(&positions, &numbers, 1.0);
-        // every other row has an earlier search, with a range of 1.5 m and at most seven bodies
-        let nearest: Vec<Vec<u32>> = (0..all.len()).map(|row| {
-            let distance = |other: &u32| positions[row].distance_squared(positions[*other as usize]);
-            let others = (0..all.len()).filter(|&other| other != row && meets(row, other)).map(|other| other as u32);
-            let mut near: Vec<u32> = others.filter(|other| distance(other) <= 2.25).collect();
-            near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-            near.truncate(7);
-            near
-        }).collect();
-        let known = |row: usize| {
-            let nearest = &nearest[row][..];
-            (knows && row.is_multiple_of(2)).then_some(RowContacts { nearest, range: 1.5, all: nearest.len() < 7 })
-        };
-        let mut contacts = Contacts::default();
-        contacts.collect(&bodies, &numbers, &grid, &walls, meets, known);
-        let piled: Vec<bool> = (0..all.len()).map(|row| is_piled(&bodies, row)).collect();
-        for row in 0..all.len() {
-            let of = contacts.of(row);
-            prop_assert!(of.is_sorted_by(|&a, &b| numbers[a as usize] < numbers[b as usize]), "{of:?}");
-            prop_assert!(of.iter().all(|&other| contacts.of(other as usize).contains(&(row as u32))));
-            let counts = |&other: &u32| !(piled[row] && piled[other as usize]);
-            let [surely, maybe] = [1.0, 1.0002].map(|scale| {
-                let mut others = touching(&bodies, row, scale);
-                others.retain(counts);
-                others
-            });
-            prop_assert!(surely.iter().all(|other| of.contains(other)), "{row}: {of:?} of {surely:?}");
-            prop_assert!(of.iter().all(|other| maybe.contains(other)), "{row}: {of:?} of {maybe:?}");
-        }
-        let pose = |body: &TestBody| BodyPose { heading: body.heading + body.turn, ..BodyPose::default() }.with_place(body.place + body.desired);
-        let desired_poses: Vec<BodyPose> = all.iter().map(pose).collect();
-        let (plain, report) = certify(&bodies, &contacts, &walls, &desired_poses);
-        let (mut guard, mut targets) = (Guard::default(), Vec::new());
-        for _ in 0..2 {
-            let fast = guard.certify(&bodies, &contacts, &walls, |row| desired_poses[row], &mut targets);
-            let bits = |poses: &[BodyPose]| -> Vec<[u32; 4]> {
-                let of = |pose: &BodyPose| [pose.position.x, pose.position.y, pose.altitude, pose.heading].map(f32::to_bits);
-                poses.iter().map(of).collect()
-            };
-            prop_assert_eq!(bits(&targets), bits(&plain));
-            prop_assert_eq!((fast.clamped, fast.rounds), (report.clamped, report.rounds));
-            let changed = (0..all.len()).filter(|&row| {
-                let (goal, certain) = (desired_poses[row].place(), plain[row].place());
-                let tolerance = goal.distance(all[row].place).max(1e-3 * all[row].radius) * 1e-2;
-                goal.distance(certain) > tolerance
-                    || all[row].core != Vec2::ZERO && desired_poses[row].heading != plain[row].heading
-            });
-            prop_assert_eq!(fast.changed, changed.count());
-        }
+        check(&all, walled, knows, solid)?;
     }
+}
+
+/// Clamping spreads through a jam for as long as necessary, with the same result on any number of threads.
+#[test]
+fn rounds_in_a_jam_end_with_the_bits_of_evaluating_all() {
+    let most = AtomicUsize::new(0);
+    let config = ProptestConfig { source_file: Some(file!()), ..ProptestConfig::with_cases(40) };
+    let jams = (jam(), any::<bool>(), 1usize..4);
+    proptest!(config, |((all, walled, threads) in jams)| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        most.fetch_max(pool.install(|| check(&all, walled, true, false))?, Ordering::Relaxed);
+    });
+    assert!(most.into_inner() > 8, "no jam needed many rounds");
 }

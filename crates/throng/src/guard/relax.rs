@@ -17,17 +17,20 @@ const OVERLAP: f64 = 1e-4;
 /// resolved gradually.
 const PART: f64 = 0.125;
 
-/// Whether a cheap test shows that `row` is relaxed and safe. The test covers only discs away from walls and solids.
+/// Whether a cheap test shows that `row` is relaxed and safe. The test covers only bodies away from walls and solids.
 pub(super) fn is_clear(row: usize, solid: GuardedObjects<'_>, targets: &[BodyPose]) -> bool {
     let radius = f64::from(solid.bodies.radii[row]);
     let motion = solid.motion(row, targets[row]);
-    solid.is_disc(row)
-        && !solid.bodies.solids.is_near(row)
+    let is_disc = solid.is_disc(row);
+    !solid.bodies.solids.is_near(row)
         && solid.contacts.is_off_walls(row)
         && solid.others(row).all(|other| {
-            let (offset, relative) = solid.relative(row, motion, other, targets);
-            let radii = radius + f64::from(solid.bodies.radii[other]);
-            solid.is_disc(other) && passes(offset, relative, radii * (1.0 + SKIN))
+            let kept = (radius + f64::from(solid.bodies.radii[other])) * (1.0 + SKIN);
+            if is_disc && solid.is_disc(other) {
+                let (offset, relative) = solid.relative(row, motion, other, targets);
+                return passes(offset, relative, kept);
+            }
+            solid.sweep(row, targets[row]).passes(&solid.sweep(other, targets[other]), kept)
         })
 }
 
@@ -89,6 +92,9 @@ pub(super) fn clearance(distance: f64, radii: f64, reach: f64) -> f64 {
 /// Returns the change of a core's motion after which the core ends no nearer to another core than its clearance, along
 /// the line between their nearest points.
 fn parting_cores(own: &CoreSweep, other: &CoreSweep, radii: f64, reach: f64) -> DVec2 {
+    if own.passes(other, radii * (1.0 + SKIN)) {
+        return DVec2::ZERO;
+    }
     let apart = own.start.separation(&other.start);
     if apart.distance - own.closing(other) >= radii * (1.0 + SKIN) {
         return DVec2::ZERO;

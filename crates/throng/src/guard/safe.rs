@@ -39,7 +39,7 @@ pub(super) fn needed(radii: f64, distance: f64) -> f64 {
 
 /// Whether the motion of two cores is safe.
 fn keeps(own: &CoreSweep, other: &CoreSweep, radii: f64) -> bool {
-    own.keeps(other, needed(radii, own.start.separation(&other.start).distance))
+    own.passes(other, radii) || own.keeps(other, |distance| needed(radii, distance))
 }
 
 fn walls_are_safe(row: usize, solid: GuardedObjects<'_>, from: DVec2, motion: DVec2) -> bool {

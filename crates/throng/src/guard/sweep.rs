@@ -51,11 +51,17 @@ impl CoreSweep {
         (self.motion - other.motion).length() + turning(self) + turning(other)
     }
 
-    /// Whether two cores are never nearer than `needed`. The test may return false for a pair that keeps apart, but
-    /// never for two cores that stand still.
-    pub fn keeps(&self, other: &Self, needed: f64) -> bool {
-        self.start.separation(&other.start).distance - self.closing(other) >= needed
-            || self.keeps_between(other, needed, (0.0, 1.0), HALVINGS)
+    /// Whether a cheap test shows that two cores are never nearer than `needed` > 0, rounding included.
+    pub fn passes(&self, other: &Self, needed: f64) -> bool {
+        self.start.widest_gap(&other.start).distance * (1.0 - 1e-9) - self.closing(other) >= needed
+    }
+
+    /// Whether two cores are never nearer than `needed(distance)`, given their distance at the start. The test may
+    /// return false for a pair that keeps apart, but never for two cores that stand still.
+    pub fn keeps(&self, other: &Self, needed: impl FnOnce(f64) -> f64) -> bool {
+        let distance = self.start.separation(&other.start).distance;
+        let needed = needed(distance);
+        distance - self.closing(other) >= needed || self.keeps_between(other, needed, (0.0, 1.0), HALVINGS)
     }
 
     fn keeps_between(&self, other: &Self, needed: f64, (from, to): (f64, f64), halvings: u32) -> bool {
@@ -114,7 +120,8 @@ mod tests {
         fn cores_reported_to_keep_apart_do(a in sweep(), b in sweep(), part in 0.0..1.0) {
             let needed = a.start.separation(&b.start).distance * part;
             let least = times().map(|t| a.at(t).separation(&b.at(t)).distance).fold(f64::INFINITY, f64::min);
-            if a.keeps(&b, needed) {
+            prop_assert!(needed <= 0.0 || a.keeps(&b, |_| needed) || !a.passes(&b, needed));
+            if a.keeps(&b, |_| needed) {
                 prop_assert!(least >= needed - 1e-9, "{least} of {needed}");
             } else {
                 prop_assert!(least < needed + 0.25, "{least} of {needed} is well apart");
@@ -123,8 +130,7 @@ mod tests {
 
         #[test]
         fn standing_cores_keep_apart_and_growth_bounds_the_extent(a in sweep(), b in sweep(), angle in 0.0..7.0) {
-            let apart = a.start.separation(&b.start).distance;
-            prop_assert!(CoreSweep::still(a.start).keeps(&CoreSweep::still(b.start), apart - 1e-7));
+            prop_assert!(CoreSweep::still(a.start).keeps(&CoreSweep::still(b.start), |apart| apart - 1e-7));
             let normal = DVec2::from_angle(angle);
             let most = times().map(|t| a.at(t).extent(normal)).fold(0.0, f64::max);
             prop_assert!(most <= a.start.extent(normal) + a.growth(normal) + 1e-9);

@@ -20,7 +20,7 @@ use long_bodies::LongBodies;
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use nearest::Near;
 pub(crate) use neighbours::Neighbours;
-pub(crate) use perception::{Nearby, Perceive, Perceived};
+pub(crate) use perception::{AvoidsAll, Nearby, Perceive, Perceived};
 pub use simd_level::SimdLevel;
 pub(crate) use sub_steps::SubStep;
 pub(crate) use tile::{FEW_NEIGHBOURS, MOST_NEIGHBOURS, TileScratch};

@@ -222,7 +222,7 @@ impl State {
 }
 
 /// The layers by which an agent's avoidance of all others is known without asking for each.
-struct AvoidsAll {
+pub(crate) struct AvoidsAll {
     /// Layers that every agent is on.
     common: u32,
     /// Whether every agent is on a layer.
@@ -230,13 +230,13 @@ struct AvoidsAll {
 }
 
 impl AvoidsAll {
-    fn of(agents: &Columns) -> Self {
+    pub fn of(agents: &Columns) -> Self {
         let layers = agents.layers.values();
         Self { common: layers.iter().fold(u32::MAX, |common, each| common & each), any: !layers.contains(&0) }
     }
 
     /// Whether an agent avoids all others.
-    fn holds(&self, agents: &Columns, row: usize) -> bool {
+    pub fn holds(&self, agents: &Columns, row: usize) -> bool {
         let avoids = agents.avoids[row];
         avoids & self.common != 0 || self.any && avoids == u32::MAX
     }

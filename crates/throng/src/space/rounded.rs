@@ -69,6 +69,17 @@ impl Core {
         normal.dot(other.center - self.center) - self.extent(normal) - other.extent(normal)
     }
 
+    /// Returns the gap along the axis of either core along which it is widest: at most their distance. The cores overlap
+    /// if it is negative.
+    pub fn widest_gap(&self, other: &Self) -> CoreSeparation {
+        let offset = other.center - self.center;
+        let axes = [self.along, self.along.perp(), other.along, other.along.perp()].map(|axis| {
+            let normal = if axis.dot(offset) < 0.0 { -axis } else { axis };
+            CoreSeparation { distance: self.gap_along(other, normal), normal }
+        });
+        axes.into_iter().reduce(|a, b| if b.distance > a.distance { b } else { a }).unwrap_or(axes[0])
+    }
+
     /// Returns the separation of two cores. Exchanging the cores reverses the normal exactly.
     pub fn separation(&self, other: &Self) -> CoreSeparation {
         let key = |core: &Self| [core.center, core.along, core.half].map(|v| [v.x, v.y]);
@@ -77,12 +88,7 @@ impl Core {
             return CoreSeparation { distance, normal: -normal };
         }
         // separating axes: rectangles overlap if no side of either separates them
-        let offset = other.center - self.center;
-        let axes = [self.along, self.along.perp(), other.along, other.along.perp()].map(|axis| {
-            let normal = if axis.dot(offset) < 0.0 { -axis } else { axis };
-            CoreSeparation { distance: self.gap_along(other, normal), normal }
-        });
-        let widest = axes.into_iter().reduce(|a, b| if b.distance > a.distance { b } else { a }).unwrap_or(axes[0]);
+        let widest = self.widest_gap(other);
         if widest.distance <= CONTACT {
             return widest;
         }
@@ -90,7 +96,7 @@ impl Core {
         let own = self.corners().map(|corner| other.nearest(corner) - corner);
         let theirs = other.corners().map(|corner| corner - self.nearest(corner));
         let between = own.into_iter().chain(theirs).min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
-        let between = between.unwrap_or(offset);
+        let between = between.unwrap_or(other.center - self.center);
         CoreSeparation { distance: between.length(), normal: between.normalize_or(widest.normal) }
     }
 }
