@@ -4,6 +4,7 @@ use crate::crowd::square;
 use crate::place::uniform_where;
 use crate::{Crowd, Dice, Person};
 use glam::DVec2;
+use std::ops::Range;
 use throng::{Obstacle, Walkable};
 
 /// Side of the blocks of buildings, metres.
@@ -12,24 +13,25 @@ const BLOCK: f64 = 60.0;
 const STREET: f64 = 12.0;
 /// Greatest density in the streets, people per square metre.
 const DENSITY: f64 = 0.25;
-/// Least distance from a person to its goal along x or y, metres: two blocks.
-const NEAREST: f64 = 2.0 * (BLOCK + STREET);
-/// Greatest distance from a person to its goal along x and y, metres: four blocks.
-const FARTHEST: f64 = 4.0 * (BLOCK + STREET);
+/// Least distance from a person to its goal along x or y, blocks; half of a small city.
+const NEAREST: usize = 2;
+/// Greatest distance from a person to its goal along x and y, blocks.
+const FARTHEST: usize = 4;
 /// Radius of all people, metres.
 const RADIUS: f64 = 0.25;
 
 /// Returns people in the streets between square blocks of buildings. The blocks form the smallest square with room for
-/// them, at least four by four. Each person has a goal of its own in a street, two to four blocks away.
+/// them, at least two by two. Each person has a goal of its own in a street, two to four blocks away.
 pub fn city(count: usize) -> Crowd {
-    let across = (4..).find(|&across| streets(across) * DENSITY >= count as f64).unwrap_or(4);
+    let across = (2..).find(|&across| streets(across) * DENSITY >= count as f64).unwrap_or(2);
     let side = side(across);
     let mut rng = Dice::new(17);
     let places = uniform_where(count, side, 2.0 * RADIUS, &mut rng, |p| is_in_street(p, side));
+    let [nearest, farthest] = [NEAREST.min(across / 2), FARTHEST].map(|blocks| blocks as f64 * (BLOCK + STREET));
     let mut goals = Vec::with_capacity(count);
     let mut people = Vec::with_capacity(count);
     for (k, position) in places.into_iter().enumerate() {
-        goals.push(goal(position, side, &mut rng));
+        goals.push(goal(position, side, nearest..farthest, &mut rng));
         people.push(Person { position, preferred_speed: rng.between(1.3, 1.5), way: Some(k) });
     }
     let block = |k: usize| {
@@ -61,12 +63,12 @@ fn is_in_street(p: DVec2, side: f64) -> bool {
     inside(p.x) && inside(p.y) && (within(p.x) || within(p.y))
 }
 
-/// Returns a random goal of a person.
-fn goal(from: DVec2, side: f64, rng: &mut Dice) -> DVec2 {
-    let [x, y] = from.to_array().map(|x| ((x - FARTHEST).max(0.0), (x + FARTHEST).min(side)));
+/// Returns a random goal of a person, in this range of distances along the axis with the greater distance.
+fn goal(from: DVec2, side: f64, far: Range<f64>, rng: &mut Dice) -> DVec2 {
+    let [x, y] = from.to_array().map(|x| ((x - far.end).max(0.0), (x + far.end).min(side)));
     loop {
         let p = DVec2::new(rng.between(x.0, x.1), rng.between(y.0, y.1));
-        if is_in_street(p, side) && (p - from).abs().max_element() >= NEAREST {
+        if is_in_street(p, side) && far.contains(&(p - from).abs().max_element()) {
             return p;
         }
     }

@@ -39,7 +39,7 @@ const COUNTED: [(&str, usize, bool); 14] = [
     ("flock-dense", 500, false),
     ("own-goals", 1_000, true),
     ("evacuation", 1_000, true),
-    ("city", 1_000, true),
+    ("city", 2_000, true),
     ("flock-in-scene", 1_000, false),
 ];
 
