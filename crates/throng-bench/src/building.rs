@@ -12,8 +12,9 @@ const PEOPLE: usize = 24;
 const DOOR: f64 = 1.2;
 /// Width of the corridors, metres.
 const CORRIDOR: f64 = 4.0;
-/// Rooms in a row between two corridors that cross the rows.
-const BETWEEN: usize = 8;
+/// Rooms in a row between two corridors that cross the rows. The first has half as many on its left, so that a corridor
+/// connects all rows of a floor with more than one pair.
+const BETWEEN: usize = 4;
 /// Side of the exits, metres.
 const EXIT: f64 = 2.0;
 
@@ -67,26 +68,31 @@ impl Floor {
         Self { columns, pairs: rooms.div_ceil(2 * columns) }
     }
 
-    /// Returns the number of corridors across the rows.
-    fn crossing(&self) -> usize {
-        (self.columns - 1) / BETWEEN
+    /// Returns the number of corridors across the rows on the left of a column.
+    fn crossings(column: usize) -> usize {
+        (column + BETWEEN / 2) / BETWEEN
     }
 
+    /// Whether a corridor is directly on the left of a column.
+    fn is_beside_crossing(column: usize) -> bool {
+        column > 0 && Self::crossings(column) > Self::crossings(column - 1)
+    }
+
+    /// Returns the size of the floor, metres.
     fn size(&self) -> DVec2 {
-        let x = self.columns as f64 * ROOM.x + self.crossing() as f64 * CORRIDOR;
-        DVec2::new(x, self.pairs as f64 * Self::PAIR)
+        DVec2::new(Self::left(self.columns - 1) + ROOM.x, self.pairs as f64 * Self::PAIR)
     }
 
     /// Returns the left end of a column.
-    fn left(&self, column: usize) -> f64 {
-        column as f64 * ROOM.x + (column / BETWEEN) as f64 * CORRIDOR
+    fn left(column: usize) -> f64 {
+        column as f64 * ROOM.x + Self::crossings(column) as f64 * CORRIDOR
     }
 
     /// Returns the lower left corner of a room. Rooms are counted along the rows, pair by pair.
     fn room(&self, k: usize) -> DVec2 {
         let (row, column) = (k / self.columns, k % self.columns);
         let above = if row % 2 == 1 { ROOM.y + CORRIDOR } else { 0.0 };
-        DVec2::new(self.left(column), (row / 2) as f64 * Self::PAIR + above)
+        DVec2::new(Self::left(column), (row / 2) as f64 * Self::PAIR + above)
     }
 
     /// Returns the middles of the exits.
@@ -96,8 +102,8 @@ impl Floor {
             let y = (pair as f64 + 0.5) * Self::PAIR;
             [0.5 * EXIT, size.x - 0.5 * EXIT].map(|x| DVec2::new(x, y))
         });
-        let across = (1..=self.crossing()).flat_map(|k| {
-            let x = self.left(k * BETWEEN) - 0.5 * CORRIDOR;
+        let across = (1..self.columns).filter(|&column| Self::is_beside_crossing(column)).flat_map(|column| {
+            let x = Self::left(column) - 0.5 * CORRIDOR;
             [0.5 * EXIT, size.y - 0.5 * EXIT].map(|y| DVec2::new(x, y))
         });
         along.chain(across).collect()
@@ -120,7 +126,7 @@ impl Floor {
             if row % 2 == 1 && back < size.y {
                 wall((low.x, back), (high.x, back));
             }
-            if column > 0 && column % BETWEEN == 0 {
+            if Self::is_beside_crossing(column) {
                 wall((low.x, low.y), (low.x, high.y));
             }
             if column + 1 < self.columns {
