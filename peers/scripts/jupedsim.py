@@ -1,8 +1,13 @@
 """JuPedSim's collision-free speed model. Told by the program beside it what to do, on standard input.
 
-Arguments: a floor plan (WKT) and the corners of the exit, x and y one after the other; without them, a square with 0.5
-people per m2 who walk to and fro between places along its border: JuPedSim's own work. Time steps are JuPedSim's own, 0.01 s, which it
+Arguments: a floor plan (WKT) and the corners of the exit, x and y one after the other; or `work`, the number of warm-up
+steps, the side of the exits of a reference work (0 for goals where agents stay), and the radius of the agents; without arguments,
+a square with 0.5 people per m2 who walk to and fro between places along its border: JuPedSim's own work. Time steps are JuPedSim's own, 0.01 s, which it
 recommends not to change.
+
+Standard input: for each agent its position and preferred speed; for a reference work also the goal of each agent, then
+rings of walls: first the boundary of the walkable area, then obstacles; two corners are a thin wall, here 0.1 m thick,
+since JuPedSim has no thin walls.
 
 A simulation cannot be copied: after a restart it goes on from where it is.
 """
@@ -14,12 +19,33 @@ import time
 from importlib.metadata import version
 
 import jupedsim as jps
+from shapely import LineString, Polygon
+from shapely.ops import unary_union
 
 WARM_UP = 20
 STEP = 0.01
+RADIUS = 0.2
 
-people = [tuple(map(float, sys.stdin.readline().split())) for _ in range(int(sys.stdin.readline()))]
-if len(sys.argv) > 1:
+
+def read():
+    """Reads a list of lines of numbers."""
+    return [tuple(map(float, sys.stdin.readline().split())) for _ in range(int(sys.stdin.readline()))]
+
+
+def ground(rings):
+    """Returns the area within the first ring and outside of all others."""
+    outer, *walls = [list(zip(ring[::2], ring[1::2])) for ring in rings]
+    solid = [Polygon(wall) if len(wall) > 2 else LineString(wall).buffer(0.05, cap_style="flat") for wall in walls]
+    return Polygon(outer).difference(unary_union(solid))
+
+
+people = read()
+if sys.argv[1:2] == ["work"]:
+    WARM_UP = int(sys.argv[2])
+    exit_side, RADIUS = map(float, sys.argv[3:])
+    goals = read()
+    geometry = ground(read())
+elif len(sys.argv) > 1:
     plan, *corners = sys.argv[1:]
     with open(plan) as file:
         geometry = file.read()
@@ -27,7 +53,23 @@ else:
     side = math.sqrt(len(people) / 0.5)
     geometry = [(0, 0), (side, 0), (side, side), (0, side)]
 simulation = jps.Simulation(model=jps.CollisionFreeSpeedModel(), geometry=geometry, dt=STEP)
-if len(sys.argv) > 1:
+if sys.argv[1:2] == ["work"]:
+
+    def stage(goal):
+        """Returns the stage of a goal."""
+        if exit_side == 0.0:
+            return simulation.add_waypoint_stage(goal, 0.5)
+        half = 0.5 * exit_side
+        return simulation.add_exit_stage(
+            [(goal[0] + dx * half, goal[1] + dy * half) for dx, dy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        )
+
+    way = {}
+    for goal in dict.fromkeys(goals):
+        end = stage(goal)
+        way[goal] = (simulation.add_journey(jps.JourneyDescription([end])), end)
+    ways = [way[goal] for goal in goals]
+elif len(sys.argv) > 1:
     corners = list(map(float, corners))
     stages = [simulation.add_exit_stage(list(zip(corners[::2], corners[1::2])))]
     ways = [(simulation.add_journey(jps.JourneyDescription(stages)), stages[0])]
@@ -53,7 +95,7 @@ for k, (x, y, speed) in enumerate(people):
     journey, stage = ways[k % len(ways)]
     simulation.add_agent(
         jps.CollisionFreeSpeedModelAgentParameters(
-            position=(x, y), journey_id=journey, stage_id=stage, radius=0.2, desired_speed=speed
+            position=(x, y), journey_id=journey, stage_id=stage, radius=RADIUS, desired_speed=speed
         )
     )
 simulation.iterate(WARM_UP)

@@ -28,15 +28,22 @@ pub fn measure(name: &str, agents: usize, repeat: u32, python: Option<&Path>) ->
         Box::new(BevyOrca::new(&crowd)),
     ];
     if let Some(python) = python {
-        let rows: Vec<String> = crowd
+        let people: Vec<String> = crowd
+            .people
+            .iter()
+            .map(|person| format!("{} {} {}", person.position.x, person.position.y, person.preferred_speed))
+            .collect();
+        let goals: Vec<String> = crowd
             .people
             .iter()
             .map(|person| {
-                let (at, goal) = (person.position, goal(&crowd, person.way));
-                format!("{} {} {} {} {}", at.x, at.y, goal.x, goal.y, person.preferred_speed)
+                let goal = goal(&crowd, person.way);
+                format!("{} {}", goal.x, goal.y)
             })
             .collect();
-        contestants.push(Box::new(Python::start(python, "pyrvo", include_str!("../scripts/rvo2.py"), &[], &rows)?));
+        let numbers = [crowd.step, crowd.radius].map(|number| number.to_string());
+        let script = include_str!("../scripts/rvo2.py");
+        contestants.push(Box::new(Python::start(python, "pyrvo", script, &numbers, &[&people, &goals, &[]])?));
     }
     let steps = (1_000_000 / agents.max(1)).clamp(10, 100) as u32;
     contest::measure(contestants, steps, repeat)

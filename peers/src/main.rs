@@ -5,6 +5,7 @@ mod contest;
 mod crossing;
 mod dodgy;
 mod grid;
+mod places;
 mod plans;
 mod python;
 mod report;
@@ -17,7 +18,8 @@ use std::path::PathBuf;
 /// Measure other crowd simulators and throng on throng's reference work, in turns in a single run
 #[derive(Parser)]
 struct Arguments {
-    /// Numbers of agents in the crossings, sorted and shuffled; none: only floor plans
+    /// Numbers of agents in the crossings, sorted and shuffled, and up to 10000 in the works with walls; none: only floor
+    /// plans
     #[arg(long, value_name = "N", num_args = 0.., value_delimiter = ',', default_values_t = [1_000, 10_000, 100_000])]
     agents: Vec<usize>,
 
@@ -53,6 +55,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     if let Some(python) = &arguments.python {
+        for &agents in arguments.agents.iter().filter(|&&agents| agents <= 10_000) {
+            for name in ["evacuation", "city"] {
+                eprintln!("{name}, {agents}");
+                report.add(name, agents, places::measure(name, agents, arguments.repeat, python)?);
+            }
+        }
         for &agents in arguments.agents.iter().filter(|&&agents| agents <= 10_000) {
             eprintln!("jupedsim's own work, {agents}");
             let contestant = plans::own_work(python, agents)?;

@@ -7,7 +7,8 @@ use std::error::Error;
 use std::path::Path;
 use throng_scene::import::plan::{self, PlanOptions};
 
-const SCRIPT: &str = include_str!("../scripts/jupedsim.py");
+/// The script of JuPedSim.
+pub const SCRIPT: &str = include_str!("../scripts/jupedsim.py");
 
 /// Returns JuPedSim with `agents` agents in a square.
 ///
@@ -16,7 +17,7 @@ const SCRIPT: &str = include_str!("../scripts/jupedsim.py");
 pub fn own_work(python: &Path, agents: usize) -> Result<Box<dyn Contestant>, Box<dyn Error>> {
     // the script draws their positions
     let people = vec![String::new(); agents];
-    Ok(Box::new(Python::start(python, "jupedsim", SCRIPT, &[], &people)?))
+    Ok(Box::new(Python::start(python, "jupedsim", SCRIPT, &[], &[&people])?))
 }
 
 /// Returns throng and JuPedSim with the same agents at random on a floor plan, bound for an exit `x,y,width,height`.
@@ -32,7 +33,8 @@ pub fn evacuation(
 ) -> Result<Vec<Box<dyn Contestant>>, Box<dyn Error>> {
     let numbers: Vec<f64> = exit.split(',').map(str::parse).collect::<Result<_, _>>()?;
     let exit: [f64; 4] = numbers.try_into().map_err(|_| "the exit is x,y,width,height")?;
-    let mut scene = plan::load(plan, &PlanOptions { exit: Some(exit), people: Some(people), ..PlanOptions::default() })?.scene;
+    let mut scene =
+        plan::load(plan, &PlanOptions { exit: Some(exit), people: Some(people), ..PlanOptions::default() })?.scene;
     scene.time.step = 0.05;
     let (world, _) = scene.build()?;
     let origin = world.settings().origin;
@@ -49,7 +51,7 @@ pub fn evacuation(
         let corners = [x, y, x + width, y, x + width, y + height, x, y + height];
         let arguments: Vec<String> =
             std::iter::once(plan.to_owned()).chain(corners.iter().map(f64::to_string)).collect();
-        contestants.push(Box::new(Python::start(python, "jupedsim", SCRIPT, &arguments, &rows)?));
+        contestants.push(Box::new(Python::start(python, "jupedsim", SCRIPT, &arguments, &[&rows])?));
     }
     Ok(contestants)
 }

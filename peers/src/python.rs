@@ -16,7 +16,7 @@ pub struct Python {
 }
 
 impl Python {
-    /// Starts a script, sends it the agents, a line each, and waits until it is warmed up.
+    /// Starts a script, sends it lists of lines, each after its length, and waits until it is warmed up.
     ///
     /// # Errors
     /// The script cannot be started, or ends; it has reported the reason on standard error.
@@ -25,7 +25,7 @@ impl Python {
         name: &str,
         script: &str,
         arguments: &[String],
-        people: &[String],
+        lists: &[&[String]],
     ) -> Result<Self, Box<dyn Error>> {
         let mut child = Command::new(python)
             .args(["-c", script])
@@ -37,9 +37,11 @@ impl Python {
         let to = child.stdin.take().ok_or("no standard input")?;
         let from = BufReader::new(child.stdout.take().ok_or("no standard output")?);
         let mut script = Self { name: name.into(), child, to, from };
-        writeln!(script.to, "{}", people.len())?;
-        for person in people {
-            writeln!(script.to, "{person}")?;
+        for lines in lists {
+            writeln!(script.to, "{}", lines.len())?;
+            for line in *lines {
+                writeln!(script.to, "{line}")?;
+            }
         }
         // the answer is its name and version
         script.name = script.answer()?;

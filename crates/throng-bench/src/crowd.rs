@@ -28,6 +28,8 @@ pub struct Crowd {
     pub radius: f64,
     /// Goals, metres.
     pub goals: Vec<DVec2>,
+    /// Side of the squares around the goals in which agents leave, metres; `None`: agents arrive at the goals and stay.
+    pub exit: Option<f64>,
     /// By way: indices of goals, visited in order and repeatedly.
     pub ways: Vec<Vec<usize>>,
     /// The walkable areas; empty: everywhere.
@@ -51,7 +53,7 @@ impl Crowd {
     /// Creates a crowd on unbounded ground, with steps of 0.1 s.
     pub(crate) fn open(people: Vec<Person>, radius: f64, goals: Vec<DVec2>) -> Self {
         let ways = (0..goals.len()).map(|goal| vec![goal]).collect();
-        Self { people, radius, goals, ways, walkable: vec![], obstacles: vec![], step: 0.1 }
+        Self { people, radius, goals, exit: None, ways, walkable: vec![], obstacles: vec![], step: 0.1 }
     }
 
     /// Returns the group that other simulators have in common: ORCA, velocities that change at once, no interaction
@@ -74,16 +76,31 @@ impl Crowd {
     /// divided.
     ///
     /// # Errors
-    /// The errors of [`World::add_group`] and [`World::add_agent`].
+    /// The errors of [`World::set_walkable`] and [`add_to`](Self::add_to).
     pub fn world(&self, group: Group, max_acceleration: f32) -> Result<World, Error> {
         let mut world = World::new(Settings { step: self.step, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
         world.set_walkable(self.walkable.clone())?;
+        self.add_to(&mut world, group, max_acceleration)?;
+        Ok(world)
+    }
+
+    /// Adds the obstacles, goals and pedestrians to a world, with all pedestrians in this group and with this greatest
+    /// acceleration.
+    ///
+    /// # Errors
+    /// The errors of [`World::add_obstacles`], [`World::add_group`] and [`World::add_agent`].
+    pub(crate) fn add_to(&self, world: &mut World, group: Group, max_acceleration: f32) -> Result<(), Error> {
         world.add_obstacles(self.obstacles.iter().cloned()).map_err(|(_, error)| error)?;
         let group = world.add_group(group)?;
         let goals: Vec<GoalId> = self
             .goals
             .iter()
-            .map(|&at| world.add_goal(Goal::Point { at, tolerance: 0.5 }))
+            .map(|&at| {
+                world.add_goal(match self.exit {
+                    None => Goal::Point { at, tolerance: 0.5 },
+                    Some(side) => Goal::Exit { corners: square(at, side).to_vec() },
+                })
+            })
             .collect::<Result<_, _>>()?;
         let ways: Vec<JourneyId> = self
             .ways
@@ -106,6 +123,11 @@ impl Crowd {
                 ..Agent::default()
             })?;
         }
-        Ok(world)
+        Ok(())
     }
+}
+
+/// Returns the corners of a square around a point.
+pub(crate) fn square(middle: DVec2, side: f64) -> [DVec2; 4] {
+    [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|corner| middle + DVec2::from(corner) * side)
 }

@@ -59,6 +59,7 @@ pub fn hall(count: usize) -> Crowd {
         people,
         radius: 0.2,
         goals: (0..side * side).map(|k| room(k, side) + DVec2::new(2.5, 1.8)).collect(),
+        exit: None,
         ways,
         walkable: vec![Walkable { outer, holes: vec![] }],
         obstacles: vec![],

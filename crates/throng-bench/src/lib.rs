@@ -14,6 +14,8 @@
 //! # Ok::<(), throng::Error>(())
 //! ```
 
+mod building;
+mod city;
 pub mod clock;
 mod crowd;
 mod flock;

@@ -1,6 +1,7 @@
-//! Crowds with a few bodies of other kinds: vehicles and doors.
+//! Crowds and flocks with a few agents of other kinds: vehicles and doors, pedestrians below birds.
 
-use throng::{Agent, AgentRef, Body, Error, Keyframe, Script, World};
+use crate::{Crowd, Flock};
+use throng::{Agent, AgentRef, Body, Error, Group, Keyframe, Script, World};
 
 /// One of this many agents is a vehicle.
 const VEHICLE: usize = 500;
@@ -27,4 +28,19 @@ pub fn mix(world: &mut World) -> Result<(), Error> {
         world.replace(id, door.with_body(Body::rectangle(2.0, 0.3)))?;
     }
     Ok(())
+}
+
+/// One of this many agents in the scene of a flock is a pedestrian.
+pub const PEDESTRIAN: usize = 10;
+
+/// Returns the world of a flock with pedestrians on the ground below it, in a group of their own, with or without the
+/// guard.
+///
+/// # Errors
+/// Those of [`Flock::world`] and [`Crowd::world`].
+pub fn flock_in_scene(flock: &Flock, pedestrians: &Crowd, guard: bool) -> Result<World, Error> {
+    let mut world = flock.world(guard)?;
+    let group = Group { guard, ..Crowd::interaction() };
+    pedestrians.add_to(&mut world, group, Agent::default().max_acceleration)?;
+    Ok(world)
 }

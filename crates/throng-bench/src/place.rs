@@ -10,8 +10,14 @@ use glam::DVec2;
 /// Terminates only if there is room: discs of diameter `apart` may cover up to 0.4 of the ground.
 pub fn uniform(count: usize, density: f64, apart: f64, rng: &mut Dice) -> Vec<DVec2> {
     let side = (count as f64 / density).sqrt();
+    uniform_where(count, side, apart, rng, |_| true).iter().map(|p| *p - 0.5 * side).collect()
+}
+
+/// Returns uniformly random points where `free` returns `true`, in a square of this side from the origin on, with at
+/// least `apart` metres between them. Otherwise as [`uniform`].
+pub fn uniform_where(count: usize, side: f64, apart: f64, rng: &mut Dice, free: impl Fn(DVec2) -> bool) -> Vec<DVec2> {
     // cells with about one point each, at least `apart` wide
-    let cell = density.sqrt().recip().max(apart);
+    let cell = (side / (count as f64).sqrt()).max(apart);
     let across = (side / cell).ceil().max(1.0) as usize;
     const NONE: u32 = u32::MAX;
     // the last point of each cell, and for each point the one before it in its cell
@@ -31,14 +37,14 @@ pub fn uniform(count: usize, density: f64, apart: f64, rng: &mut Dice) -> Vec<DV
             }
             false
         };
-        if ys.into_iter().any(|y| xs.clone().any(|x| near(y * across + x))) {
+        if !free(p) || ys.into_iter().any(|y| xs.clone().any(|x| near(y * across + x))) {
             continue;
         }
         before.push(last[y * across + x]);
         last[y * across + x] = places.len() as u32;
         places.push(p);
     }
-    places.iter().map(|p| *p - 0.5 * side).collect()
+    places
 }
 
 /// Returns points in rows like bricks, with `density` points per square metre, each shifted at random as far as the

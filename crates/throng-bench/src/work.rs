@@ -1,8 +1,8 @@
 //! The reference works by name.
 
-use crate::mixed::mix;
+use crate::mixed::{PEDESTRIAN, flock_in_scene, mix};
 use crate::place::{bricks, sort, uniform};
-use crate::{Crowd, Dice, Flock, Insects, Person, floor};
+use crate::{Crowd, Dice, Flock, Insects, Person, building, city, floor};
 use glam::DVec2;
 use throng::{Agent, Error, Group, World};
 
@@ -27,6 +27,8 @@ enum Kind {
     /// A crowd with interaction rules, some vehicles and doors.
     Mixed(fn(usize) -> Crowd),
     Flock(fn(usize) -> Flock),
+    /// A flock above pedestrians with interaction rules and goals of their own.
+    FlockInScene(fn(usize) -> Flock),
     Insects(fn(usize) -> Insects),
 }
 
@@ -62,6 +64,24 @@ pub const WORKS: &[Work] = &[
         sizes: &[10_000],
         kind: Kind::Crowd { crowd: two_goals, interaction: true },
     },
+    Work {
+        name: "own-goals",
+        about: "crossing-rules with a goal of its own, far away, for each agent",
+        sizes: &[10_000, 100_000],
+        kind: Kind::Crowd { crowd: own_goals, interaction: true },
+    },
+    Work {
+        name: "evacuation",
+        about: "from rooms of 24 agents, 0.5 per m2, through doors and corridors to shared exits, with interaction rules",
+        sizes: &[1_000, 10_000, 100_000],
+        kind: Kind::Crowd { crowd: building::evacuation, interaction: true },
+    },
+    Work {
+        name: "city",
+        about: "0.25 per m2 in streets of 12 m between blocks of 60 m, to goals of their own some blocks away, with rules",
+        sizes: &[10_000, 100_000],
+        kind: Kind::Crowd { crowd: city::city, interaction: true },
+    },
     density("density-0.1", "0.1 per m2, bodies of 0.2 m, bound far away in random directions", |n| packed(n, 0.1)),
     density("density-0.25", "the same, 0.25 per m2", |n| packed(n, 0.25)),
     density("density-0.5", "the same, 0.5 per m2", |n| packed(n, 0.5)),
@@ -85,13 +105,19 @@ pub const WORKS: &[Work] = &[
         name: "flock",
         about: "OpenSteer's boids in space, three or four neighbours within 9 m of each",
         sizes: &[1_000, 10_000, 100_000],
-        kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0 * (count as f64 / 200.0).cbrt())),
+        kind: Kind::Flock(loose_flock),
     },
     Work {
         name: "flock-dense",
         about: "the same in a sphere of 100 m, however many: 16 within 9 m of each of 1,000, more than 100 of 10,000",
         sizes: &[1_000, 10_000],
         kind: Kind::Flock(|count| Flock::in_sphere(count, 50.0)),
+    },
+    Work {
+        name: "flock-in-scene",
+        about: "flock with one agent in ten a pedestrian on the ground, as in own-goals",
+        sizes: &[1_000, 10_000],
+        kind: Kind::FlockInScene(|count| loose_flock(count - count / PEDESTRIAN)),
     },
     Work {
         name: "swarm",
@@ -129,7 +155,7 @@ impl Work {
     pub fn crowd(&self, count: usize) -> Option<Crowd> {
         match self.kind {
             Kind::Crowd { crowd, .. } => Some(crowd(count)),
-            Kind::Mixed(_) | Kind::Flock(_) | Kind::Insects(_) => None,
+            Kind::Mixed(_) | Kind::Flock(_) | Kind::FlockInScene(_) | Kind::Insects(_) => None,
         }
     }
 
@@ -137,7 +163,7 @@ impl Work {
     pub fn flock(&self, count: usize) -> Option<Flock> {
         match self.kind {
             Kind::Crowd { .. } | Kind::Mixed(_) | Kind::Insects(_) => None,
-            Kind::Flock(flock) => Some(flock(count)),
+            Kind::Flock(flock) | Kind::FlockInScene(flock) => Some(flock(count)),
         }
     }
 
@@ -145,7 +171,7 @@ impl Work {
     pub fn insects(&self, count: usize) -> Option<Insects> {
         match self.kind {
             Kind::Insects(insects) => Some(insects(count)),
-            Kind::Crowd { .. } | Kind::Mixed(_) | Kind::Flock(_) => None,
+            Kind::Crowd { .. } | Kind::Mixed(_) | Kind::Flock(_) | Kind::FlockInScene(_) => None,
         }
     }
 
@@ -169,6 +195,7 @@ impl Work {
                 Ok(world)
             }
             Kind::Flock(flock) => flock(count).world(guard),
+            Kind::FlockInScene(flock) => flock_in_scene(&flock(count), &own_goals(count / PEDESTRIAN), guard),
             Kind::Insects(insects) => insects(count).world(guard),
         }
     }
@@ -176,6 +203,14 @@ impl Work {
 
 const fn density(name: &'static str, about: &'static str, crowd: fn(usize) -> Crowd) -> Work {
     Work { name, about, sizes: &[10_000], kind: Kind::Crowd { crowd, interaction: false } }
+}
+
+/// Distance of goals so far away that each is a direction, metres.
+const DISTANCE: f64 = 15_000.0;
+
+/// Returns a goal far away in a random direction.
+fn far_away(rng: &mut Dice) -> DVec2 {
+    DVec2::from_angle(rng.between(0.0, std::f64::consts::TAU)) * DISTANCE
 }
 
 /// The reference work by which crowd simulators are compared.
@@ -191,9 +226,23 @@ fn crossing(count: usize, sorted: bool) -> Crowd {
 /// The same places, with one of two goals for each agent: all goals are shared.
 fn two_goals(count: usize) -> Crowd {
     let crowd = crossing(count, false);
-    let goals = vec![DVec2::NEG_X * 15_000.0, DVec2::X * 15_000.0];
+    let goals = vec![DVec2::NEG_X * DISTANCE, DVec2::X * DISTANCE];
     let person = |(k, person): (usize, Person)| Person { way: Some(k % 2), ..person };
     Crowd::open(crowd.people.into_iter().enumerate().map(person).collect(), crowd.radius, goals)
+}
+
+/// The same places, with a goal in a random direction for each agent.
+fn own_goals(count: usize) -> Crowd {
+    let crowd = crossing(count, false);
+    let mut rng = Dice::new(13);
+    let goals = (0..count).map(|_| far_away(&mut rng)).collect();
+    let person = |(k, person): (usize, Person)| Person { way: Some(k), ..person };
+    Crowd::open(crowd.people.into_iter().enumerate().map(person).collect(), crowd.radius, goals)
+}
+
+/// Birds at the density of OpenSteer's demo.
+fn loose_flock(count: usize) -> Flock {
+    Flock::in_sphere(count, 50.0 * (count as f64 / 200.0).cbrt())
 }
 
 /// A crowd of `density` agents per square metre, as far as bodies of 0.2 m can be packed.
@@ -219,9 +268,8 @@ fn at_rest(count: usize) -> Crowd {
 /// measure millions of agents, and many enough that neighbours rarely share a goal.
 fn outward(places: Vec<DVec2>, radius: f64) -> Crowd {
     const GOALS: usize = 4096;
-    const DISTANCE: f64 = 15_000.0;
     let mut rng = Dice::new(9);
-    let goals = (0..GOALS).map(|_| DVec2::from_angle(rng.between(0.0, std::f64::consts::TAU)) * DISTANCE).collect();
+    let goals = (0..GOALS).map(|_| far_away(&mut rng)).collect();
     let people = places.into_iter().map(|position| {
         let way = Some(rng.below(GOALS));
         Person { position, preferred_speed: rng.between(1.3, 1.5), way }

@@ -26,7 +26,7 @@ const WARM_UP: u32 = 5;
 const STEPS: u32 = 5;
 
 /// The counted runs: a work, its number of agents, and whether the guard is on.
-const COUNTED: [(&str, usize, bool); 10] = [
+const COUNTED: [(&str, usize, bool); 14] = [
     ("crossing", 2_000, false),
     ("crossing", 2_000, true),
     ("crossing-rules", 1_000, true),
@@ -37,6 +37,10 @@ const COUNTED: [(&str, usize, bool); 10] = [
     ("rooms", 100, true),
     ("flock", 1_000, false),
     ("flock-dense", 500, false),
+    ("own-goals", 1_000, true),
+    ("evacuation", 1_000, true),
+    ("city", 2_000, true),
+    ("flock-in-scene", 1_000, false),
 ];
 
 fn main() {

@@ -1,6 +1,7 @@
 //! Tests that the works match their descriptions.
 
 use glam::DVec2;
+use throng::World;
 use throng_bench::{WORKS, Work, lap, median, work};
 
 fn places(work: &Work, count: usize) -> Vec<DVec2> {
@@ -80,6 +81,54 @@ fn agents_walk_or_stand_as_described() {
             }
         }
     }
+}
+
+#[test]
+fn all_people_leave_the_building_through_doors() {
+    let crowd = work("evacuation").unwrap().crowd(300).unwrap();
+    let mut world = work("evacuation").unwrap().world(300, true).unwrap();
+    let inside = |count: usize, seconds: f64, world: &World| {
+        assert_eq!(world.counts().present, count, "after {seconds} s");
+        assert!(world.stranded().is_empty(), "after {seconds} s");
+    };
+    // the first to leave walk from the door of the room beside an exit
+    lap(&mut world, 30, || true);
+    inside(300, 1.5, &world);
+    lap(&mut world, 1_800 - 30, || true);
+    inside(0, 90.0, &world);
+    // every exit is used
+    let mut exits: Vec<_> = crowd.people.iter().filter_map(|person| person.way).collect();
+    exits.sort_unstable();
+    exits.dedup();
+    assert_eq!(exits.len(), crowd.goals.len());
+}
+
+#[test]
+fn people_of_the_city_walk_in_the_streets_to_goals_two_blocks_away() {
+    let crowd = work("city").unwrap().crowd(10_000).unwrap();
+    let mut ways: Vec<_> = crowd.people.iter().filter_map(|person| person.way).collect();
+    ways.dedup();
+    assert_eq!((ways.len(), crowd.goals.len()), (10_000, 10_000));
+    for person in &crowd.people {
+        let goal = crowd.goals[crowd.ways[person.way.unwrap()][0]];
+        for p in [person.position, goal] {
+            assert!(crowd.walkable[0].contains(p) && !crowd.obstacles.iter().any(|block| block.covers(p)), "{p}");
+        }
+        let off = (goal - person.position).abs();
+        assert!((144.0..=288.0).contains(&off.max_element()), "{off}");
+    }
+    let side = crowd.walkable[0].outer.iter().map(|corner| corner.x).fold(0.0, f64::max);
+    let density = 10_000.0 / (side * side - 3_600.0 * crowd.obstacles.len() as f64);
+    assert!((0.2..=0.25).contains(&density), "{density}");
+}
+
+#[test]
+fn one_agent_in_ten_of_the_scene_of_a_flock_walks() {
+    let world = work("flock-in-scene").unwrap().world(1_000, true).unwrap();
+    let (walkers, birds): (Vec<_>, Vec<_>) = world.agents().partition(|agent| agent.position().z == 0.0);
+    assert_eq!((walkers.len(), birds.len()), (100, 900));
+    let group = walkers[0].group();
+    assert!(walkers.iter().all(|agent| agent.group() == group) && birds.iter().all(|agent| agent.group() != group));
 }
 
 #[test]
