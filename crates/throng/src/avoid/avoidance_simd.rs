@@ -81,33 +81,31 @@ impl Irregular {
 
     /// Finds the irregular agents. Returns whether all others avoid each other.
     fn find(&mut self, state: &State) -> bool {
-        let agents = &state.agents;
-        self.rows.clear();
-        let regular = agents.core.uniform() == Some(Vec2::ZERO)
-            && agents.script.uniform() == Some(None)
-            && agents.spin.uniform() == Some(0.0)
-            && agents.tracking_error.uniform() == Some(0.0)
-            && agents.max_turn_rate.uniform() == Some(f32::INFINITY)
-            && state.standoffs.is_empty()
-            && state.groups_in_use().all(|group| group.neighbours <= MOST);
-        if regular {
-            return agents.all_avoid();
-        }
-        let (mut layers, mut avoids) = (u32::MAX, u32::MAX);
-        self.rows.extend((0..agents.len()).map(|row| {
-            let regular = agents.core[row] == Vec2::ZERO
+        let State { agents, local_groups: groups, standoffs, .. } = state;
+        let is_regular = |row: usize| {
+            agents.core[row] == Vec2::ZERO
                 && agents.script[row].is_none()
                 && agents.spin[row] == 0.0
                 && agents.tracking_error[row] == 0.0
                 && agents.max_turn_rate[row] == f32::INFINITY
                 && agents.travel[row].turn == Turn::Free
-                && state.local_groups[agents.group[row].index()].neighbours <= MOST;
-            if regular {
-                layers &= agents.layers[row];
-                avoids &= agents.avoids[row];
-            }
-            !regular
-        }));
+                && groups[agents.group[row].index()].neighbours <= MOST
+        };
+        self.rows.clear();
+        let are_alike = agents.core.uniform().is_some()
+            && agents.script.uniform().is_some()
+            && agents.spin.uniform().is_some()
+            && agents.tracking_error.uniform().is_some()
+            && agents.max_turn_rate.uniform().is_some()
+            && standoffs.is_empty()
+            && state.groups_in_use().all(|group| group.neighbours <= MOST);
+        if are_alike && (agents.is_empty() || is_regular(0)) {
+            return agents.all_avoid();
+        }
+        self.rows.extend((0..agents.len()).map(|row| !is_regular(row)));
+        let regular = (0..agents.len()).filter(|&row| !self.rows[row]);
+        let common = |(layers, avoids), row: usize| (layers & agents.layers[row], avoids & agents.avoids[row]);
+        let (layers, avoids) = regular.fold((u32::MAX, u32::MAX), common);
         layers & avoids != 0
     }
 }
