@@ -22,8 +22,8 @@ threads, and all that --repeat times, after one step that is not measured. The r
 move of one agent by one sub-step: wall-clock time, least wall-clock time of the repeats, processor time of all threads,
 and wall-clock time of each stage. Bytes per agent: everything that the world has allocated after the warm-up.
 
-Steps of works are 0.1 s long (`hall`, `rooms` and `evacuation`: 0.05 s; flocks: 1/30 s; swarms: 1/60 s) and not
-divided.
+Steps of works are 0.1 s long (`hall`, `rooms` and `evacuation`: 0.05 s) and not divided. Steps of
+flocks are 1/30 s long, those of swarms 1/60 s.
 
 Keys of --json (a list of runs, one object each):
   work, agents, threads        name of the work or scene; number of agents when measuring begins; threads for the steps
