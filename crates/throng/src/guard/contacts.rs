@@ -42,37 +42,28 @@ const PILE: usize = 6;
 const DEEP: f32 = 0.8;
 
 /// The search for contacts. A body searches as far as is needed for all bodies that are not larger than the usual size
-/// or than itself. The few larger bodies report their contacts to the smaller ones.
+/// or than itself. The few larger bodies report their contacts to the smaller ones. `ALIKE`: all rows have the common
+/// body.
 #[derive(Clone, Copy)]
-struct ContactSearch<'a> {
+struct ContactSearch<'a, const ALIKE: bool> {
     bodies: &'a GuardedBodies<'a>,
     numbers: &'a [u32],
     grid: &'a Grid,
     sizes: &'a BodySizes,
-    common: Option<CommonBody>,
-    /// Whether all rows have the common body.
-    all_common: bool,
+    common: CommonBody,
 }
 
-impl<'a> ContactSearch<'a> {
-    fn new(bodies: &'a GuardedBodies<'a>, numbers: &'a [u32], grid: &'a Grid, sizes: &'a BodySizes) -> Self {
-        Self { bodies, numbers, grid, sizes, common: sizes.common, all_common: sizes.blocks.is_empty() }
-    }
-
-    /// Returns the common body if a row has it.
+impl<const ALIKE: bool> ContactSearch<'_, ALIKE> {
+    /// Whether a row has the common body.
     #[inline]
-    fn common(&self, row: usize) -> Option<&CommonBody> {
-        let has_it = self.all_common || self.sizes.blocks[row / WORD].common >> (row % WORD) & 1 == 1;
-        self.common.as_ref().filter(|_| has_it)
+    fn is_common(&self, row: usize) -> bool {
+        ALIKE || self.sizes.blocks[row / WORD].common >> (row % WORD) & 1 == 1
     }
 
     /// Returns how far from its centre a body can touch something in the step.
     #[inline]
     fn size(&self, row: usize) -> f32 {
-        match self.common(row) {
-            Some(common) => common.size,
-            None => self.bodies.bound(row) + self.bodies.reach[row],
-        }
+        if self.is_common(row) { self.common.size } else { self.bodies.bound(row) + self.bodies.reach[row] }
     }
 
     /// Returns the greatest distance of the centres at which two bodies can touch. The first must not be the smaller
@@ -108,7 +99,7 @@ impl<'a> ContactSearch<'a> {
     /// Whether a body is a disc.
     #[inline]
     fn is_disc(&self, row: usize) -> bool {
-        self.common(row).map_or_else(|| self.bodies.is_disc(row), |common| common.is_disc)
+        if self.is_common(row) { self.common.is_disc } else { self.bodies.is_disc(row) }
     }
 
     /// Adds to `found` the bodies not larger than `limit` that can touch a disc of this size, among those of an earlier
@@ -127,7 +118,7 @@ impl<'a> ContactSearch<'a> {
                     return true;
                 }
             } else if self.touch(row, other as usize, distance_squared)
-                && (self.sizes.largest <= limit || self.size(other as usize) <= limit)
+                && (ALIKE || self.sizes.largest <= limit || self.size(other as usize) <= limit)
             {
                 found.push(other);
             }
@@ -138,8 +129,8 @@ impl<'a> ContactSearch<'a> {
     /// Whether two bodies can touch, given the squared distance of their centres in the plan.
     #[inline]
     fn touch(&self, a: usize, b: usize, distance_squared: f32) -> bool {
-        if let (Some(CommonBody { range, .. }), Some(_)) = (self.common(a), self.common(b)) {
-            return distance_squared <= range * range;
+        if self.is_common(a) && self.is_common(b) {
+            return distance_squared <= self.common.range * self.common.range;
         }
         let Self { bodies, numbers, .. } = self;
         // the order of the operands does not depend on the caller, so both rows get the same rounding
@@ -186,6 +177,43 @@ impl<'a> ContactSearch<'a> {
         self.grid.nearest(positions[row], PILE + 1, reach, overlaps, found);
         found.len() > PILE
     }
+
+    /// Fills the lists of all bodies that are not in a pile.
+    fn fill<'s>(
+        &self,
+        others: &mut ContactLists<Vec<Near>>,
+        reports: &Reports,
+        meets: &(impl Fn(usize, usize) -> bool + Sync),
+        seen: &(impl Fn(usize) -> Option<RowContacts<'s>> + Sync),
+    ) {
+        others.fill(
+            self.bodies.positions.len(),
+            |part| self.bodies.rest(part),
+            |near, row, others| {
+                let start = others.len();
+                let seen = if self.is_disc(row) { seen(row) } else { None };
+                if self.is_piled(row, meets, seen, near) {
+                    return true;
+                }
+                let size = self.size(row);
+                let limit = size.max(self.sizes.usual);
+                let all = seen.is_some_and(|seen| self.take((row, size), limit, seen, others));
+                if !all {
+                    others.truncate(start);
+                    self.look(row, limit, |other| {
+                        if meets(row, other) {
+                            others.push(other as u32);
+                        }
+                    });
+                }
+                others.extend(reports.to(row).iter().map(|&(_, by)| by));
+                if others.len() > start + 1 {
+                    others[start..].sort_unstable_by_key(|&other| self.numbers[other as usize]);
+                }
+                false
+            },
+        );
+    }
 }
 
 impl Contacts {
@@ -201,39 +229,19 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
+        self.sizes.measure(bodies);
         let Self { others, reports, sizes, .. } = self;
-        sizes.measure(bodies);
-        let (search, usual) = (ContactSearch::new(bodies, numbers, grid, sizes), sizes.usual);
-        reports.collect(sizes.larger.len(), |first, found| {
-            sizes.larger[first..].iter().take(WORD).for_each(|&row| search.report_larger(row, &meets, found));
-        });
-        others.fill(
-            bodies.positions.len(),
-            |part| bodies.rest(part),
-            |near, row, others| {
-                let start = others.len();
-                let seen = if search.is_disc(row) { seen(row) } else { None };
-                if search.is_piled(row, &meets, seen, near) {
-                    return true;
-                }
-                let size = search.size(row);
-                let limit = size.max(usual);
-                let all = seen.is_some_and(|seen| search.take((row, size), limit, seen, others));
-                if !all {
-                    others.truncate(start);
-                    search.look(row, limit, |other| {
-                        if meets(row, other) {
-                            others.push(other as u32);
-                        }
-                    });
-                }
-                others.extend(reports.to(row).iter().map(|&(_, by)| by));
-                if others.len() > start + 1 {
-                    others[start..].sort_unstable_by_key(|&other| numbers[other as usize]);
-                }
-                false
-            },
-        );
+        let (sizes, common) = (&*sizes, sizes.common);
+        if sizes.all_alike() {
+            reports.clear();
+            ContactSearch::<true> { bodies, numbers, grid, sizes, common }.fill(others, reports, &meets, &seen);
+        } else {
+            let search = ContactSearch::<false> { bodies, numbers, grid, sizes, common };
+            reports.collect(sizes.larger.len(), |first, found| {
+                sizes.larger[first..].iter().take(WORD).for_each(|&row| search.report_larger(row, &meets, found));
+            });
+            search.fill(others, reports, &meets, &seen);
+        }
         self.report_to_piles(numbers);
         self.collect_walls(bodies, walls);
     }

@@ -136,6 +136,12 @@ impl Reports {
         starts.push(pairs.len() as u32);
     }
 
+    /// Removes all pairs.
+    pub fn clear(&mut self) {
+        self.pairs.clear();
+        self.starts.clear();
+    }
+
     /// Returns all pairs, sorted.
     pub fn all(&self) -> &[(u32, u32)] {
         &self.pairs

@@ -6,7 +6,7 @@ use crate::parallel::{self, WORD, Words};
 use glam::Vec2;
 
 /// A body that many rows have. The guard reads nothing of a row that has it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct CommonBody {
     core: Vec2,
     radius: f32,
@@ -31,8 +31,8 @@ pub(super) struct SizeBlock {
 /// The sizes of all bodies.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BodySizes {
-    /// The common body, if all bodies are at one altitude.
-    pub common: Option<CommonBody>,
+    /// The common body. No row has it if the bodies are at several altitudes.
+    pub common: CommonBody,
     /// By blocks of 64 rows; empty if all rows have the common body.
     pub blocks: Vec<SizeBlock>,
     /// The greatest size that does not exceed twice the mean.
@@ -101,6 +101,11 @@ impl SizeBlock {
 }
 
 impl BodySizes {
+    /// Whether all rows have the common body.
+    pub fn all_alike(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
     /// Measures all bodies.
     pub fn measure(&mut self, bodies: &GuardedBodies<'_>) {
         let Self { common, blocks, usual, larger, largest, least_radius } = self;
@@ -108,13 +113,13 @@ impl BodySizes {
         larger.clear();
         let rows = bodies.positions.len();
         if rows == 0 {
-            *common = None;
             return;
         }
-        *common = CommonBody::find(bodies);
+        let found = CommonBody::find(bodies);
+        *common = found.unwrap_or_default();
         let GuardedBodies { cores, radii, reach, .. } = bodies;
         let uniform = cores.uniform().and(radii.uniform()).and(reach.uniform());
-        if let (Some(CommonBody { size, radius, .. }), Some(_)) = (*common, uniform) {
+        if let (Some(CommonBody { size, radius, .. }), Some(_)) = (found, uniform) {
             (*usual, *largest, *least_radius) = (size, size, radius);
             return;
         }
@@ -122,7 +127,7 @@ impl BodySizes {
         blocks.resize(rows.div_ceil(WORD), SizeBlock { common: 0, sum: 0.0, largest: 0.0, least_radius: 0.0 });
         parallel::ranges(Words(blocks), |range, Words(blocks)| {
             for (first, block) in range.step_by(WORD).zip(blocks) {
-                *block = SizeBlock::of(rows_of(first), bodies, *common);
+                *block = SizeBlock::of(rows_of(first), bodies, found);
             }
         });
         *least_radius = blocks.iter().map(|block| block.least_radius).fold(f32::INFINITY, f32::min);
