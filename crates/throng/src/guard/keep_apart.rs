@@ -1,7 +1,7 @@
 //! Stage 4, guard: the stage that finds where agents can move without overlap.
 
 use super::certify::{led, unguarded, within_reach};
-use super::{BodyPose, Contacts, Guard, GuardedBodies, Report, RowContacts, Solids};
+use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
 use crate::agent::Column;
 use crate::intend::Velocities;
 use crate::motion::{faces, turn, wrap};
@@ -55,7 +55,7 @@ struct Wishes<'a> {
 }
 
 impl KeepApart {
-    /// Finds the targets of all agents in the sub-step that ends at `now`.
+    /// Finds the targets of all agents in the sub-step. Targets of agents that sleep stay as they are.
     pub fn run(
         &mut self,
         state: &mut State,
@@ -64,39 +64,44 @@ impl KeepApart {
         sleep: &SleepBlocks,
         SubStep { seconds, now, .. }: SubStep,
     ) -> Guarded<'_> {
-        self.reach.map_from(&state.agents.max_speed, |speed| speed * seconds);
-        self.guarded.map_from(&state.agents.group, |group| state.local_groups[group.index()].guard);
+        if !sleep.all_asleep() {
+            let (changed, pushed) = self.find(Wishes { state, preferred, chosen, seconds, now }, seen, sleep);
+            state.tally.guard_changed += changed as u64;
+            state.tally.pushed += pushed as u64;
+        }
+        state.tally.agent_steps += state.agents.len() as u64;
+        state.tally.sub_steps += 1;
+        self.result()
+    }
+
+    /// Finds the targets. Returns the number of agents that the guard changes, and of those that it pushes.
+    fn find(&mut self, wishes: Wishes<'_>, seen: Perceived<'_>, sleep: &SleepBlocks) -> (usize, usize) {
+        let Wishes { state, chosen, seconds, .. } = wishes;
+        let State { agents, local_groups: groups, walls, .. } = state;
+        self.reach.map_from(&agents.max_speed, |speed| speed * seconds);
+        self.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         let mut solids = std::mem::take(&mut self.solids);
-        solids.find(&self.bodies(state, sleep), &state.agents.group);
+        solids.find(&self.bodies(state, sleep), &agents.group);
         self.solids = solids;
         let Self { targets, reach, guarded, contacts, solids, guard } = self;
         let bodies = bodies(state, (reach, guarded, solids), sleep);
-        let wishes = Wishes { state, preferred, chosen, seconds, now };
         let wished =
             |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
-        let State { agents, walls, .. } = &*state;
-        let (mut report, mut pushed) = (Report::default(), 0);
         if state.is_guarded() {
             let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
             contacts.collect(&bodies, &agents.number, seen.grid, walls, meets, covered(state, seen));
-            report = guard.certify(&bodies, contacts, walls, wished, targets);
+            let report = guard.certify(&bodies, contacts, walls, wished, targets);
             let is_pushed = |&row: &usize| state.is_pushed(row, targets[row].place(), seconds);
-            pushed = guard.moved_rows().filter(is_pushed).count();
-        } else {
-            // for measuring
-            contacts.collect_walls_only(&bodies, walls);
-            if state.lanes_to_move().is_none() && state.lanes_to_fly(seconds).is_none() {
-                unguarded(&bodies, wished, targets);
-            } else if bodies.solids.are_near() {
-                led(&bodies, wished, targets);
-            }
+            return (report.changed, guard.moved_rows().filter(is_pushed).count());
         }
-        let tally = &mut state.tally;
-        tally.pushed += pushed as u64;
-        tally.guard_changed += report.changed as u64;
-        tally.agent_steps += state.agents.len() as u64;
-        tally.sub_steps += 1;
-        self.result()
+        // for measuring
+        contacts.collect_walls_only(&bodies, walls);
+        if state.lanes_to_move().is_none() && state.lanes_to_fly(seconds).is_none() {
+            unguarded(&bodies, wished, targets);
+        } else if bodies.solids.are_near() {
+            led(&bodies, wished, targets);
+        }
+        (0, 0)
     }
 
     /// Returns the result of the last sub-step.
