@@ -110,7 +110,9 @@ impl Perceive {
         self.long.rebuild(agents, range);
         self.near.resize(self.grid.order(), most);
         let any_flies = agents.any_flies();
-        let in_space = any_flies && self.long.is_empty();
+        // beside a flock that is searched otherwise, few agents need this search
+        let all_count = state.groups_in_use().all(|group| group.nearest() > 0);
+        let in_space = any_flies && all_count && self.long.is_empty();
         self.grid.set_heights(in_space.then_some(|row: usize| agents.altitude[row]));
         let Self { grid, long, near, scratch, .. } = self;
         let (grid, long, sleep) = (&*grid, &*long, &*sleep);
