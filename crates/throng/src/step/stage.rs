@@ -1,6 +1,6 @@
 //! The stages of a sub-step, for profiling.
 
-/// A stage of a sub-step. [`World::step_in_stages`](super::World::step_in_stages) reports the end of each.
+/// A stage of a sub-step. [`World::step_in_stages`](crate::World::step_in_stages) reports the end of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
     /// 1. Neighbour search. It includes the work of a step before its first sub-step: agents enter, and the number of
