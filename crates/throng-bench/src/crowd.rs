@@ -76,7 +76,7 @@ impl Crowd {
     /// divided.
     ///
     /// # Errors
-    /// The errors of [`World::set_walkable`] and [`add_to`](Self::add_to).
+    /// The errors of [`World::set_walkable`], [`World::add_obstacles`] and [`World::add_agent`].
     pub fn world(&self, group: Group, max_acceleration: f32) -> Result<World, Error> {
         let mut world = World::new(Settings { step: self.step, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
         world.set_walkable(self.walkable.clone())?;
