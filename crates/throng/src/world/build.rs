@@ -130,8 +130,8 @@ impl World {
     /// let mut to = |x: f64| {
     ///     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     ///     let corners = corners.map(|[dx, y]| DVec2::new(x + dx, y)).to_vec();
-    ///     let goal = world.state.add_goal(Goal::Exit { corners })?;
-    ///     world.state.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })
+    ///     let goal = world.add_goal(Goal::Exit { corners })?;
+    ///     world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })
     /// };
     /// let (left, right) = (to(-10.0)?, to(10.0)?);
     /// world.add_choice(&[left, right])?;
@@ -237,7 +237,7 @@ impl World {
     /// let mut world = World::new(Settings::default())?;
     /// let id = world.add_obstacle(Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 })?;
     /// world.move_obstacle(id, DVec2::X * 5.0)?;
-    /// assert!(world.state.no_room(DVec2::X * 5.0, 0.2).is_some() && world.state.no_room(DVec2::ZERO, 0.2).is_none());
+    /// assert!(world.no_room(DVec2::X * 5.0, 0.2).is_some() && world.no_room(DVec2::ZERO, 0.2).is_none());
     /// # Ok::<(), throng::Error>(())
     /// ```
     ///
@@ -308,7 +308,7 @@ impl World {
     /// ```
     /// use throng::{Settings, World};
     /// let mut world = World::new(Settings::default())?;
-    /// world.notify([3.0, 4.0], world.state.time())?;
+    /// world.notify([3.0, 4.0], world.time())?;
     /// # Ok::<(), throng::Error>(())
     /// ```
     ///
