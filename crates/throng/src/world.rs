@@ -156,13 +156,13 @@ impl World {
         self.agent(id).map(|agent| agent.position())
     }
 
-    /// Returns the id of the agent in a row of [`agents`](Self::agents).
+    /// Returns the id of the agent in a row of [`relative_columns`](Self::relative_columns).
     pub fn id(&self, row: usize) -> AgentId {
         self.state.id(row)
     }
 
-    /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
-    /// removed.
+    /// Returns the row of an agent in [`relative_columns`](Self::relative_columns), valid until the next step; `None` if
+    /// it has been removed.
     pub fn row(&self, id: AgentId) -> Option<usize> {
         self.state.row(id)
     }

@@ -48,7 +48,7 @@ impl Flocks {
         self.note_birds(state, seen.lattice);
         let Self { birds, forces, scratch, close_pairs } = self;
         forces.resize(state.agents.len(), Vec3::ZERO);
-        let flocking = Behaving { state, near: seen.near, lattice: seen.lattice, index, birds, forces: &[] };
+        let flocking = Behaving::new(state, seen, index, (birds, &[]));
         parallel::ranges_with(&mut forces[..], scratch, |scratch, places, forces| {
             for index in (0..state.local_groups.len()).filter(|&index| state.groups_with_agents[index]) {
                 if state.local_groups[index].neighbours == Group::ALL_NEIGHBOURS {

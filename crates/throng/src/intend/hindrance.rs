@@ -130,8 +130,7 @@ impl Surroundings<'_> {
 }
 
 impl State {
-    /// Returns what hinders the agent of a row of [`agents`](Self::agents), as of the last check, at most half a second
-    /// ago.
+    /// Returns what hinders the agent of a row, as of the last check, at most half a second ago.
     pub(crate) fn hindrance(&self, row: usize) -> Hindrance {
         self.agents.progress_mark[row].hindrance
     }

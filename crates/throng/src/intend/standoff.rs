@@ -62,12 +62,10 @@ impl Standoffs {
         sleep: &SleepBlocks,
         seconds: f32,
     ) {
-        // each standoff is taken out while it changes the agents
-        for mut standoff in std::mem::take(&mut state.standoffs) {
-            if standoff.go_on(state, seen, shown, seconds) {
-                state.standoffs.push(standoff);
-            }
-        }
+        // taken out, because standoffs change the agents
+        let mut standoffs = std::mem::take(&mut state.standoffs);
+        standoffs.retain_mut(|standoff| standoff.go_on(state, seen, shown, seconds));
+        state.standoffs = standoffs;
         if state.groups_in_use().all(|group| !group.resolve) {
             return;
         }

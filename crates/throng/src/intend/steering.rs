@@ -85,23 +85,14 @@ impl Steer {
         let Self { planned, flocks, index, scratch } = self;
         planned.resize(state.agents.len());
         state.with_memory(|state, memory| {
-            let steering = Behaving {
-                state,
-                near: seen.near,
-                lattice: seen.lattice,
-                index,
-                birds: &flocks.birds,
-                forces: &flocks.forces,
-            };
+            let steering = Behaving::new(state, seen, index, (&flocks.birds, &flocks.forces));
             steering.run(planned, memory, preferred, scratch, (seconds, now));
         });
     }
 
     /// Returns what the behaviours read, after a sub-step.
     pub fn view<'a>(&'a self, state: &'a State, seen: Perceived<'a>) -> Behaving<'a> {
-        let Self { index, flocks, .. } = self;
-        let Flocks { birds, forces, .. } = flocks;
-        Behaving { state, near: seen.near, lattice: seen.lattice, index, birds, forces }
+        Behaving::new(state, seen, &self.index, (&self.flocks.birds, &self.flocks.forces))
     }
 }
 
@@ -135,7 +126,16 @@ impl AgentQuery for Behaving<'_> {
     }
 }
 
-impl Behaving<'_> {
+impl<'a> Behaving<'a> {
+    pub(super) fn new(
+        state: &'a State,
+        seen: Perceived<'a>,
+        index: &'a SteeringIndex,
+        (birds, forces): (&'a Birds, &'a [Vec3]),
+    ) -> Self {
+        Self { state, near: seen.near, lattice: seen.lattice, index, birds, forces }
+    }
+
     fn run(
         &self,
         planned: &mut Planned,

@@ -9,7 +9,7 @@
 use super::planning::Planning;
 use super::{Navigate, Path};
 use crate::agent::{GoalId, JourneyId, ProgressMark, Status};
-use crate::perceive::{Nearby, Neighbours};
+use crate::perceive::Neighbours;
 use crate::world::State;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -114,7 +114,7 @@ impl Navigate {
                 // progress counts towards the new goal
                 state.agents.progress_mark[row] = ProgressMark::default();
                 self.shown[row].way = state.with_travel(|state, travels| {
-                    let planning = Planning { state, nearby: Nearby { state, near }, arrivals: &self.arrivals };
+                    let planning = Planning::new(state, near, &self.arrivals);
                     planning.take_way(row, &mut travels[row], (to, &path, gap), seconds)
                 });
             }

@@ -28,7 +28,7 @@ impl Navigate {
         let Self { shown, arrivals, .. } = self;
         shown.resize(state.agents.len(), NeighbourData::default());
         let (any_lost, changes) = state.with_travel(|state, travels| {
-            let planning = Planning { state, nearby: Nearby { state, near }, arrivals };
+            let planning = Planning::new(state, near, arrivals);
             planning.plan(sleep, travels, shown, seconds)
         });
         // an agent that plans may find that it has arrived
@@ -56,7 +56,7 @@ impl Navigate {
             let found = match asked.found {
                 Some(Ok((path, gap))) => {
                     shown[row].way = state.with_travel(|state, travels| {
-                        let planning = Planning { state, nearby: Nearby { state, near }, arrivals };
+                        let planning = Planning::new(state, near, arrivals);
                         planning.take_way(row, &mut travels[row], (asked.goal, &path, gap), seconds)
                     });
                     Ok(path.length)
@@ -76,7 +76,7 @@ impl Navigate {
                     state.happened(row, EventKind::Stranded, now);
                     state.stranded.push((state.agents.number[row], why));
                     shown[row].way = state.with_travel(|state, travels| {
-                        let planning = Planning { state, nearby: Nearby { state, near }, arrivals };
+                        let planning = Planning::new(state, near, arrivals);
                         planning.look(row, &mut travels[row], seconds)
                     });
                 }
@@ -86,7 +86,11 @@ impl Navigate {
     }
 }
 
-impl Planning<'_> {
+impl<'a> Planning<'a> {
+    pub fn new(state: &'a State, near: &'a Neighbours, arrivals: &'a Arrivals) -> Self {
+        Self { state, nearby: Nearby { state, near }, arrivals }
+    }
+
     /// Updates the paths of all agents that do not sleep. Returns whether any agent has lost its path, and whether the
     /// status of any agent may change.
     fn plan(

@@ -153,12 +153,9 @@ impl Perceive {
             let group = &groups[agents.group[row].index()];
             let (at, range) = (agents.position[row], group.neighbour_distance);
             let counts = |&&other: &&u32| {
-                let (other, mut distance_squared) = (other as usize, 0.0);
-                if in_space {
-                    let above = agents.above(row, other);
-                    distance_squared = above * above;
-                }
-                agents.position[other].distance_squared(at) + distance_squared <= range * range
+                let other = other as usize;
+                let above = if in_space { agents.above(row, other) } else { 0.0 };
+                agents.position[other].distance_squared(at) + above * above <= range * range
             };
             let seen = &list[1..=group.nearest().min(list[0] as usize)];
             list[0] = seen.iter().take_while(counts).count() as u32;

@@ -86,9 +86,8 @@ impl Pipeline {
         measure.run(state, seen, safe, close_pairs, sleep);
         for &row in navigate.arrive(state, seen, sleep, of) {
             state.end_trip(row);
-            sleep.remove(row, state.agents.len() - 1, state.agents.position[row]);
             intend.remove(row);
-            state.remove_row(row);
+            remove(state, sleep, row);
         }
         ended(Stage::Move);
     }
@@ -105,8 +104,7 @@ impl Pipeline {
 
     /// Removes an agent between two steps.
     pub fn remove(&mut self, state: &mut State, row: usize) {
-        self.sleep.remove(row, state.agents.len() - 1, state.agents.position[row]);
-        state.remove_row(row);
+        remove(state, &mut self.sleep, row);
     }
 
     /// Forgets what depends on obstacles and walkable areas.
@@ -114,4 +112,9 @@ impl Pipeline {
         self.navigate.place_changed();
         self.sleep.end();
     }
+}
+
+fn remove(state: &mut State, sleep: &mut SleepBlocks, row: usize) {
+    sleep.remove(row, state.agents.len() - 1, state.agents.position[row]);
+    state.remove_row(row);
 }

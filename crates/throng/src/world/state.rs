@@ -89,14 +89,13 @@ impl State {
         in_air || self.legs.lead_up() || self.any_steers_in_space()
     }
 
-    /// Returns the id of the agent in a row of [`agents`](Self::agents).
+    /// Returns the id of the agent in a row.
     pub(crate) fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];
         AgentId { slot, generation: self.slots.generations[slot as usize] }
     }
 
-    /// Returns the row of an agent in [`agents`](Self::agents), valid until the next step; `None` if it has been
-    /// removed.
+    /// Returns the row of an agent, valid until the next sub-step; `None` if it has been removed.
     pub(crate) fn row(&self, id: AgentId) -> Option<usize> {
         let &row = self.slots.rows.get(id.slot as usize)?;
         (row != u32::MAX && self.slots.generations[id.slot as usize] == id.generation).then_some(row as usize)
