@@ -33,8 +33,6 @@ pub(crate) struct SleepBlocks {
     unrest: ActiveSquares,
     /// Seconds of the last sub-step and whether it was guarded; `None` if sleep was not possible.
     made: Option<(f32, bool)>,
-    /// Whether no agent has moved, entered or left since the last call of `unchanged`.
-    unchanged: bool,
 }
 
 /// Squares of the ground that contain agents that were not still.
@@ -56,22 +54,10 @@ impl SleepBlocks {
     pub fn end(&mut self) {
         self.still.clear();
         self.asleep.clear();
-        self.unchanged = false;
-    }
-
-    /// Records that an agent is added in a new row.
-    pub fn add(&mut self) {
-        self.unchanged = false;
-    }
-
-    /// Whether no agent has moved, entered or left since the last call.
-    pub fn unchanged(&mut self) -> bool {
-        std::mem::replace(&mut self.unchanged, true)
     }
 
     /// Records that the agent of a row, at a position, is removed. The agent of the last row takes its row.
     pub fn remove(&mut self, row: usize, last: usize, at: Vec2) {
-        self.unchanged = false;
         self.gone.push(at);
         if let Some(part) = self.still.get_mut(row / WORD) {
             *part &= !(1 << (row % WORD));
@@ -202,7 +188,6 @@ impl SleepBlocks {
         }
         self.find_asleep(state, seconds, passes, no_overlap);
         self.gone.clear();
-        self.unchanged &= self.all_asleep();
     }
 
     fn find_asleep(&mut self, state: &State, seconds: f32, passes: usize, no_overlap: impl Fn(usize) -> bool) {

@@ -56,7 +56,11 @@ fn a_replay_with_the_same_model_reproduces_the_run() {
     assert!(number(&horizons[2]["final"]["orca"]["mean"]) < 0.2, "{}", horizons[2]);
     let ahead = &all["predicted"]["horizons"][2];
     assert!(number(&ahead["final"]["orca"]["mean"]) < 0.1 && number(&ahead["people"]) == 3.0, "{ahead}");
-    assert!(all["predicted"]["alone"].is_null() && number(&orca["speed"]["distance"]) < 0.2);
+    assert!(all["predicted"]["alone"].is_null());
+    // nearly all speeds are the preferred speed and differ in their last bits: a distance of distributions would
+    // measure rounding
+    let apart = |key: &str| (number(&orca["speed"][key]) - number(&recorded["speed"][key])).abs();
+    assert!(apart("median") < 1e-4 && apart("mean") < 0.03, "{}", orca["speed"]);
     assert_eq!(orca["summary"]["overlaps"], 0);
 }
 
@@ -133,7 +137,11 @@ fn several_models_have_the_figures_of_each_alone() {
     let folder = folder();
     let at = folder.path();
     std::fs::write(at.join("streams.txt"), streams()).unwrap();
-    let both = replayed(at, "streams.txt --model orca --model rvo:time_horizon=4 --every 2 -o a.rec --table both.csv");
+    // bodies so wide that the streams must make way, each model in its way
+    let both = replayed(
+        at,
+        "streams.txt --radius 0.45 --model orca --model rvo:time_horizon=4 --every 2 -o a.rec --table both.csv",
+    );
     let columns = |name: &str| -> Vec<(String, Vec<String>)> {
         let text = std::fs::read_to_string(at.join(name)).unwrap();
         let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
@@ -142,7 +150,8 @@ fn several_models_have_the_figures_of_each_alone() {
     };
     let table = columns("both.csv");
     for (k, model) in ["orca", "rvo:time_horizon=4"].into_iter().enumerate() {
-        let alone = replayed(at, &format!("streams.txt --model {model} --every 2 -o alone.rec --table one.csv"));
+        let alone =
+            replayed(at, &format!("streams.txt --radius 0.45 --model {model} --every 2 -o alone.rec --table one.csv"));
         assert_eq!((&both["models"][k], &both["recorded"]), (&alone["models"][0], &alone["recorded"]));
         let horizons = |all: &Value| {
             let ahead = all["predicted"]["horizons"].as_array().unwrap().clone();

@@ -16,9 +16,6 @@ pub(crate) struct Perceive {
     pub(super) lattice: CellLattice,
     close: f32,
     scratch: Vec<(TileScratch, Vec<Near>)>,
-    /// Rows of the two agents that were last found within a body's width of each other: the first pair that the next
-    /// search tests.
-    pub(super) close_pair: Option<(usize, usize)>,
     pub(super) cycles: Cycles,
     pub(super) is_sorted: bool,
 }

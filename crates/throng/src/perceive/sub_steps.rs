@@ -1,8 +1,6 @@
 //! The number of sub-steps of a step.
 
-use super::Perceive;
 use crate::SubSteps;
-use crate::sleep::SleepBlocks;
 use crate::world::State;
 
 /// A sub-step.
@@ -27,61 +25,60 @@ impl SubStep {
     }
 }
 
-/// Greatest distance that an agent moves in a sub-step, as a part of the smallest clearance radius: while no two agents
-/// are near each other, and in a crowd.
-const FREE_MOVE: f32 = 0.25;
-const CROWD_MOVE: f32 = 0.125;
+/// Greatest distance, in clearance radii, between an agent's position after a sub-step and the position to which its
+/// velocity before leads. This is how far its neighbours misjudge it. Agents that walk without looking ahead jam at full
+/// speed, and may stop or turn within a sub-step: they move no farther than this.
+const DEVIATION: f32 = 1.0 / 6.0;
+/// Greatest distance that an agent moves in a sub-step, in clearance radii: an agent that looks ahead, and an
+/// agent that steers or that a field governs. Behaviours and fields act once in a sub-step: errors of the path that they
+/// describe add up, and only behaviours keep agents off surfaces.
+const WALKED: f32 = 1.0;
+const STEERED: f32 = 0.375;
 
-impl Perceive {
+impl State {
     /// Returns the number of sub-steps of the next step.
-    pub fn sub_steps(&mut self, state: &State, sleep: &mut SleepBlocks) -> u32 {
-        let parts = match state.settings.sub_steps {
-            SubSteps::Fixed(parts) => return parts,
+    pub(crate) fn sub_steps(&self) -> u32 {
+        match self.settings.sub_steps {
+            SubSteps::Fixed(parts) => parts,
+            // no agents, or motionless agents: x / inf
             SubSteps::Auto => {
-                let agents = &state.agents;
-                let smallest = agents.bodies().map(|body| body.clearance_radius()).fold(f32::INFINITY, f32::min);
-                let fastest = agents.max_speed.values().iter().copied().fold(0.0, f32::max);
-                let part = if self.is_crowded(state, sleep) { CROWD_MOVE } else { FREE_MOVE };
-                // an empty or motionless world: 0 / inf or 0 / x
-                (state.settings.step as f32 * fastest / (part * smallest) - 1e-3).ceil()
+                let parts = (self.settings.step as f32 / self.longest_sub_step() - 1e-3).ceil();
+                (parts as u32).clamp(1, 10_000)
             }
-        };
-        (parts as u32).clamp(1, 10_000)
+        }
     }
 
-    /// Whether any two bodies are within a body's width of each other.
-    fn is_crowded(&mut self, state: &State, sleep: &mut SleepBlocks) -> bool {
-        if sleep.unchanged() {
-            return self.close_pair.is_some();
-        }
-        let agents = &state.agents;
-        let widest = agents.bodies().map(|body| body.bounding_radius()).fold(0.0, f32::max) * 2.0;
-        let any_flies = agents.any_flies();
-        let close = |row: usize, other: usize, distance_squared: f32| {
-            let above = if any_flies { agents.above(row, other) } else { 0.0 };
-            row != other && distance_squared + above * above <= 4.0 * widest * widest
+    /// Returns the longest sub-step in which no agent deviates or moves too far, seconds. Scripted agents do not count:
+    /// their positions are exact in sub-steps of any length.
+    fn longest_sub_step(&self) -> f32 {
+        let Self { agents, local_groups: groups, .. } = self;
+        let alike = agents.radius.uniform().is_some()
+            && agents.core.uniform().is_some()
+            && agents.max_speed.uniform().is_some()
+            && agents.max_acceleration.uniform().is_some()
+            && agents.group.uniform().is_some()
+            && agents.script.uniform().is_some();
+        let rows = if alike { agents.len().min(1) } else { agents.len() };
+        let longest_squared = |row: usize| {
+            let group = &groups[agents.group[row].index()];
+            let steers = group.steering.is_some();
+            let by_force = if steers { group.vehicle.max_force / group.vehicle.mass } else { f32::INFINITY };
+            let travel = if steers || group.field.is_some() {
+                STEERED
+            } else if group.look_ahead {
+                WALKED
+            } else {
+                DEVIATION
+            };
+            let radius = agents.body(row).clearance_radius();
+            let radius_time = radius / agents.max_speed[row];
+            // within t the velocity changes by at most acceleration * t, and by at most the top speed
+            let by_acceleration = DEVIATION * radius / agents.max_acceleration[row].min(by_force);
+            let by_speed = DEVIATION * radius_time;
+            let by_travel = travel * radius_time;
+            by_acceleration.max(by_speed * by_speed).min(by_travel * by_travel)
         };
-        // the pair that was close before is most likely still close
-        if let Some((row, other)) = self.close_pair
-            && row.max(other) < agents.len()
-        {
-            let d = agents.position[other] - agents.position[row];
-            if close(row, other, d.x * d.x + d.y * d.y) {
-                return true;
-            }
-        }
-        self.grid.rebuild(&agents.position, &agents.number, widest.max(0.1) * 2.0);
-        let grid = &self.grid;
-        self.close_pair = (0..agents.len()).find_map(|row| {
-            let mut partner = None;
-            grid.within(agents.position[row], widest * 2.0, |near| {
-                let other = near.row as usize;
-                if close(row, other, near.distance_squared) {
-                    partner = Some((row, other));
-                }
-            });
-            partner
-        });
-        self.close_pair.is_some()
+        let counted = (0..rows).filter(|&row| agents.script[row].is_none());
+        counted.map(longest_squared).fold(f32::INFINITY, f32::min).sqrt()
     }
 }

@@ -32,7 +32,7 @@ impl Pipeline {
     /// Advances the state by one step, and calls `ended` at the end of each stage of each sub-step.
     pub fn run(&mut self, state: &mut State, mut ended: impl FnMut(Stage)) {
         state.events.clear();
-        let parts = self.begin(state);
+        let parts = Self::begin(state);
         state.adapt();
         for part in 0..parts {
             self.sub_step(state, SubStep::new(state, part, parts), true, &mut ended);
@@ -43,7 +43,7 @@ impl Pipeline {
 
     /// Runs the first sub-step of the next step, without its motion.
     pub fn decide(&mut self, state: &mut State) -> SubStep {
-        let parts = self.begin(state);
+        let parts = Self::begin(state);
         let of = SubStep::new(state, 0, parts);
         self.sleep.end();
         self.sub_step(state, of, false, |_| ());
@@ -51,11 +51,9 @@ impl Pipeline {
     }
 
     /// Lets scheduled agents enter. Returns the number of sub-steps of the next step.
-    fn begin(&mut self, state: &mut State) -> u32 {
-        if state.enter() {
-            self.sleep.add();
-        }
-        self.perceive.sub_steps(state, &mut self.sleep)
+    fn begin(state: &mut State) -> u32 {
+        state.enter();
+        state.sub_steps()
     }
 
     /// Runs a sub-step; without its motion unless `moves`.

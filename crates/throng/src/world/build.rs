@@ -286,7 +286,6 @@ impl World {
     pub fn add_agent(&mut self, agent: Agent) -> Result<AgentId, Error> {
         let agent = self.state.with_journey(agent)?;
         let number = self.state.number(&agent)?;
-        self.step.sleep.add();
         Ok(self.state.put(&agent, number, self.state.time()))
     }
 

@@ -39,7 +39,6 @@ impl World {
         let number = self.state.agents.number[row];
         self.step.remove(&mut self.state, row);
         // the slot that has just become free is the next to be used
-        self.step.sleep.add();
         let AgentId { slot, generation } = self.state.put(&agent, number, self.state.time());
         debug_assert_eq!(slot, id.slot);
         self.state.slots.generations.set(slot as usize, generation - 1);

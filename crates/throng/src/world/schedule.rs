@@ -59,12 +59,12 @@ impl Schedule {
 }
 
 impl State {
-    /// Adds the agents that are due and have a free place; the other agents wait. Returns whether any enters.
-    pub(crate) fn enter(&mut self) -> bool {
+    /// Adds the agents that are due and have a free place; the other agents wait.
+    pub(crate) fn enter(&mut self) {
         let now = self.time();
         let due = self.schedule.due(now + 1e-9);
         if due.is_empty() {
-            return false;
+            return;
         }
         let mut grid = Grid::default();
         grid.rebuild(&self.agents.position, &self.agents.number, 1.0);
@@ -93,6 +93,5 @@ impl State {
                 self.happened(self.agents.len() - 1, EventKind::Entered, now);
             }
         }
-        self.agents.len() > settled
     }
 }

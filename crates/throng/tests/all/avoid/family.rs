@@ -5,7 +5,7 @@ use glam::Vec2;
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{Avo, Hrvo, LocalModel, NoAvoidance, Orca, Rvo, Vo, time_to_disc};
-use throng::{Agent, Goal, Group, Journey, Settings, Stop, World};
+use throng::{Agent, Goal, Group, Journey, Settings, Stop, SubSteps, World};
 
 proptest! {
     /// A free preferred velocity is chosen as it is; otherwise the nearest free velocity, by a dense search.
@@ -53,7 +53,9 @@ proptest! {
 /// Two agents that meet a little off the head-on line, with their models only: the total change of their headings,
 /// radians.
 fn turning(model: Arc<dyn LocalModel>) -> Result<f64, throng::Error> {
-    let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
+    // every velocity is seen: one that changes in every sub-step and back is missed by steps of an even number of them
+    let settings = Settings { step: 0.01, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
+    let mut world = World::new(settings)?;
     let group = world.add_group(Group { model, look_ahead: false, keep_right: 0.0, ..Group::default() })?;
     for side in [-1.0, 1.0] {
         let goal = world.add_goal(Goal::Point { at: glam::DVec2::new(5.0 * side, 0.05 * side), tolerance: 0.1 })?;
