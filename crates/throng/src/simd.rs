@@ -33,6 +33,13 @@ impl<S: Simd> Vec2s<S> {
         Self { x: load_from(simd, &all[0], from), y: load_from(simd, &all[1], from) }
     }
 
+    /// Stores each component into its array.
+    #[inline(always)]
+    pub fn store(self, all: &mut [[f32; LANES]; 2]) {
+        self.x.store_slice(&mut all[0][..S::f32s::LEN]);
+        self.y.store_slice(&mut all[1][..S::f32s::LEN]);
+    }
+
     /// Loads 2D vectors that lie side by side in memory, at most as many as the SIMD width. The remaining elements are
     /// zero.
     #[inline(always)]

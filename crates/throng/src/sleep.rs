@@ -236,7 +236,7 @@ impl SleepBlocks {
 }
 
 impl State {
-    /// Whether agents can sleep: all are discs on the ground with a plain ORCA model and no limit on turning.
+    /// Whether agents can sleep: all are discs on the ground with a local model that draws no random numbers, and no limit on turning.
     fn may_sleep(&self) -> bool {
         let agents = &self.agents;
         self.lanes_to_move().is_some()
@@ -244,7 +244,7 @@ impl State {
             && !self.traced.any()
             && agents.script.uniform() == Some(None)
             && agents.tracking_error.uniform() == Some(0.0)
-            && self.groups_in_use().all(|group| group.model.as_orca().is_some() && group.solid.0.is_empty())
+            && self.groups_in_use().all(|group| !group.model.is_random() && group.solid.0.is_empty())
     }
 
     /// Returns the distance from an agent that was not still beyond which a sub-step is certain to repeat the last one.

@@ -1,8 +1,10 @@
 //! Stage 3, avoidance: local models choose velocities, and the limits of the bodies apply.
 
-use super::avoidance_simd::{Irregular, LaneScratch};
-use super::{AvoidanceInput, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, Workspace, margin};
-use crate::intend::{Rows, Velocities, YIELD_AT_REST, set};
+use super::batch::AvoidanceShared;
+use super::{
+    AvoidanceInput, AvoidanceLanes, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, Workspace, margin,
+};
+use crate::intend::{Rows, Velocities, YIELD_AT_REST};
 use crate::motion::{Limits, follow, limit};
 use crate::navigate::{NeighbourData, Surroundings};
 use crate::parallel;
@@ -23,10 +25,12 @@ const GRANTED: f32 = 0.04;
 
 /// Scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
-struct AvoidScratch {
-    sight: Visibility,
-    workspace: Workspace,
-    lanes: LaneScratch,
+pub(super) struct AvoidScratch {
+    pub sight: Visibility,
+    pub workspace: Workspace,
+    pub lanes: AvoidanceLanes,
+    /// Pairs of which one queues behind the other.
+    pub queues: usize,
 }
 
 /// The walls and neighbours that an agent takes into account.
@@ -59,12 +63,12 @@ impl Visibility {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Avoid {
     scratch: Vec<AvoidScratch>,
-    irregular: Irregular,
+    shared: AvoidanceShared,
     /// Velocities that queueing agents expect of the agents ahead, by row; empty if few agents queue.
     relaxed: Vec<Vec2>,
     chosen: Velocities,
     /// Chosen velocities in the order of the grid.
-    by_place: Vec<Vec2>,
+    by_place: Velocities,
 }
 
 /// What the chosen velocity of an agent depends on.
@@ -74,7 +78,7 @@ pub(crate) struct Avoiding<'a> {
     pub grid: &'a Grid,
     pub around: Surroundings<'a>,
     pub preferred: &'a Velocities,
-    pub irregular: &'a Irregular,
+    pub shared: &'a AvoidanceShared,
     pub relaxed: &'a [Vec2],
 }
 
@@ -92,39 +96,28 @@ impl Avoid {
             return &self.chosen;
         }
         self.chosen.resize(state.agents.len(), state.in_space_now());
-        let limited = state.vehicles_limit_all();
-        let common = if limited { None } else { self.irregular.common(state, seconds) };
         self.relax_queues(state, (seen, shown), preferred);
-        let Self { scratch, irregular, relaxed, chosen, by_place } = self;
+        let limited = state.vehicles_limit_all();
+        if !limited {
+            self.shared.find(state, preferred, seconds);
+        }
+        let Self { scratch, shared, relaxed, chosen, by_place } = self;
         let around = Surroundings { state, near: seen.near, shown };
-        let avoiding = Avoiding { state, grid: seen.grid, around, preferred, irregular, relaxed };
+        let avoiding = Avoiding { state, grid: seen.grid, around, preferred, shared, relaxed };
         if limited {
             parallel::ranges(chosen.rows(), |rows, chosen| avoiding.choose_preferred(rows, chosen));
-        } else if let Some(common) = common {
-            by_place.resize(state.agents.len(), Vec2::ZERO);
-            // neighbour lists are in the order of the grid
-            parallel::ranges_with(&mut by_place[..], scratch, |scratch, places, chosen| {
-                let AvoidScratch { sight, workspace, lanes } = scratch;
-                let mut one = |row: usize| avoiding.choose_velocity(row, seconds, sight, workspace);
-                sleep.each_place(seen.grid.order(), places, chosen, |places, chosen| {
-                    avoiding.avoid_many(&common, places, lanes, chosen, &mut one);
-                });
-            });
-            parallel::ranges(&mut chosen.ground[..], |rows, chosen| {
-                sleep.each(rows, chosen, |rows, chosen| {
-                    let places = &seen.near.places()[rows];
-                    chosen.iter_mut().zip(places).for_each(|(chosen, &place)| *chosen = by_place[place as usize]);
-                });
-            });
-        } else {
-            parallel::ranges_with(chosen.rows(), scratch, |AvoidScratch { sight, workspace, .. }, rows, chosen| {
-                sleep.each(rows, chosen, |rows, mut chosen| {
-                    rows.zip(0..).for_each(|(row, at)| {
-                        set(&mut chosen, at, avoiding.choose_velocity(row, seconds, sight, workspace))
-                    });
-                });
-            });
+            return &self.chosen;
         }
+        by_place.resize(state.agents.len(), state.in_space_now());
+        // neighbour lists are in the order of the grid
+        parallel::ranges_with(by_place.rows(), scratch, |scratch, places, chosen| {
+            sleep.each_place(seen.grid.order(), places, chosen, |places, chosen| {
+                avoiding.choose_many(places, scratch, chosen);
+            });
+        });
+        parallel::ranges(chosen.rows(), |rows, chosen| {
+            sleep.each(rows, chosen, |rows, chosen| by_place.copy(&seen.near.places()[rows], chosen));
+        });
         &self.chosen
     }
 
@@ -141,13 +134,13 @@ impl Avoid {
         (seen, shown): (Perceived<'_>, &[NeighbourData]),
         preferred: &Velocities,
     ) {
-        let queues = self.scratch.iter_mut().map(|scratch| std::mem::take(&mut scratch.lanes.queues)).sum::<usize>();
-        let Self { irregular, relaxed, .. } = self;
+        let queues = self.scratch.iter_mut().map(|scratch| std::mem::take(&mut scratch.queues)).sum::<usize>();
+        let Self { shared, relaxed, .. } = self;
         relaxed.clear();
         if queues > state.agents.len() {
             relaxed.resize(state.agents.len(), Vec2::ZERO);
             let around = Surroundings { state, near: seen.near, shown };
-            let avoiding = Avoiding { state, grid: seen.grid, around, preferred, irregular, relaxed: &[] };
+            let avoiding = Avoiding { state, grid: seen.grid, around, preferred, shared, relaxed: &[] };
             parallel::ranges(&mut relaxed[..], |rows, all| {
                 rows.zip(all).for_each(|(row, relaxed)| *relaxed = avoiding.relaxed_velocity(row, GRANTED));
             });
@@ -156,8 +149,8 @@ impl Avoid {
 
     /// Returns what the choices of the last sub-step depended on.
     pub fn avoiding<'a>(&'a self, around: Surroundings<'a>, grid: &'a Grid, preferred: &'a Velocities) -> Avoiding<'a> {
-        let Self { irregular, relaxed, .. } = self;
-        Avoiding { state: around.state, grid, around, preferred, irregular, relaxed }
+        let Self { shared, relaxed, .. } = self;
+        Avoiding { state: around.state, grid, around, preferred, shared, relaxed }
     }
 }
 
@@ -171,7 +164,13 @@ impl Avoiding<'_> {
     }
 
     /// Returns the chosen velocity of an agent: the velocity that it will have unless the guard changes it.
-    fn choose_velocity(&self, row: usize, seconds: f32, sight: &mut Visibility, workspace: &mut Workspace) -> Vec3 {
+    pub(super) fn choose_velocity(
+        &self,
+        row: usize,
+        seconds: f32,
+        sight: &mut Visibility,
+        workspace: &mut Workspace,
+    ) -> Vec3 {
         if self.state.agents.script[row].is_some() {
             return self.preferred.at(row).clamp_length_max(self.state.agents.max_speed[row]);
         }
@@ -287,7 +286,7 @@ impl Avoiding<'_> {
 
 impl State {
     /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
-    fn vehicles_limit_all(&self) -> bool {
+    pub(crate) fn vehicles_limit_all(&self) -> bool {
         self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
     }
 
@@ -403,8 +402,8 @@ mod tests {
         preferred.resize(2, false);
         let (state, near, grid) = (&world.state, &Neighbours::default(), &Grid::default());
         let around = Surroundings { state, near, shown: &shown };
-        let irregular = &Irregular::default();
-        work(Avoiding { state, grid, around, preferred: &preferred, irregular, relaxed: &[] })
+        let shared = &AvoidanceShared::default();
+        work(Avoiding { state, grid, around, preferred: &preferred, shared, relaxed: &[] })
     }
 
     proptest! {

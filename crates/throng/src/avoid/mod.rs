@@ -7,7 +7,8 @@
 mod anticipation_velocity;
 mod avo;
 mod avoidance;
-mod avoidance_simd;
+mod batch;
+mod batch_simd;
 mod clearpath;
 mod collision_free_speed;
 mod descent;
@@ -17,6 +18,7 @@ mod half_plane;
 mod half_space;
 mod hrvo;
 mod imminence;
+mod lanes;
 mod moussaid;
 mod none;
 mod obstacle_lines;
@@ -40,6 +42,7 @@ pub use crate::space::{time_to_disc, time_to_segment};
 pub use anticipation_velocity::AnticipationVelocity;
 pub use avo::Avo;
 pub(crate) use avoidance::{Avoid, Visibility};
+pub use batch::AvoidanceBatch;
 pub use clearpath::closest_outside;
 pub use collision_free_speed::CollisionFreeSpeed;
 pub use explain::{AvoidanceReason, Cause};
@@ -48,11 +51,11 @@ pub use forbidden::Forbidden;
 pub use half_plane::{HalfPlane, closest_velocity, least_violation};
 pub use half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
+pub use lanes::{AvoidanceLanes, LaneNeighbour, MOST_LANE_NEIGHBOURS};
 pub use moussaid::Moussaid2009;
 pub use none::NoAvoidance;
 pub use orca::{BuiltFrom, Orca};
 pub use orca_3d::Orca3d;
-pub(crate) use orca_simd::{MOST, MOST_WALLS, MOST_WITH_WALLS, SimdAgents, SimdInputs, SimdNeighbours, choose};
 pub use outline::Outline;
 pub use power_law::PowerLaw;
 pub use rvo::Rvo;
@@ -64,6 +67,7 @@ pub use vo::Vo;
 pub use crate::random::Rng;
 use crate::space::{Disc, Edge};
 use glam::{Vec2, Vec3};
+use std::any::Any;
 
 /// A neighbour, relative to the agent that chooses a velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -214,7 +218,7 @@ pub struct Workspace {
 }
 
 /// A local collision avoidance model: it chooses a velocity near the preferred one that avoids collisions.
-pub trait LocalModel: std::fmt::Debug + Send + Sync {
+pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
     /// Returns the new velocity of one agent. A pure function: the same input gives the same bits.
     fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2;
 
@@ -246,9 +250,23 @@ pub trait LocalModel: std::fmt::Debug + Send + Sync {
         false
     }
 
-    /// Returns the model as plain ORCA, if it is equivalent. The step then uses the SIMD version, with the same bits.
-    fn as_orca(&self) -> Option<Orca> {
-        None
+    /// Chooses the velocities of agents that are near each other, if the model has a faster way for several agents than
+    /// for one: see [`AvoidanceBatch::in_lanes`]. The agents that it leaves out get the velocity of
+    /// [`velocity_in_space`](Self::velocity_in_space), which is the same.
+    fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
+        let _ = batch;
+    }
+
+    /// Whether another model gives the same velocities for the same input. A batch may then hold agents of both.
+    fn is_same(&self, other: &dyn LocalModel) -> bool {
+        let _ = other;
+        false
+    }
+
+    /// Whether the velocity may depend on [`AvoidanceInput::rng`]. If it does not, agents can sleep while their
+    /// surroundings stay the same.
+    fn is_random(&self) -> bool {
+        true
     }
 
     /// Returns the reasons for the result of [`velocity`](Self::velocity) for this input, as data to draw: what each

@@ -7,9 +7,13 @@
 //! chosen. Walls are never violated. If neighbours leave no velocity, the greatest violation is minimised.
 
 use super::half_plane::{HalfPlane, closest_velocity, least_violation};
-use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, LocalModel, Workspace, obstacle_lines, turning};
+use super::{
+    AvoidanceBatch, AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, LocalModel, Workspace, obstacle_lines,
+    orca_simd, turning,
+};
 use crate::Error;
 use glam::Vec2;
+use std::any::Any;
 
 /// The velocity from which an agent's half-planes are built: the velocity that other agents assume for the agent while
 /// they choose (the paper's optimisation velocity, section 4.2).
@@ -67,8 +71,21 @@ impl LocalModel for Orca {
         }
     }
 
-    fn as_orca(&self) -> Option<Orca> {
-        (self.turning_bias == 1.0 && self.built_from == BuiltFrom::Current).then_some(*self)
+    fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
+        if self.turning_bias == 1.0 && self.built_from == BuiltFrom::Current {
+            batch.in_lanes(
+                |lanes, lane, view, workspace| lanes.permit(lane, self.permit_walls(view, workspace)),
+                |lanes, workspace| orca_simd::choose_many(self, lanes, workspace),
+            );
+        }
+    }
+
+    fn is_same(&self, other: &dyn LocalModel) -> bool {
+        (other as &dyn Any).downcast_ref() == Some(self)
+    }
+
+    fn is_random(&self) -> bool {
+        false
     }
 
     fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {

@@ -3,96 +3,31 @@
 //! sparse crowd, are finished by scalar code.
 
 use super::half_plane::{HalfPlane, PARALLEL, least_violation};
+use super::lanes::MOST_WALLS;
 use super::orca::{Orca, RECOVERY};
-use crate::simd::{LANES, Vec2s, load, load_pairs, ones, set};
+use super::{AvoidanceLanes, LaneNeighbour, MOST_LANE_NEIGHBOURS, Workspace};
+use crate::simd::{Vec2s, load, load_pairs, ones};
+use fearless_simd::dispatch;
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
-/// Maximum number of neighbours of an agent.
-pub(crate) const MOST: usize = crate::perceive::FEW_NEIGHBOURS;
-
-/// A SIMD vector of agents.
-#[derive(Clone, Copy)]
-pub(crate) struct SimdAgents<S: Simd> {
-    pub position: Vec2s<S>,
-    pub velocity: Vec2s<S>,
-    pub preferred: Vec2s<S>,
-    pub max_speed: S::f32s,
-}
-
-/// Maximum number of half-planes of walls per agent.
-pub(crate) const MOST_WALLS: usize = 8;
 /// Maximum number of half-planes of both kinds.
-pub(crate) const MOST_WITH_WALLS: usize = MOST_WALLS + MOST;
+const MOST_WITH_WALLS: usize = MOST_WALLS + MOST_LANE_NEIGHBOURS;
 
-/// The surroundings of the agents; see [`AvoidanceInput`](super::AvoidanceInput). Discs on the ground only.
-#[derive(Clone, Debug)]
-pub(crate) struct SimdInputs {
-    /// The greatest number of neighbours of an agent.
-    pub most: usize,
-    /// The agents that have a first neighbour, a second, ..., one bit per agent.
-    pub there: [u64; MOST],
-    /// The first neighbour of each agent, the second, ...
-    pub neighbours: [SimdNeighbours; MOST],
-    /// The first half-plane of walls of each agent, the second, ...; at most [`MOST_WALLS`].
-    walls: Vec<Permitted>,
+/// The agents, one in each element.
+struct SimdAgents<S: Simd> {
+    position: Vec2s<S>,
+    velocity: Vec2s<S>,
+    preferred: Vec2s<S>,
+    max_speed: S::f32s,
 }
 
-/// One half-plane of walls per agent.
-#[derive(Clone, Debug)]
-struct Permitted {
-    point: [[f32; LANES]; 2],
-    direction: [[f32; LANES]; 2],
-    /// The agents that have it, one bit per agent.
-    there: u64,
-}
-
-/// One neighbour per agent; see [`AvoidanceNeighbour`](super::AvoidanceNeighbour).
-#[derive(Clone, Debug)]
-pub(crate) struct SimdNeighbours {
-    /// Position and velocity of the neighbour.
-    pub motion: [[f32; 4]; LANES],
-    /// Preferred direction of the neighbour, where the interaction rules need it.
-    pub way: [[f32; LANES]; 2],
-    pub radii: [f32; LANES],
-    pub share: [f32; LANES],
-}
-
-impl Default for SimdInputs {
-    fn default() -> Self {
-        let others = || SimdNeighbours {
-            motion: [[0.0; 4]; LANES],
-            way: [[0.0; LANES]; 2],
-            radii: [0.0; LANES],
-            share: [0.5; LANES],
-        };
-        let walls = Vec::with_capacity(MOST_WALLS);
-        Self { most: 0, there: [0; MOST], neighbours: std::array::from_fn(|_| others()), walls }
-    }
-}
-
-impl SimdInputs {
-    /// Whether any agent has half-planes of walls.
-    pub fn has_walls(&self) -> bool {
-        !self.walls.is_empty()
-    }
-
-    /// Removes the half-planes of walls.
-    pub fn clear_walls(&mut self) {
-        self.walls.clear();
-    }
-
-    /// Adds the half-planes of walls of one agent.
-    pub fn permit(&mut self, lane: usize, lines: &[HalfPlane]) {
-        for (index, line) in lines.iter().enumerate() {
-            if index == self.walls.len() {
-                self.walls.push(Permitted { point: [[0.0; LANES]; 2], direction: [[0.0; LANES]; 2], there: 0 });
-            }
-            let all = &mut self.walls[index];
-            set(&mut all.point, lane, line.point);
-            set(&mut all.direction, lane, line.direction);
-            all.there |= 1 << lane;
-        }
+/// Chooses the velocities of agents in lanes. Leaves out agents that are at the same place as a neighbour.
+pub(super) fn choose_many(orca: &Orca, lanes: &mut AvoidanceLanes, workspace: &mut Workspace) {
+    if lanes.walls.is_empty() {
+        dispatch!(lanes.level, simd => choose::<_, MOST_LANE_NEIGHBOURS>(simd, orca, lanes, workspace));
+    } else {
+        dispatch!(lanes.level, simd => choose::<_, MOST_WITH_WALLS>(simd, orca, lanes, workspace));
     }
 }
 
@@ -105,45 +40,37 @@ struct Lines<S: Simd> {
     there: S::mask32s,
 }
 
-/// The chosen velocities, and the agents that need the scalar version, one bit per agent.
-pub(crate) struct Chosen<S: Simd> {
-    pub velocity: Vec2s<S>,
-    pub left: u64,
-}
-
-/// Returns the chosen velocities of a vector of agents. `fallback` is scratch memory. `N` is the maximum number of
-/// half-planes: [`MOST`] if no agent has half-planes of walls, else [`MOST_WITH_WALLS`].
+/// As [`choose_many`]. `N` is the maximum number of half-planes: [`MOST_LANE_NEIGHBOURS`] if no agent has half-planes of
+/// walls, else [`MOST_WITH_WALLS`].
 #[inline(always)]
-pub(crate) fn choose<S: Simd, const N: usize>(
-    simd: S,
-    orca: &Orca,
-    own: &SimdAgents<S>,
-    views: &SimdInputs,
-    step: f32,
-    fallback: &mut [Vec<HalfPlane>; 2],
-) -> Chosen<S> {
+fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLanes, workspace: &mut Workspace) {
+    let own = SimdAgents {
+        position: Vec2s::load(simd, &lanes.position),
+        velocity: Vec2s::load(simd, &lanes.velocity),
+        preferred: Vec2s::load(simd, &lanes.preferred),
+        max_speed: load(simd, &lanes.max_speed),
+    };
     let none: Vec2s<S> = Vec2s::splat(simd, Vec2::ZERO);
     let none_there = none.x.simd_lt(none.x);
     let mut lines = [Lines { point: none, direction: none, there: none_there }; N];
-    let lanes = |bits: u64| S::mask32s::from_bitmask(simd, bits);
-    let hard = views.walls.len();
-    for (line, wall) in lines.iter_mut().zip(&views.walls) {
+    let mask = |bits: u64| S::mask32s::from_bitmask(simd, bits);
+    let hard = lanes.walls.len();
+    for (line, wall) in lines.iter_mut().zip(&lanes.walls) {
         let (point, direction) = (Vec2s::load(simd, &wall.point), Vec2s::load(simd, &wall.direction));
-        *line = Lines { point, direction, there: lanes(wall.there) };
+        *line = Lines { point, direction, there: mask(wall.there) };
     }
-    let mut left = 0;
-    let seen = views.neighbours.iter().zip(&views.there);
-    for (line, (others, &there)) in lines[hard..hard + views.most].iter_mut().zip(seen) {
-        let (made, coincident) = self::line(simd, orca, own, others, step);
-        let there_lanes = lanes(there);
+    let seen = lanes.neighbours.iter().zip(&lanes.there);
+    for (line, (others, &there)) in lines[hard..hard + lanes.most].iter_mut().zip(seen) {
+        let (made, coincident) = self::line(simd, orca, &own, others, lanes.step);
+        let there_lanes = mask(there);
         let direction = Vec2s::select(there_lanes, made.direction, none);
         *line = Lines { direction, there: there_lanes, ..made };
-        left |= coincident.to_bitmask() & there;
+        lanes.agents &= !(coincident.to_bitmask() & there);
     }
-    let lines = &lines[..hard + views.most];
+    let lines = &lines[..hard + lanes.most];
     let (mut velocity, failed) = closest_velocity(simd, lines, own.max_speed, own.preferred);
-    for lane in ones(failed.lanes.to_bitmask() & !left) {
-        let [all, workspace] = fallback;
+    for lane in ones(failed.lanes.to_bitmask() & lanes.agents) {
+        let Workspace { lines: all, fallback, .. } = workspace;
         all.clear();
         let at = |v: Vec2s<S>| Vec2::new(v.x[lane], v.y[lane]);
         let (mut walls, mut first) = (0, 0);
@@ -152,10 +79,10 @@ pub(crate) fn choose<S: Simd, const N: usize>(
             first += usize::from(index < failed.line[lane] as usize);
             all.push(HalfPlane { point: at(line.point), direction: at(line.direction) });
         }
-        let best = least_violation(all, walls, own.max_speed[lane], (first, at(velocity)), workspace);
+        let best = least_violation(all, walls, own.max_speed[lane], (first, at(velocity)), fallback);
         (velocity.x[lane], velocity.y[lane]) = (best.x, best.y);
     }
-    Chosen { velocity, left }
+    velocity.store(&mut lanes.chosen);
 }
 
 /// Returns the half-plane of one neighbour per agent, as [`line`](super::orca::line), and the agents that are at the
@@ -165,7 +92,7 @@ fn line<S: Simd>(
     simd: S,
     orca: &Orca,
     own: &SimdAgents<S>,
-    others: &SimdNeighbours,
+    others: &LaneNeighbour,
     step: f32,
 ) -> (Lines<S>, S::mask32s) {
     let splat = |value: f32| S::f32s::splat(simd, value);

@@ -167,15 +167,16 @@ impl State {
         self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
     }
 
-    /// Whether an agent is a bird: it steers by a plain [`Flocking`] behaviour, with all neighbours within a distance.
-    pub(crate) fn is_bird(&self, row: usize) -> bool {
-        let group = &self.local_groups[self.agents.group[row].index()];
-        group.neighbours == Group::ALL_NEIGHBOURS
-            && group.steering.as_ref().is_some_and(|all| all.as_flocking().is_some())
-    }
-
     /// Whether no group searches for the nearest few neighbours.
     pub(crate) fn none_counts_the_nearest(&self) -> bool {
         self.groups_in_use().all(|group| group.nearest() == 0)
+    }
+}
+
+impl Group {
+    /// Whether its agents are birds: they steer by a plain [`Flocking`] behaviour, with all neighbours within a distance.
+    pub(super) fn is_flock(&self) -> bool {
+        self.neighbours == Self::ALL_NEIGHBOURS
+            && self.steering.as_ref().is_some_and(|steering| steering.as_flocking().is_some())
     }
 }

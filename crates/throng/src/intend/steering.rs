@@ -4,16 +4,17 @@
 //! and guard follow, as for all agents.
 
 use super::flock::Flocks;
-use super::flock_simd::Insects;
-use super::velocities::{Velocities, set};
+use super::velocities::{Rows, Velocities, set};
 use crate::agent::{Group, Memory, Status};
-use crate::motion::{Attitude, Basis, Motion, Steering};
-use crate::parallel;
+use crate::motion::{Attitude, Basis, Motion, Steering, Stepping};
+use crate::parallel::{self, RowLists};
 use crate::perceive::{CellLattice, Neighbours, Perceived};
+use crate::steer::swarm::Swarm;
 use crate::steer::{
     AgentQuery, Birds, BoxedBehaviour, Kinematics, SteeringInput, SteeringNeighbour, TraceEntry, TraceRecorder,
 };
 use crate::world::State;
+use fearless_simd::Level;
 use glam::Vec3;
 
 /// Seconds after which events are forgotten.
@@ -68,7 +69,14 @@ pub(super) struct Steer {
     pub planned: Planned,
     pub flocks: Flocks,
     index: SteeringIndex,
-    scratch: Vec<Vec<SteeringNeighbour>>,
+    scratch: Vec<SteeringScratch>,
+}
+
+/// Scratch memory of a thread.
+#[derive(Clone, Debug, Default)]
+struct SteeringScratch {
+    rows: Vec<u32>,
+    neighbours: Vec<SteeringNeighbour>,
 }
 
 impl Steer {
@@ -105,6 +113,61 @@ impl State {
     }
 }
 
+/// The planned motions of some rows.
+pub(super) struct Plans<'a> {
+    /// The first row.
+    pub first: usize,
+    pub velocity: &'a mut [Vec3],
+    pub attitude: &'a mut [Attitude],
+    pub faces: &'a mut [bool],
+    pub preferred: Rows<'a>,
+    memory: RowLists<'a, f32>,
+}
+
+impl Plans<'_> {
+    /// Returns the memory of a behaviour for a row.
+    pub fn memory(&mut self, row: usize, words: usize) -> &mut [f32] {
+        &mut self.memory.all[(row - self.first) * self.memory.stride..][..words]
+    }
+}
+
+/// What steers the agents of a group, in the sub-step that ends at `now`.
+#[derive(Clone, Copy)]
+pub(super) struct GroupSteering<'a> {
+    pub group: &'a Group,
+    pub steering: &'a BoxedBehaviour,
+    /// Where the steering forces come from.
+    pub source: Source<'a>,
+    /// The SIMD level and the step of the vehicles, if the kernel supports them.
+    pub lanes: Option<(Level, Stepping)>,
+    pub seconds: f32,
+    pub now: f64,
+}
+
+/// Where the steering forces of a group come from.
+#[derive(Clone, Copy)]
+pub(super) enum Source<'a> {
+    /// The forces of flocks are computed before.
+    Flock,
+    /// The noise of a swarm is computed for several insects at once.
+    Swarm(&'a Swarm),
+    Behaviour,
+}
+
+impl<'a> GroupSteering<'a> {
+    /// Returns what steers the agents of a group; `None` if they do not steer.
+    fn of(state: &State, group: &'a Group, seconds: f32, now: f64) -> Option<Self> {
+        let steering = group.steering.as_ref()?;
+        let source = match steering.as_swarm() {
+            _ if group.is_flock() => Source::Flock,
+            Some(swarm) => Source::Swarm(swarm),
+            None => Source::Behaviour,
+        };
+        let step = |level| Some((level, Stepping::of(&group.vehicle, seconds)?));
+        Some(Self { group, steering, source, lanes: state.instructions.level().and_then(step), seconds, now })
+    }
+}
+
 /// What behaviours read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Behaving<'a> {
@@ -136,48 +199,65 @@ impl<'a> Behaving<'a> {
         Self { state, near: seen.near, lattice: seen.lattice, index, birds, forces }
     }
 
+    /// Computes the planned motions of all agents that steer.
     fn run(
         &self,
         planned: &mut Planned,
         memory: &mut Memory,
         preferred: &mut Velocities,
-        scratch: &mut Vec<Vec<SteeringNeighbour>>,
+        scratch: &mut Vec<SteeringScratch>,
         (seconds, now): (f32, f64),
     ) {
-        let each = memory.lists().stride;
         let Planned { velocity, attitude, faces } = planned;
         let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
         let state = self.state;
-        let flying = state.lanes_to_fly(seconds);
-        parallel::ranges_with(
-            all,
-            scratch,
-            |neighbours, rows, ((velocity, attitude, faces), memory, mut preferred)| {
-                if let Some(flying) = flying {
-                    faces.fill(false);
-                    let mut insects = Insects { neighbours, memory, seconds, now };
-                    return self.steer_many(flying, rows, (velocity, attitude), preferred, &mut insects);
+        let groups = || state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
+        parallel::ranges_with(all, scratch, |scratch, range, ((velocity, attitude, faces), memory, preferred)| {
+            let mut plans = Plans { first: range.start, velocity, attitude, faces, preferred, memory };
+            let SteeringScratch { rows, neighbours } = scratch;
+            for (index, (group, _)) in groups().filter(|(_, (_, in_use))| **in_use) {
+                let Some(of) = GroupSteering::of(state, group, seconds, now) else { continue };
+                rows.clear();
+                rows.extend(
+                    (range.start as u32..range.end as u32)
+                        .filter(|&row| state.agents.group[row as usize].index() == index),
+                );
+                match of.lanes {
+                    Some(lanes) => self.steer_many(lanes, &of, rows, &mut plans, neighbours),
+                    None => rows.iter().for_each(|&row| {
+                        let steering = self.steering(&of, row as usize, &mut plans, neighbours);
+                        self.steer_row(&of, row as usize, steering, &mut plans);
+                    }),
                 }
-                for (at, row) in rows.enumerate() {
-                    let Some(steering) = state.steering(row) else { continue };
-                    let vehicle = &state.local_groups[state.agents.group[row].index()].vehicle;
-                    let before = state.motion(row);
-                    let steering = if state.is_bird(row) {
-                        self.force(row).into()
-                    } else {
-                        let memory = &mut memory.all[at * each..][..steering.words()];
-                        let view = self.view(row, seconds, now, neighbours);
-                        steering.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
-                    };
-                    let mut motion = before;
-                    vehicle.step(&mut motion, steering, seconds);
-                    let moved = (motion.position - before.position) / seconds;
-                    set(&mut preferred, at, moved);
-                    (velocity[at], attitude[at]) = (motion.velocity, motion.into());
-                    faces[at] = steering.facing.is_some();
-                }
-            },
-        );
+            }
+        });
+    }
+
+    /// Returns the steering of an agent.
+    pub(super) fn steering(
+        &self,
+        of: &GroupSteering<'_>,
+        row: usize,
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+    ) -> Steering {
+        if let Source::Flock = of.source {
+            return self.force(row).into();
+        }
+        let view = self.view(row, of.seconds, of.now, neighbours);
+        let memory = plans.memory(row, of.steering.words());
+        of.steering.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
+    }
+
+    /// Sets the planned motion of an agent with this steering.
+    pub(super) fn steer_row(&self, of: &GroupSteering<'_>, row: usize, steering: Steering, plans: &mut Plans<'_>) {
+        let before = self.state.motion(row);
+        let mut motion = before;
+        of.group.vehicle.step(&mut motion, steering, of.seconds);
+        let at = row - plans.first;
+        set(&mut plans.preferred, at, (motion.position - before.position) / of.seconds);
+        (plans.velocity[at], plans.attitude[at]) = (motion.velocity, motion.into());
+        plans.faces[at] = steering.facing.is_some();
     }
 
     /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.

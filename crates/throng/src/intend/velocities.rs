@@ -50,6 +50,12 @@ impl Velocities {
             .map_or(S::f32s::splat(simd, 0.0), |vertical_velocities| from_side_by_side(simd, vertical_velocities))
     }
 
+    /// Copies the velocities at these indices into some rows.
+    pub fn copy(&self, from: &[u32], (ground, vertical_velocity): Rows<'_>) {
+        from.iter().zip(ground).for_each(|(&from, to)| *to = self.ground[from as usize]);
+        from.iter().zip(vertical_velocity.all).for_each(|(&from, to)| *to = self.vertical_velocity[from as usize]);
+    }
+
     /// Returns the velocity of a row.
     #[inline]
     pub fn at(&self, row: usize) -> Vec3 {

@@ -1,13 +1,13 @@
 //! The motion of the birds of one flock, or of the insects of one swarm, with SIMD, one agent in each element. The bits are
 //! the same as those of the [scalar path](super::movement).
 
-use super::movement::diverted;
+use super::movement::{diverted, rows_if};
 use super::movement_simd::Trips;
 use crate::agent::{Column, Group, SEEN, Status};
 use crate::guard::{BodyPose, Guarded, Solids};
 use crate::intend::{Intended, Velocities};
 use crate::motion::{Attitude, angles};
-use crate::parallel::{self, RowLists};
+use crate::parallel;
 use crate::simd::{LANES, Vec2s, Vec3s, from_side_by_side, get3, in_space, ones, set, set3};
 use crate::world::State;
 use fearless_simd::prelude::*;
@@ -41,7 +41,7 @@ pub(super) fn fly_many(
         (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
         (
             (&mut intended.planned.velocity[..], &mut intended.planned.attitude[..]),
-            (in_the_air(&mut agents.altitude, in_air), in_the_air(&mut agents.vertical_velocity, in_air)),
+            (rows_if(in_air, &mut agents.altitude), rows_if(in_air, &mut agents.vertical_velocity)),
         ),
         (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
     );
@@ -56,11 +56,6 @@ pub(super) fn fly_many(
     );
     // the planned attitudes are now the present ones
     agents.attitude.exchange(&mut intended.planned.attitude);
-}
-
-/// Returns a column of altitudes or vertical velocities; empty while no agent can leave the ground.
-fn in_the_air(column: &mut Column<f32>, in_air: bool) -> RowLists<'_, f32> {
-    RowLists { all: if in_air { column.rows_mut() } else { &mut [] }, stride: usize::from(in_air) }
 }
 
 /// What the motion of flying agents depends on, for all rows.

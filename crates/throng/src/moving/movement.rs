@@ -1,11 +1,12 @@
 //! Stage 5, motion: agents move to where the guard finds no overlap.
 
 use super::flight_simd::fly_many;
-use crate::agent::{ColumnValue, Columns, SEEN, Status};
+use crate::agent::{Column, ColumnValue, Columns, SEEN, Status};
 use crate::guard::{BodyPose, Guarded};
 use crate::intend::{Intended, Velocities};
 use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
 use crate::navigate::NeighbourData;
+use crate::parallel::{self, RowLists};
 use crate::perceive::SubStep;
 use crate::sleep::SleepBlocks;
 use crate::world::State;
@@ -58,69 +59,98 @@ fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
 
 /// Moves all agents on the scalar path.
 fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, safe: Guarded<'_>, seconds: f32) {
+    let (any_steers, all_discs) = (state.any_steers(), state.agents.all_discs());
     let State { agents, local_groups: groups, .. } = state;
-    for row in 0..agents.len() {
-        let from = agents.position[row].extend(agents.altitude[row]);
-        let target = safe.targets[row];
-        let velocity = velocity(from, target.place(), chosen.at(row), seconds);
-        agents.position[row] = target.position;
-        agents.altitude.set(row, target.altitude);
-        let (velocity_before, climb_before) = (agents.velocity[row], agents.vertical_velocity[row]);
-        agents.velocity[row] = velocity.truncate();
-        agents.vertical_velocity.set(row, velocity.z);
-        let before = agents.heading[row];
-        let group = &groups[agents.group[row].index()];
-        let heading = if group.steering.is_some() {
-            let before = agents.attitude[row].motion(from, velocity_before.extend(climb_before));
-            let (moved, attitude) = if velocity == intended.preferred.at(row) {
-                (intended.planned.velocity[row], intended.planned.attitude[row])
+    let (core, max_turn_rate, status, group) = (&agents.core, &agents.max_turn_rate, &agents.status, &agents.group);
+    let moving = (
+        (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
+        (
+            (
+                rows_if(chosen.is_in_space(), &mut agents.altitude),
+                rows_if(chosen.is_in_space(), &mut agents.vertical_velocity),
+            ),
+            (rows_if(any_steers, &mut agents.attitude), rows_if(!all_discs, &mut agents.spin)),
+        ),
+        (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
+    );
+    let facing = intended.facing();
+    let planned = &*intended.planned;
+    parallel::ranges(moving, |rows, (place, ((altitude, vertical_velocity), (attitude, spin)), trip)| {
+        let (position, velocities, headings) = place;
+        let (turned, course_turned, walked) = trip;
+        for (at, row) in rows.enumerate() {
+            let height = |column: &RowLists<'_, f32>| column.all.get(at).copied().unwrap_or(0.0);
+            let from = position[at].extend(height(&altitude));
+            let before = velocities[at].extend(height(&vertical_velocity));
+            let target = safe.targets[row];
+            let mut place = target.place();
+            let mut velocity = velocity(from, place, chosen.at(row), seconds);
+            let group = &groups[group[row].index()];
+            let heading = if group.steering.is_some() {
+                let motion = attitude.all[at].motion(from, before);
+                let (moved, now) = if velocity == intended.preferred.at(row) {
+                    (planned.velocity[row], planned.attitude[row])
+                } else {
+                    let planned = (&planned.attitude[row], planned.faces[row]);
+                    diverted(&group.vehicle, &motion, planned, velocity, seconds)
+                };
+                (velocity, attitude.all[at]) = (moved, now);
+                place = group.wrap_around.and_then(|ball| ball.back(place)).unwrap_or(place);
+                now.basis.heading()
             } else {
-                diverted(
-                    &group.vehicle,
-                    &before,
-                    (&intended.planned.attitude[row], intended.planned.faces[row]),
-                    velocity,
+                let is_disc = core[row] == Vec2::ZERO;
+                let now = turned_heading(
+                    is_disc,
+                    velocity.truncate(),
+                    facing,
+                    target,
+                    (row, max_turn_rate[row]),
+                    headings[at],
                     seconds,
-                )
+                );
+                if !is_disc {
+                    spin.all[at] = wrap(now - headings[at]) / seconds;
+                }
+                now
             };
-            agents.velocity[row] = moved.truncate();
-            agents.vertical_velocity.set(row, moved.z);
-            agents.attitude.set(row, attitude);
-            if let Some(place) = group.wrap_around.and_then(|ball| ball.back(target.place())) {
-                agents.position[row] = place.truncate();
-                agents.altitude.set(row, place.z);
+            if status[row] == Status::Walking {
+                turned[at] += turn_between(headings[at], heading);
+                course_turned[at] += f64::from(angle_between(before.truncate(), velocity.truncate()));
+                walked[at] += f64::from((target.place() - from).length());
             }
-            attitude.basis.heading()
-        } else {
-            turned_heading(agents, intended.facing(), safe.targets, row, before, seconds)
-        };
-        add_turn(agents, row, before, heading);
-        if agents.status[row] == Status::Walking {
-            agents.course_turned[row] += f64::from(angle_between(velocity_before, agents.velocity[row]));
-            agents.walked[row] += f64::from((target.place() - from).length());
+            (position[at], velocities[at], headings[at]) = (place.truncate(), velocity.truncate(), heading);
+            if let (Some(altitude), Some(vertical_velocity)) =
+                (altitude.all.get_mut(at), vertical_velocity.all.get_mut(at))
+            {
+                (*altitude, *vertical_velocity) = (place.z, velocity.z);
+            }
         }
-    }
+    });
 }
 
-/// Returns the heading of an agent that does not steer after its motion, and records the spin of a body that is not a disc.
+/// Returns the values of a column, mutable; empty if they are not needed.
+pub(super) fn rows_if<T: ColumnValue>(needed: bool, column: &mut Column<T>) -> RowLists<'_, T> {
+    RowLists { all: if needed { column.rows_mut() } else { &mut [] }, stride: usize::from(needed) }
+}
+
+/// Returns the heading of an agent that does not steer after its motion.
 fn turned_heading(
-    agents: &mut Columns,
+    is_disc: bool,
+    velocity: Vec2,
     (preferred, looks): (&Velocities, &[Vec2]),
-    targets: &[BodyPose],
-    row: usize,
+    target: BodyPose,
+    (row, max_turn_rate): (usize, f32),
     before: f32,
     seconds: f32,
 ) -> f32 {
-    if !agents.is_disc(row) {
-        let heading = targets[row].heading;
-        agents.spin.set(row, wrap(heading - before) / seconds);
-        return heading;
+    if !is_disc {
+        return target.heading;
     }
     let facing = match looks.get(row) {
         Some(&looks) if looks != Vec2::ZERO => looks,
-        _ => faces(agents.velocity[row], preferred.ground[row], agents.max_turn_rate[row]),
+        _ => faces(velocity, preferred.ground[row], max_turn_rate),
     };
-    turn(before, facing, seconds, agents.max_turn_rate[row])
+    turn(before, facing, seconds, max_turn_rate)
 }
 
 /// Turns an agent that does not steer and has moved, from its heading before.
@@ -132,17 +162,22 @@ pub(super) fn turn_walker(
     before: f32,
     seconds: f32,
 ) {
-    let heading = turned_heading(agents, facing, targets, row, before, seconds);
-    add_turn(agents, row, before, heading);
-}
-
-/// Sets the heading of an agent, and adds the turn of a walking agent to its trip.
-fn add_turn(agents: &mut Columns, row: usize, before: f32, heading: f32) {
+    let is_disc = agents.is_disc(row);
+    let limit = (row, agents.max_turn_rate[row]);
+    let heading = turned_heading(is_disc, agents.velocity[row], facing, targets[row], limit, before, seconds);
+    if !is_disc {
+        agents.spin.set(row, wrap(heading - before) / seconds);
+    }
     agents.heading[row] = heading;
     if agents.status[row] == Status::Walking {
-        let turned = f64::from((heading - before).abs());
-        agents.turned[row] += turned.min(std::f64::consts::TAU - turned);
+        agents.turned[row] += turn_between(before, heading);
     }
+}
+
+/// Returns the angle between two headings.
+fn turn_between(before: f32, heading: f32) -> f64 {
+    let turned = f64::from((heading - before).abs());
+    turned.min(std::f64::consts::TAU - turned)
 }
 
 /// Returns the angle between two velocities, radians; 0 if either has no visible direction.

@@ -6,6 +6,9 @@ use crate::parallel::{self, RowLists};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
 
+/// The SIMD search looks for all agents: it is slower than the scalar search if fewer than one in this number need it.
+const FEW_NEED: usize = 16;
+
 /// 1. Perception: finds the nearest neighbours of all agents.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Perceive {
@@ -94,7 +97,7 @@ impl Perceive {
         self.close = state.close_enough_to_measure(seconds);
         self.rebuild_lattice(state);
         let guarded = state.groups_in_use().any(|group| group.guard);
-        if state.none_counts_the_nearest() && !guarded {
+        if state.none_counts_the_nearest() && !guarded && state.vehicles_limit_all() {
             self.near.clear(state.agents.len());
             return self.sort_rows_if_scattered(state, sleep);
         }
@@ -107,9 +110,10 @@ impl Perceive {
         self.long.rebuild(agents, range);
         self.near.resize(self.grid.order(), most);
         let any_flies = agents.any_flies();
-        // beside a flock that is searched otherwise, few agents need this search
-        let all_count = state.groups_in_use().all(|group| group.nearest() > 0);
-        let in_space = any_flies && all_count && self.long.is_empty();
+        // beside a large flock that is searched otherwise, too few agents need this search
+        let group = agents.group.values();
+        let needing = group.iter().filter(|group| groups[group.index()].nearest() > 0).count();
+        let in_space = any_flies && FEW_NEED * needing >= group.len() && self.long.is_empty();
         self.grid.set_heights(in_space.then_some(|row: usize| agents.altitude[row]));
         let Self { grid, long, near, scratch, .. } = self;
         let (grid, long, sleep) = (&*grid, &*long, &*sleep);

@@ -145,7 +145,7 @@ fn choices_and_explanations_are_as_kept() {
         }
         results.add(
             name,
-            &(model.looks_in_space(), model.avoids(), model.relaxes(), model.parts_bodies(), model.as_orca()),
+            &(model.looks_in_space(), model.avoids(), model.relaxes(), model.parts_bodies(), model.is_random()),
         );
     }
     results.assert_kept("all/avoid/kept.txt");

@@ -3,6 +3,7 @@
 mod anywhere;
 mod arriving;
 mod bad_starts;
+mod batches;
 mod bodies;
 mod calm;
 mod changes;

@@ -1,0 +1,194 @@
+//! The vehicles of agents that steer, with SIMD, one agent in each element. The bits are the same as those of
+//! [`Vehicle::step`](crate::motion::Vehicle::step), which moves vehicles that the kernel does not support.
+
+use super::steering::{Behaving, GroupSteering, Plans, Source};
+use crate::motion::{Attitudes, Motions, Stepping};
+use crate::simd::{LANES, Vec2s, Vec3s, get3, in_space, ones, set, set3};
+use crate::steer::SteeringNeighbour;
+use crate::steer::swarm::Swarm;
+use crate::world::State;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use glam::{Vec2, Vec3};
+
+impl Behaving<'_> {
+    /// Computes the planned motions of some rows of a group. The kernel must support its vehicles.
+    pub(super) fn steer_many(
+        &self,
+        (level, stepping): (Level, Stepping),
+        of: &GroupSteering<'_>,
+        rows: &[u32],
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+    ) {
+        dispatch!(level, simd => self.steer_all(simd, stepping, of, rows, plans, neighbours));
+    }
+
+    #[inline(always)]
+    fn steer_all<S: Simd>(
+        &self,
+        simd: S,
+        stepping: Stepping,
+        of: &GroupSteering<'_>,
+        rows: &[u32],
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+    ) {
+        for rows in rows.chunks(S::f32s::LEN) {
+            let mut force = [[0.0; LANES]; 3];
+            let faced = match of.source {
+                Source::Swarm(swarm) => {
+                    self.forces_of_insects(simd, (swarm, of), rows, plans, neighbours, &mut force);
+                    0
+                }
+                Source::Flock | Source::Behaviour => self.forces(of, rows, plans, neighbours, &mut force),
+            };
+            let before = self.state.motions(simd, rows);
+            let after = stepping.step(simd, &before, Vec3s::load(simd, &force));
+            let preferred = (after.position - before.position).over(S::f32s::splat(simd, of.seconds));
+            plans.set_many(simd, (rows, faced), preferred, &after);
+        }
+    }
+
+    /// Computes the steering forces of some rows. The rows that face a given direction are steered on the scalar path;
+    /// returns these, one bit for each row.
+    #[inline(never)]
+    fn forces(
+        &self,
+        of: &GroupSteering<'_>,
+        rows: &[u32],
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+        forces: &mut [[f32; LANES]; 3],
+    ) -> u64 {
+        let mut faced = 0;
+        for (lane, &row) in rows.iter().enumerate() {
+            let steering = self.steering(of, row as usize, plans, neighbours);
+            if steering.facing.is_some() {
+                faced |= 1 << lane;
+                self.steer_row(of, row as usize, steering, plans);
+            } else {
+                set3(forces, lane, steering.force);
+            }
+        }
+        faced
+    }
+
+    /// Computes the forces of the insects of a SIMD vector of rows. Noise uses SIMD; the rest is the scalar
+    /// [behaviour](crate::steer::Behaviour).
+    #[inline(always)]
+    fn forces_of_insects<S: Simd>(
+        &self,
+        simd: S,
+        (swarm, of): (&Swarm, &GroupSteering<'_>),
+        rows: &[u32],
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+        forces: &mut [[f32; LANES]; 3],
+    ) {
+        let (mut places, mut numbers, mut noise) = ([Vec3::ZERO; LANES], [0; LANES], [Vec3::ZERO; LANES]);
+        let count = rows.len();
+        for (&row, (place, number)) in rows.iter().zip(places.iter_mut().zip(&mut numbers)) {
+            (*place, *number) = (self.state.place_in_space(row as usize), self.state.agents.number[row as usize]);
+        }
+        if let Some(field) = &swarm.noise {
+            let numbers = swarm.own_noise.then_some(&numbers[..count]);
+            let time = of.now - f64::from(of.seconds);
+            field.vector(simd, (&places[..count], numbers), time, &mut noise[..count]);
+        }
+        self.forces_with_noise((swarm, of), rows, &noise, plans, neighbours, forces);
+    }
+
+    /// As [`forces_of_insects`](Self::forces_of_insects), with given noise.
+    #[inline(never)]
+    fn forces_with_noise(
+        &self,
+        (swarm, of): (&Swarm, &GroupSteering<'_>),
+        rows: &[u32],
+        noise: &[Vec3; LANES],
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+        forces: &mut [[f32; LANES]; 3],
+    ) {
+        for (lane, (&row, &noise)) in rows.iter().zip(noise).enumerate() {
+            let view = self.view(row as usize, of.seconds, of.now, neighbours);
+            let velocity = swarm.velocity(&view, noise, plans.memory(row as usize, of.steering.words()));
+            set3(forces, lane, view.reach(velocity).force);
+        }
+    }
+}
+
+impl Plans<'_> {
+    /// Sets the planned motions of a SIMD vector of rows that do not face a given direction.
+    #[inline(always)]
+    fn set_many<S: Simd>(&mut self, simd: S, (rows, faced): (&[u32], u64), preferred: Vec3s<S>, after: &Motions<S>) {
+        let from = rows[0] as usize - self.first;
+        let mut velocity = [[0.0; LANES]; 3];
+        after.velocity.store(&mut velocity);
+        if faced == 0 && are_consecutive(rows) {
+            let part = from..from + rows.len();
+            let (ground, vertical_velocity) = &mut self.preferred;
+            preferred.truncate().put_side_by_side(&mut ground[part.clone()]);
+            if let Some(vertical_velocity) = vertical_velocity.all.get_mut(part.clone()) {
+                vertical_velocity.copy_from_slice(&preferred.z.as_slice()[..rows.len()]);
+            }
+            (self.velocity[part.clone()].iter_mut().enumerate()).for_each(|(lane, v)| *v = get3(&velocity, lane));
+            self.faces[part.clone()].fill(false);
+            after.attitude.store(simd, &mut self.attitude[part]);
+            return;
+        }
+        let mut attitudes = [Default::default(); LANES];
+        after.attitude.store(simd, &mut attitudes);
+        for lane in ones(!faced & u64::MAX >> (u64::BITS as usize - rows.len())) {
+            let at = rows[lane] as usize - self.first;
+            let Vec3s { x, y, z } = preferred;
+            super::velocities::set(&mut self.preferred, at, Vec3::new(x[lane], y[lane], z[lane]));
+            (self.velocity[at], self.attitude[at]) = (get3(&velocity, lane), attitudes[lane]);
+            self.faces[at] = false;
+        }
+    }
+}
+
+fn are_consecutive(rows: &[u32]) -> bool {
+    rows[rows.len() - 1] - rows[0] == rows.len() as u32 - 1
+}
+
+impl State {
+    /// Returns the SIMD level and the vehicle step of all agents, if all are birds of one flock or insects of one
+    /// swarm.
+    pub(crate) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
+        let group = &self.local_groups[self.agents.group.uniform()?.index()];
+        let is_swarm = || !group.model.avoids() && group.steering.as_ref().is_some_and(|all| all.as_swarm().is_some());
+        let alike = self.agents.all_discs() && (group.is_flock() || is_swarm());
+        let level = self.instructions.level().filter(|_| alike)?;
+        Some((level, Stepping::of(&group.vehicle, seconds)?))
+    }
+
+    /// Returns the motion of the agents of a SIMD vector of rows in ascending order.
+    #[inline(always)]
+    fn motions<S: Simd>(&self, simd: S, rows: &[u32]) -> Motions<S> {
+        let agents = &self.agents;
+        let attitude = Attitudes::load(simd, rows.iter().map(|&row| agents.attitude[row as usize]));
+        if are_consecutive(rows) {
+            let rows = rows[0] as usize..rows[0] as usize + rows.len();
+            let altitude = agents.altitude.lanes(simd, rows.clone());
+            let climb = agents.vertical_velocity.lanes(simd, rows.clone());
+            return Motions {
+                position: in_space(simd, &agents.position[rows.clone()], altitude),
+                velocity: in_space(simd, &agents.velocity[rows], climb),
+                attitude,
+            };
+        }
+        let gather = |column: &[Vec2], z: S::f32s| {
+            let mut all = [[0.0; LANES]; 2];
+            rows.iter().enumerate().for_each(|(lane, &row)| set(&mut all, lane, column[row as usize]));
+            let Vec2s { x, y } = Vec2s::load(simd, &all);
+            Vec3s { x, y, z }
+        };
+        Motions {
+            position: gather(&agents.position, agents.altitude.simd_of(simd, rows)),
+            velocity: gather(&agents.velocity, agents.vertical_velocity.simd_of(simd, rows)),
+            attitude,
+        }
+    }
+}
