@@ -1,6 +1,7 @@
 //! The gathering of a batch into lanes, and the limits of chosen velocities, with SIMD. The bits are the same as those
 //! of the [scalar path](super::avoidance), which handles all other agents and their neighbours.
 
+use super::batch::AvoidanceShared;
 use super::squeeze::may_squeeze;
 use super::{AvoidanceBatch, AvoidanceInput, AvoidanceLanes, MOST_LANE_NEIGHBOURS, Workspace};
 use crate::intend::{YIELD_AT_REST, YIELD_TO_FIRST};
@@ -16,6 +17,7 @@ impl AvoidanceBatch<'_> {
         let Self { avoiding, start, rows, scratch, .. } = self;
         let (lanes, start, shared) = (&mut scratch.lanes, *start, avoiding.shared);
         let (agents, around) = (&avoiding.state.agents, avoiding.around);
+        let AvoidanceShared { squeeze, all_squeeze, equals, radius, margin, .. } = *shared;
         let (any_irregular, mut beside) = (shared.any_irregular(), 0);
         let (mut own_motion, mut own_keys) = ([[0.0; 4]; LANES], [0; LANES]);
         let mut keys = [[0; LANES]; MOST_LANE_NEIGHBOURS];
@@ -31,13 +33,13 @@ impl AvoidanceBatch<'_> {
             if any_irregular && neighbours.iter().any(|&other| shared.is_irregular(other)) {
                 beside |= 1 << lane;
             }
-            if shared.squeeze {
+            if squeeze {
                 set(&mut own_way, lane, own.way.direction);
             }
             for ((&other, others), keys) in neighbours.iter().zip(&mut lanes.neighbours).zip(&mut keys) {
                 let shown = &around.shown[other as usize];
                 others.motion[lane] = shown.motion;
-                if shared.squeeze {
+                if squeeze {
                     set(&mut others.way, lane, shown.way.direction);
                 }
                 keys[lane] = shown.way.key();
@@ -58,26 +60,26 @@ impl AvoidanceBatch<'_> {
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
             let pair = |lane: usize| (rows[lane] as usize, around.near.at(start + lane)[index] as usize);
             all_there[index] = there.to_bitmask();
-            if shared.squeeze {
+            if squeeze {
                 let may = may_squeeze(simd, [position, velocity], Vec2s::load(simd, &own_way), others);
                 for lane in ones((may & there).to_bitmask()) {
                     let (row, other) = pair(lane);
-                    if shared.all_squeeze || avoiding.state.both_squeeze(row, other) {
+                    if all_squeeze || avoiding.state.both_squeeze(row, other) {
                         all_there[index] &= !(1 << lane);
                     }
                 }
             }
-            if shared.radius.is_none() {
+            if radius.is_none() {
                 for lane in ones(there.to_bitmask()) {
                     let (row, other) = pair(lane);
-                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * shared.margin;
+                    others.radii[lane] = (agents.radius[row] + agents.radius[other]) * margin;
                 }
             }
             others.share = [0.5; LANES];
             // if both walk to different goals, neither has the right of way
-            let equals = !(own & theirs & walks).simd_eq(zero) & !((own ^ theirs) & goal).simd_eq(zero);
-            let unlike = (!equals & there).to_bitmask();
-            if shared.equals && unlike == 0 {
+            let unlike = (own & theirs & walks).simd_eq(zero) | ((own ^ theirs) & goal).simd_eq(zero);
+            let unlike = unlike.to_bitmask() & there.to_bitmask();
+            if equals && unlike == 0 {
                 continue;
             }
             let (mut left, mut sizes) = ([[0.0; LANES]; 2], [1.0; LANES]);
@@ -96,13 +98,13 @@ impl AvoidanceBatch<'_> {
             let one_walks = (i_walk ^ they_walk) & !same;
             let yields = (i_walk & they_walk & same).select(first, one_walks.select(rests, splat(0.0)));
             others.share[..S::f32s::LEN].copy_from_slice((splat(0.5) + yields).as_slice());
-            let scalar = if shared.equals { yields.simd_gt(splat(0.0)) & there } else { there };
+            let scalar = if equals { yields.simd_gt(splat(0.0)) & there } else { there };
             for lane in ones(scalar.to_bitmask()) {
                 let (row, other) = pair(lane);
                 let yields = yields.as_slice()[lane];
                 let granted = avoiding.granted(row, other, yields);
                 scratch.queues += usize::from(yields > 0.0 && yields < YIELD_AT_REST);
-                if !shared.equals {
+                if !equals {
                     others.share[lane] = avoiding.state.share(row, other, yields);
                 }
                 others.motion[lane][2] += granted.x;

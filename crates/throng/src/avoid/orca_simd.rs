@@ -59,15 +59,17 @@ fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLa
         let (point, direction) = (Vec2s::load(simd, &wall.point), Vec2s::load(simd, &wall.direction));
         *line = Lines { point, direction, there: mask(wall.there) };
     }
+    let (step, most, mut left) = (lanes.step, lanes.most, 0);
     let seen = lanes.neighbours.iter().zip(&lanes.there);
-    for (line, (others, &there)) in lines[hard..hard + lanes.most].iter_mut().zip(seen) {
-        let (made, coincident) = self::line(simd, orca, &own, others, lanes.step);
+    for (line, (others, &there)) in lines[hard..hard + most].iter_mut().zip(seen) {
+        let (made, coincident) = self::line(simd, orca, &own, others, step);
         let there_lanes = mask(there);
         let direction = Vec2s::select(there_lanes, made.direction, none);
         *line = Lines { direction, there: there_lanes, ..made };
-        lanes.agents &= !(coincident.to_bitmask() & there);
+        left |= coincident & there;
     }
-    let lines = &lines[..hard + lanes.most];
+    lanes.agents &= !left;
+    let lines = &lines[..hard + most];
     let (mut velocity, failed) = closest_velocity(simd, lines, own.max_speed, own.preferred);
     for lane in ones(failed.lanes.to_bitmask() & lanes.agents) {
         let Workspace { lines: all, fallback, .. } = workspace;
@@ -88,13 +90,7 @@ fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLa
 /// Returns the half-plane of one neighbour per agent, as [`line`](super::orca::line), and the agents that are at the
 /// same place as this neighbour.
 #[inline(always)]
-fn line<S: Simd>(
-    simd: S,
-    orca: &Orca,
-    own: &SimdAgents<S>,
-    others: &LaneNeighbour,
-    step: f32,
-) -> (Lines<S>, S::mask32s) {
+fn line<S: Simd>(simd: S, orca: &Orca, own: &SimdAgents<S>, others: &LaneNeighbour, step: f32) -> (Lines<S>, u64) {
     let splat = |value: f32| S::f32s::splat(simd, value);
     let zero = splat(0.0);
     let velocity = own.velocity;
@@ -109,10 +105,12 @@ fn line<S: Simd>(
     let w = relative - offset_cut;
     let along = w.dot(offset);
     let w_squared = w.dot(w);
-    let on_tip = !apart | (along.simd_lt(zero) & (along * along).simd_gt(radii * radii * w_squared));
+    // nearest on the rounded tip: along < 0 and along^2 > (radii |w|)^2; too close agents always
+    let backward = along.min(zero);
+    let on_tip = (backward * backward).simd_gt(apart.select(radii * radii * w_squared, splat(-1.0)));
     // the change towards the rounded tip, or along a leg: each needs one root and one quotient
     let root = on_tip.select(w_squared, distance_squared - radii * radii).max(zero).sqrt();
-    let coincident = !apart & root.simd_le(splat(1e-6));
+    let coincident = !apart.to_bitmask() & root.simd_le(splat(1e-6)).to_bitmask();
     let left = Vec2s { x: offset.x * root - offset.y * radii, y: offset.x * radii + offset.y * root };
     let right = Vec2s { x: -(offset.x * root + offset.y * radii), y: -(offset.y * root - offset.x * radii) };
     let along_leg = Vec2s::select(offset.perp_dot(w).simd_gt(zero), left, right);
@@ -167,8 +165,9 @@ fn closest_velocity<S: Simd>(
     let mut v = preferred.clamp_length_max(speed);
     let mut failed: Failed<S> = Failed { lanes: zero.simd_lt(zero), line: zero };
     for (i, line) in lines.iter().enumerate() {
-        let violated = line.direction.perp_dot(line.point - v).simd_gt(zero) & line.there & !failed.lanes;
+        let violated = line.direction.perp_dot(line.point - v).simd_gt(zero);
         if violated.any_true() {
+            let violated = violated & !failed.lanes;
             let (on, fails) = on_line(simd, &lines[..i], line, speed, preferred);
             let fails = fails & violated;
             v = Vec2s::select(violated & !fails, on, v);
@@ -189,7 +188,7 @@ fn on_line<S: Simd>(
     aim: Vec2s<S>,
 ) -> (Vec2s<S>, S::mask32s) {
     let zero = S::f32s::splat(simd, 0.0);
-    let parallel = S::f32s::splat(simd, PARALLEL);
+    let (parallel, infinite) = (S::f32s::splat(simd, PARALLEL), S::f32s::splat(simd, f32::INFINITY));
     let Lines { point, direction, .. } = *line;
     let along = point.dot(direction);
     let discriminant = along * along + speed * speed - point.dot(point);
@@ -199,12 +198,13 @@ fn on_line<S: Simd>(
     for other in before {
         let denominator = direction.perp_dot(other.direction);
         let numerator = other.direction.perp_dot(point - other.point);
+        // a parallel line permits all of this line, or nothing
         let level = denominator.abs().simd_le(parallel);
-        fails |= level & numerator.simd_lt(zero);
         let t = numerator / denominator;
-        let upper = denominator.simd_ge(zero);
-        high = (upper & !level).select(high.min(t), high);
-        low = (!upper & !level).select(low.max(t), low);
+        let most = level.select(numerator.simd_lt(zero).select(-infinite, infinite), t);
+        let is_upper = denominator.simd_ge(-parallel);
+        high = is_upper.select(high.min(most), high);
+        low = is_upper.select(low, low.max(t));
     }
     fails |= low.simd_gt(high);
     let t = direction.dot(aim - point);

@@ -217,7 +217,7 @@ impl<'a, S: Simd, const SPACE: bool, const KEYS: usize> PointTile<'a, S, SPACE, 
         let lane = S::u32s::from_fn(simd, |lane| lane as u32);
         let (left, right) = (S::f32s::splat(simd, low.x), S::f32s::splat(simd, high.x));
         let (bottom, top) = (S::f32s::splat(simd, low.y), S::f32s::splat(simd, high.y));
-        let zero = S::f32s::splat(simd, 0.0);
+        let (zero, none) = (S::f32s::splat(simd, 0.0), S::f32s::splat(simd, f32::NAN));
         let limit = S::f32s::splat(simd, radius_squared);
         let packed = S::f32s::splat(simd, inner.unwrap_or(-1.0));
         for &(start, end) in &pack.runs {
@@ -230,8 +230,10 @@ impl<'a, S: Simd, const SPACE: bool, const KEYS: usize> PointTile<'a, S, SPACE, 
                 let dx = (left - x).max(x - right).max(zero);
                 let dy = (bottom - y).max(y - top).max(zero);
                 let distance = dx * dx + dy * dy;
-                let near = distance.simd_le(limit) & distance.simd_gt(packed);
-                let within = near & lane.simd_lt(S::u32s::splat(simd, end - at as u32));
+                // points beyond the end of the run are at no distance
+                let is_in_run = lane.simd_lt(S::u32s::splat(simd, end - at as u32));
+                let distance = is_in_run.select(distance, none);
+                let within = distance.simd_le(limit) & distance.simd_gt(packed);
                 if count > MOST {
                     return None;
                 }
@@ -327,9 +329,9 @@ impl<'a, S: Simd, const SPACE: bool, const KEYS: usize> PointTile<'a, S, SPACE, 
         let one = S::u32s::splat(simd, 1);
         for at in 0..=k {
             let (key, next) = (keys[at] & !PLACE, keys[at + 1] & !PLACE);
-            let within = key.simd_lt(limit);
-            alike |= key.simd_eq(limit) | (within & key.simd_eq(next));
-            counts += within.select(one, S::u32s::splat(simd, 0));
+            // the keys ascend: equal to the next key below the limit, or to the limit
+            alike |= key.simd_eq(next.min(limit));
+            counts += key.simd_lt(limit).select(one, S::u32s::splat(simd, 0));
         }
         let mut places = [[0; LANES]; KEYS];
         for (all, &key) in places.iter_mut().zip(keys) {
