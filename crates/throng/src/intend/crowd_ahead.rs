@@ -160,7 +160,7 @@ impl CrowdAhead {
             let time = times_to_discs(simd, offset, relative, load_from(simd, &self.wanted, from));
             least = least.min(S::mask32s::from_bitmask(simd, self.counts >> from).select(time, most));
         }
-        least_of(simd, least)
+        least.reduce_min_precise()
     }
 
     /// Returns the speed that the gaps ahead permit an agent that walks in `direction`, at most `most`.
@@ -196,30 +196,28 @@ impl CrowdAhead {
             if !hinders.any_true() {
                 continue;
             }
-            let mut apart = aside / breadth;
+            let apart = aside / breadth;
             if streams_meet {
-                let parts = apart.as_mut_slice();
-                for lane in ones(hinders.to_bitmask()) {
-                    parts[lane] = libm::powf(parts[lane], STEPS_ASIDE);
+                let mut slowest = least.reduce_min_precise();
+                let mut left = hinders.to_bitmask();
+                while left != 0 {
+                    // the nearest first: a neighbour permits at least its gap over the time gap
+                    let nearest = ones(left).min_by(|&a, &b| gap[a].total_cmp(&gap[b])).expect("one is left");
+                    left &= !(1 << nearest);
+                    if gap[nearest] / time_gap >= slowest {
+                        break;
+                    }
+                    let apart = libm::powf(apart[nearest], STEPS_ASIDE);
+                    slowest = slowest.min(gap[nearest] / (time_gap * (1.0 - apart)));
                 }
+                least = splat(slowest);
             } else {
-                apart = apart * apart;
+                let speed = gap / (splat(time_gap) * (one - apart * apart));
+                least = hinders.select(speed.min(least), least);
             }
-            let speed = gap / (splat(time_gap) * (one - apart));
-            least = hinders.select(speed.min(least), least);
         }
-        least_of(simd, least)
+        least.reduce_min_precise()
     }
-}
-
-/// Returns the least of the elements.
-#[inline(always)]
-fn least_of<S: Simd>(_: S, all: S::f32s) -> f32 {
-    let mut least = f32::INFINITY;
-    for &one in all.as_slice() {
-        least = least.min(one);
-    }
-    least
 }
 
 #[cfg(test)]
