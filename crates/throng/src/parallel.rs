@@ -6,8 +6,9 @@
 use std::ops::Range;
 
 /// Least number of rows that a thread takes at a time: a multiple of the SIMD width and of the rows of a word.
-#[cfg(feature = "parallel")]
 const CHUNK: usize = 256;
+/// The same for work of half a microsecond a row or more, so that small crowds use several threads.
+const COSTLY_CHUNK: usize = 64;
 /// Number of parts for each thread, if there are enough rows: idle threads can take parts of busy threads.
 #[cfg(feature = "parallel")]
 const PARTS: usize = 8;
@@ -95,7 +96,17 @@ pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
     let busy = all.rows();
-    ranges_if_busy(all, busy, scratch, work);
+    divide_all(all, chunk(busy, busy, CHUNK), scratch, &work);
+}
+
+/// As [`ranges_with`], for costly work: threads take fewer rows at a time.
+pub(crate) fn costly_ranges_with<P: Parts, S: Default + Send>(
+    all: P,
+    scratch: &mut Vec<S>,
+    work: impl Fn(&mut S, Range<usize>, P) + Sync,
+) {
+    let busy = all.rows();
+    divide_all(all, chunk(busy, busy, COSTLY_CHUNK), scratch, &work);
 }
 
 /// As [`ranges_with`], if only `busy` of the rows need work: few busy rows are not divided among threads.
@@ -105,19 +116,28 @@ pub(crate) fn ranges_if_busy<P: Parts, S: Default + Send>(
     scratch: &mut Vec<S>,
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
-    let rows = 0..all.rows();
-    let chunk = chunk(rows.len(), busy);
-    let ranges = rows.len().div_ceil(chunk).max(1);
-    scratch.resize_with(scratch.len().max(ranges), S::default);
-    divide(all, rows, chunk, scratch, &work);
+    let chunk = chunk(all.rows(), busy, CHUNK);
+    divide_all(all, chunk, scratch, &work);
 }
 
-/// Returns the number of rows in a range: a multiple of the rows of a word, or all rows.
+fn divide_all<P: Parts, S: Default + Send>(
+    all: P,
+    chunk: usize,
+    scratch: &mut Vec<S>,
+    work: &(impl Fn(&mut S, Range<usize>, P) + Sync),
+) {
+    let rows = 0..all.rows();
+    let ranges = rows.len().div_ceil(chunk).max(1);
+    scratch.resize_with(scratch.len().max(ranges), S::default);
+    divide(all, rows, chunk, scratch, work);
+}
+
+/// Returns the number of rows in a range: a multiple of `least`, or all rows.
 #[cfg_attr(not(feature = "parallel"), expect(unused_variables, reason = "one thread does all"))]
-fn chunk(rows: usize, busy: usize) -> usize {
+fn chunk(rows: usize, busy: usize, least: usize) -> usize {
     #[cfg(feature = "parallel")]
-    if rayon::current_num_threads() > 1 && busy > CHUNK {
-        return (rows / (PARTS * rayon::current_num_threads())).next_multiple_of(CHUNK).max(CHUNK);
+    if rayon::current_num_threads() > 1 && busy > least {
+        return (rows / (PARTS * rayon::current_num_threads())).next_multiple_of(least).max(least);
     }
     rows.max(1)
 }

@@ -110,7 +110,7 @@ impl Avoid {
         }
         by_place.resize(state.agents.len(), state.in_space_now());
         // neighbour lists are in the order of the grid
-        parallel::ranges_with(by_place.rows(), scratch, |scratch, places, chosen| {
+        parallel::costly_ranges_with(by_place.rows(), scratch, |scratch, places, chosen| {
             sleep.each_place(seen.grid.order(), places, chosen, |places, chosen| {
                 avoiding.choose_many(places, scratch, chosen);
             });

@@ -2,6 +2,7 @@
 
 use crate::agent::{Hindrance, ProgressMark, SEEN, Status};
 use crate::navigate::{NeighbourData, SAME_WAY, Surroundings, Turn};
+use crate::parallel;
 use crate::perceive::{Perceived, SubStep};
 use crate::world::{EventKind, State};
 use glam::Vec2;
@@ -39,8 +40,10 @@ impl ProgressCheck {
         let passed = passed.min(f64::from(u16::MAX)) as u16;
         let Self(marks) = self;
         let around = Surroundings { state, near: seen.near, shown };
-        marks.clear();
-        marks.extend((0..state.agents.len()).map(|row| around.progress(row, passed)));
+        marks.resize(state.agents.len(), ProgressMark::default());
+        parallel::ranges(&mut marks[..], |rows, marks| {
+            rows.zip(marks).for_each(|(row, mark)| *mark = around.progress(row, passed));
+        });
         let before = &state.agents.progress_mark;
         let failed = |row: usize| state.has_failed(&marks[row], row) && !state.has_failed(&before[row], row);
         let failed = (0..marks.len()).filter(|&row| failed(row)).count() as u64;

@@ -175,7 +175,7 @@ impl LooksAhead {
         let radius = state.agents.radius.uniform().filter(|_| discs);
         let common = LookAheadShared { discs, radius, in_space, directions: directions(0.0) };
         let level = state.instructions.level().unwrap_or(Level::baseline());
-        parallel::ranges_with(&mut self.all[..], &mut self.scratch, |scratch, rows, ahead| {
+        parallel::costly_ranges_with(&mut self.all[..], &mut self.scratch, |scratch, rows, ahead| {
             dispatch!(level, simd => around.look_ahead_of_rows(simd, rows, ahead, &common, scratch));
         });
     }

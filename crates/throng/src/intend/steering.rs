@@ -212,25 +212,29 @@ impl<'a> Behaving<'a> {
         let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
         let state = self.state;
         let groups = || state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
-        parallel::ranges_with(all, scratch, |scratch, range, ((velocity, attitude, faces), memory, preferred)| {
-            let mut plans = Plans { first: range.start, velocity, attitude, faces, preferred, memory };
-            let SteeringScratch { rows, neighbours } = scratch;
-            for (index, (group, _)) in groups().filter(|(_, (_, in_use))| **in_use) {
-                let Some(of) = GroupSteering::of(state, group, seconds, now) else { continue };
-                rows.clear();
-                rows.extend(
-                    (range.start as u32..range.end as u32)
-                        .filter(|&row| state.agents.group[row as usize].index() == index),
-                );
-                match of.lanes {
-                    Some(lanes) => self.steer_many(lanes, &of, rows, &mut plans, neighbours),
-                    None => rows.iter().for_each(|&row| {
-                        let steering = self.steering(&of, row as usize, &mut plans, neighbours);
-                        self.steer_row(&of, row as usize, steering, &mut plans);
-                    }),
+        parallel::costly_ranges_with(
+            all,
+            scratch,
+            |scratch, range, ((velocity, attitude, faces), memory, preferred)| {
+                let mut plans = Plans { first: range.start, velocity, attitude, faces, preferred, memory };
+                let SteeringScratch { rows, neighbours } = scratch;
+                for (index, (group, _)) in groups().filter(|(_, (_, in_use))| **in_use) {
+                    let Some(of) = GroupSteering::of(state, group, seconds, now) else { continue };
+                    rows.clear();
+                    rows.extend(
+                        (range.start as u32..range.end as u32)
+                            .filter(|&row| state.agents.group[row as usize].index() == index),
+                    );
+                    match of.lanes {
+                        Some(lanes) => self.steer_many(lanes, &of, rows, &mut plans, neighbours),
+                        None => rows.iter().for_each(|&row| {
+                            let steering = self.steering(&of, row as usize, &mut plans, neighbours);
+                            self.steer_row(&of, row as usize, steering, &mut plans);
+                        }),
+                    }
                 }
-            }
-        });
+            },
+        );
     }
 
     /// Returns the steering of an agent.

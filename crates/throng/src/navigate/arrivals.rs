@@ -2,6 +2,7 @@
 
 use super::{Goal, Navigate, RouteProgress, nearest_on_ring};
 use crate::agent::{GoalId, ProgressMark, Status};
+use crate::parallel::WORD;
 use crate::perceive::{Nearby, Perceived, SubStep};
 use crate::sleep::SleepBlocks;
 use crate::summary::Ended;
@@ -27,13 +28,19 @@ impl Arrivals {
         // goals may be as many as agents, and few of them taken
         self.taken.drain(..).for_each(|goal| self.counts[goal.index()] = 0);
         self.counts.resize(state.goals.len(), 0);
-        for (row, _) in state.agents.status.iter().enumerate().filter(|&(_, &status)| status == Status::Arrived) {
-            if let Some(goal) = state.goal_of(row) {
-                let count = &mut self.counts[goal.index()];
-                if *count == 0 {
-                    self.taken.push(goal);
+        for (first, all) in (0..).step_by(WORD).zip(state.agents.status.chunks(WORD)) {
+            // few have arrived: no early end, so that compilers use SIMD
+            if !all.iter().fold(false, |any, &status| any | (status == Status::Arrived)) {
+                continue;
+            }
+            for (row, _) in (first..).zip(all).filter(|&(_, &status)| status == Status::Arrived) {
+                if let Some(goal) = state.goal_of(row) {
+                    let count = &mut self.counts[goal.index()];
+                    if *count == 0 {
+                        self.taken.push(goal);
+                    }
+                    *count += 1;
                 }
-                *count += 1;
             }
         }
     }

@@ -61,6 +61,8 @@ pub struct Grid {
     pub(super) z: Vec<f32>,
     numbers: Vec<u32>,
     pub(super) order: Vec<u32>,
+    /// The place of each row.
+    places: Vec<u32>,
     cell_of: Vec<u32>,
     part: Vec<Point>,
 }
@@ -79,6 +81,7 @@ impl Grid {
         if points.is_empty() {
             (self.columns, self.rows) = (0, 0);
             self.numbers.clear();
+            self.places.clear();
             return;
         }
         let level = Level::new();
@@ -97,11 +100,13 @@ impl Grid {
         self.columns = (size.x * self.inverse.x) as usize + 1;
         self.rows = (size.y * self.inverse.y) as usize + 1;
         self.sort(level, points, numbers);
-        let Self { x, y, numbers, order: rows, part, starts, blocks, .. } = self;
+        let Self { x, y, numbers, order: rows, places, part, starts, blocks, .. } = self;
         for (cell, block) in &mut self.crowded {
             *block = blocks.len() as u32;
             let (start, end) = (starts[*cell as usize], starts[*cell as usize + 1]);
             divide(blocks, start, end, &mut Points { x, y, numbers, rows }, part);
+            let range = start as usize..end as usize;
+            (start..).zip(&rows[range]).for_each(|(place, &row)| places[row as usize] = place);
         }
     }
 
@@ -158,24 +163,30 @@ impl Grid {
         parallel::ranges(&mut cell_of[..], |rows, cells| grid.find_cells(level, &points[rows], cells));
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
+        let mut most = 0;
         for &c in &cell_of {
-            self.starts[c as usize] += 1;
+            let held = &mut self.starts[c as usize];
+            *held += 1;
+            most = most.max(*held);
+        }
+        if most as usize > LEAF {
+            let crowded = (0..).zip(&self.starts).filter(|&(_, &held)| held as usize > LEAF);
+            self.crowded.extend(crowded.map(|(cell, _)| (cell, 0)));
         }
         // the end of each cell
         let mut sum = 0;
-        for (cell, start) in (0..).zip(&mut self.starts) {
-            if *start as usize > LEAF {
-                self.crowded.push((cell, 0));
-            }
+        for start in &mut self.starts {
             sum += *start;
             *start = sum;
         }
         // tiles read whole SIMD vectors
         self.order.resize(count + LANES, 0);
+        self.places.resize(count, 0);
         // in descending order, so that the ends become starts
-        for (row, &c) in cell_of.iter().enumerate().rev() {
+        for ((row, &c), place) in cell_of.iter().enumerate().zip(&mut self.places).rev() {
             let at = &mut self.starts[c as usize];
             *at -= 1;
+            *place = *at;
             self.order[*at as usize] = row as u32;
         }
         self.cell_of = cell_of;
@@ -197,7 +208,14 @@ impl Grid {
 
     /// Records that the rows of the slice have been sorted into the order of cells.
     pub(crate) fn rows_are_in_order(&mut self) {
-        self.order[..self.numbers.len()].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
+        for column in [&mut self.order[..self.numbers.len()], &mut self.places[..]] {
+            column.iter_mut().zip(0..).for_each(|(entry, index)| *entry = index);
+        }
+    }
+
+    /// Returns the place of each row in the order of cells.
+    pub(super) fn places(&self) -> &[u32] {
+        &self.places
     }
 
     /// Calls `visit` for every point within `range` of `from` (inclusive), in no particular order.

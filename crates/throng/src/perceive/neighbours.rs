@@ -17,14 +17,13 @@ pub(crate) struct Neighbours {
 }
 
 impl Neighbours {
-    pub(super) fn resize(&mut self, order: &[u32], most: usize) {
+    /// Makes room for `most` neighbours of each row. `places` are the indices of the rows in the order of the grid.
+    pub(super) fn resize(&mut self, places: &[u32], most: usize) {
         self.most = most;
-        self.lists.resize(order.len() * (most + 1), 0);
-        self.close.resize(order.len(), 0);
-        self.places.resize(order.len(), 0);
-        for (place, &row) in (0..).zip(order) {
-            self.places[row as usize] = place;
-        }
+        self.lists.resize(places.len() * (most + 1), 0);
+        self.close.resize(places.len(), 0);
+        self.places.clear();
+        self.places.extend_from_slice(places);
     }
 
     /// Empties the lists of all rows.

@@ -108,7 +108,7 @@ impl Perceive {
         let (agents, groups, close, level) =
             (&state.agents, &state.local_groups, self.close, state.instructions.level());
         self.long.rebuild(agents, range);
-        self.near.resize(self.grid.order(), most);
+        self.near.resize(self.grid.places(), most);
         let any_flies = agents.any_flies();
         // beside a large flock that is searched otherwise, too few agents need this search
         let group = agents.group.values();
