@@ -197,8 +197,9 @@ fn what_is_cancelled_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["a.mp4", "a.gif", "a.csv", "pictures/"] {
         let mut job = Job::new(&subject("circle"), &take(&folder.path().join(name)), begin).unwrap();
-        (0..5).for_each(|_| assert!(!job.work(Duration::from_millis(3)).unwrap()));
-        assert!((0.0..1.0).contains(&job.share()));
+        // short slices: no machine is fast enough to finish in them
+        (0..5).for_each(|_| assert!(!job.work(Duration::from_micros(20)).unwrap()));
+        assert!(job.share() > 0.0 && job.share() < 1.0);
         drop(job);
         assert_eq!(names(folder.path()), Vec::<String>::new(), "{name}");
     }
@@ -213,7 +214,7 @@ fn what_is_finished_early_is_the_first_part() {
     let (path, whole) = (folder.path().join("part.csv"), folder.path().join("whole.csv"));
     let mut job = Job::new(&subject("circle"), &take(&path), begin).unwrap();
     while job.share() < 0.02 {
-        assert!(!job.work(Duration::from_millis(1)).unwrap());
+        assert!(!job.work(Duration::from_micros(20)).unwrap());
     }
     job.finish().unwrap();
     assert!(job.work(Duration::from_millis(1)).unwrap());
