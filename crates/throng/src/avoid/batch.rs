@@ -156,8 +156,8 @@ impl AvoidanceBatch<'_> {
     /// input of the model, which has no neighbours yet.
     ///
     /// Some agents are never gathered, such as agents that fly or are not discs. These, and agents that `walls` or
-    /// `choose` leave out, get the velocity of [`LocalModel::velocity_in_space`](super::LocalModel::velocity_in_space): both ways must give the same bits.
-    /// `choose` leaves agents out by removing their bits from [`AvoidanceLanes::agents`].
+    /// `choose` leave out, get the velocity of [`velocity_in_space`](super::LocalModel::velocity_in_space): both ways
+    /// must give the same bits. `choose` leaves agents out by removing their bits from [`AvoidanceLanes::agents`].
     ///
     /// ```
     /// use glam::Vec2;
@@ -200,7 +200,9 @@ impl AvoidanceBatch<'_> {
             self.scratch.lanes.level = level;
             dispatch!(level, simd => self.gather(simd, agents));
             self.see_walls(walls);
+            let given = self.scratch.lanes.agents;
             choose(&mut self.scratch.lanes, &mut self.scratch.workspace);
+            self.scratch.lanes.agents &= given;
             dispatch!(level, simd => self.limit(simd));
         }
     }
