@@ -96,7 +96,7 @@ pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
     let busy = all.rows();
-    divide_all(all, chunk(busy, busy, CHUNK), scratch, &work);
+    divide_all(all, (busy, CHUNK), scratch, &work);
 }
 
 /// As [`ranges_with`], for costly work: threads take fewer rows at a time.
@@ -106,7 +106,7 @@ pub(crate) fn costly_ranges_with<P: Parts, S: Default + Send>(
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
     let busy = all.rows();
-    divide_all(all, chunk(busy, busy, COSTLY_CHUNK), scratch, &work);
+    divide_all(all, (busy, COSTLY_CHUNK), scratch, &work);
 }
 
 /// As [`ranges_with`], if only `busy` of the rows need work: few busy rows are not divided among threads.
@@ -116,17 +116,17 @@ pub(crate) fn ranges_if_busy<P: Parts, S: Default + Send>(
     scratch: &mut Vec<S>,
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
 ) {
-    let chunk = chunk(all.rows(), busy, CHUNK);
-    divide_all(all, chunk, scratch, &work);
+    divide_all(all, (busy, CHUNK), scratch, &work);
 }
 
 fn divide_all<P: Parts, S: Default + Send>(
     all: P,
-    chunk: usize,
+    (busy, least): (usize, usize),
     scratch: &mut Vec<S>,
     work: &(impl Fn(&mut S, Range<usize>, P) + Sync),
 ) {
     let rows = 0..all.rows();
+    let chunk = chunk(rows.len(), busy, least);
     let ranges = rows.len().div_ceil(chunk).max(1);
     scratch.resize_with(scratch.len().max(ranges), S::default);
     divide(all, rows, chunk, scratch, work);

@@ -236,7 +236,8 @@ impl SleepBlocks {
 }
 
 impl State {
-    /// Whether agents can sleep: all are discs on the ground with a local model that draws no random numbers, and no limit on turning.
+    /// Whether agents can sleep: all are discs on the ground with a local model that draws no random numbers and no
+    /// limit on turning.
     fn may_sleep(&self) -> bool {
         let agents = &self.agents;
         self.lanes_to_move().is_some()

@@ -129,6 +129,11 @@ impl Group {
         self.steering.is_some() && self.vehicle.locomotion != Locomotion::Ground
     }
 
+    /// Whether its agents need a local model. Vehicles without avoidance have already limited their velocities.
+    pub(crate) fn needs_model(&self) -> bool {
+        self.steering.is_none() || self.model.avoids()
+    }
+
     /// Returns the number of nearest neighbours that the neighbour search finds for each of its agents.
     pub(crate) fn nearest(&self) -> usize {
         if self.neighbours == Self::ALL_NEIGHBOURS { 0 } else { self.neighbours }

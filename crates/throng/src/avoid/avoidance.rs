@@ -2,7 +2,7 @@
 
 use super::batch::AvoidanceShared;
 use super::{
-    AvoidanceInput, AvoidanceLanes, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, Workspace, margin,
+    AvoidanceInput, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, SimdInput, Workspace, margin,
 };
 use crate::intend::{Rows, Velocities, YIELD_AT_REST};
 use crate::motion::{Limits, follow, limit};
@@ -28,7 +28,7 @@ const GRANTED: f32 = 0.04;
 pub(super) struct AvoidScratch {
     pub sight: Visibility,
     pub workspace: Workspace,
-    pub lanes: AvoidanceLanes,
+    pub input: SimdInput,
     /// Pairs of which one queues behind the other.
     pub queues: usize,
 }
@@ -97,7 +97,7 @@ impl Avoid {
         }
         self.chosen.resize(state.agents.len(), state.in_space_now());
         self.relax_queues(state, (seen, shown), preferred);
-        let limited = state.vehicles_limit_all();
+        let limited = !state.any_needs_model();
         if !limited {
             self.shared.find(state, preferred, seconds);
         }
@@ -174,7 +174,7 @@ impl Avoiding<'_> {
         if self.state.agents.script[row].is_some() {
             return self.preferred.at(row).clamp_length_max(self.state.agents.max_speed[row]);
         }
-        if self.state.steering(row).is_some() && !self.state.model(row).avoids() {
+        if !self.state.local_groups[self.state.agents.group[row].index()].needs_model() {
             // its vehicle has already limited the velocity
             return self.stays_down(row, self.preferred.at(row));
         }
@@ -285,11 +285,6 @@ impl Avoiding<'_> {
 }
 
 impl State {
-    /// Whether all agents steer and no local model avoids. Then the vehicles have already limited the velocities.
-    pub(crate) fn vehicles_limit_all(&self) -> bool {
-        self.all_steer() && self.groups_in_use().all(|group| !group.model.avoids())
-    }
-
     pub(crate) fn model(&self, row: usize) -> &dyn LocalModel {
         &*self.local_groups[self.agents.group[row].index()].model
     }

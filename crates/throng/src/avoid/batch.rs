@@ -1,7 +1,7 @@
 //! Batches of agents, and what all agents share while velocities are chosen.
 
 use super::avoidance::{AvoidScratch, Avoiding};
-use super::{AvoidanceInput, AvoidanceLanes, MOST_LANE_NEIGHBOURS, Workspace, margin};
+use super::{AvoidanceInput, MOST_SIMD_NEIGHBOURS, SimdInput, Workspace, margin};
 use crate::agent::Group;
 use crate::intend::{Rows, Velocities, set};
 use crate::navigate::Turn;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// What all agents share while their velocities are chosen, in a sub-step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct AvoidanceShared {
-    /// The SIMD level, if batches can be gathered into lanes.
+    /// The SIMD level, if batches can be gathered.
     pub level: Option<Level>,
     /// For each group the first group with the same model; `None` if its agents need no model.
     models: Vec<Option<u32>>,
@@ -62,10 +62,10 @@ impl AvoidanceShared {
         for (index, group) in groups.iter().enumerate() {
             let is_same = |&other: &usize| {
                 let other = &groups[other];
-                needs_model(other) && (Arc::ptr_eq(&other.model, &group.model) || group.model.is_same(&*other.model))
+                other.needs_model() && (Arc::ptr_eq(&other.model, &group.model) || group.model.is_same(&*other.model))
             };
             let first = || (0..index).find(is_same).unwrap_or(index) as u32;
-            models.push(needs_model(group).then(first));
+            models.push(group.needs_model().then(first));
         }
         let mut used =
             models.iter().zip(&state.groups_with_agents).filter(|&(_, &in_use)| in_use).map(|(&model, _)| model);
@@ -86,7 +86,7 @@ impl AvoidanceShared {
                 && agents.vertical_velocity[row] == 0.0
                 && preferred.vertical_velocity(row) == 0.0
                 && agents.travel[row].turn == Turn::Free
-                && groups[agents.group[row].index()].neighbours <= MOST_LANE_NEIGHBOURS
+                && groups[agents.group[row].index()].neighbours <= MOST_SIMD_NEIGHBOURS
         };
         self.irregular.clear();
         let are_alike = agents.core.uniform().is_some()
@@ -96,7 +96,7 @@ impl AvoidanceShared {
             && agents.max_turn_rate.uniform().is_some()
             && !state.in_space_now()
             && standoffs.is_empty()
-            && state.groups_in_use().all(|group| group.neighbours <= MOST_LANE_NEIGHBOURS);
+            && state.groups_in_use().all(|group| group.neighbours <= MOST_SIMD_NEIGHBOURS);
         if are_alike && (agents.is_empty() || is_regular(0)) {
             return agents.all_avoid();
         }
@@ -127,11 +127,6 @@ fn width<S: Simd>(_: S) -> usize {
     S::f32s::LEN
 }
 
-/// Whether the agents of a group need a local model: vehicles without avoidance have already limited their velocities.
-fn needs_model(group: &Group) -> bool {
-    group.steering.is_none() || group.model.avoids()
-}
-
 /// At most 16 agents with the same local model, near each other. Their velocities are chosen together.
 pub struct AvoidanceBatch<'a> {
     pub(super) avoiding: &'a Avoiding<'a>,
@@ -151,13 +146,13 @@ impl std::fmt::Debug for AvoidanceBatch<'_> {
 }
 
 impl AvoidanceBatch<'_> {
-    /// Chooses velocities in lanes, one agent in each element of arrays: `choose` gets the gathered data and sets
-    /// [`AvoidanceLanes::chosen`]. An agent that sees walls is added only if `walls` returns true for its lane and the
-    /// input of the model, which has no neighbours yet.
+    /// Chooses velocities with SIMD, one agent in each element of arrays: `choose` gets the gathered data and sets
+    /// [`SimdInput::chosen`]. An agent that sees walls is added only if `walls` returns true for its index in the arrays
+    /// and the input of the model, which has no neighbours yet.
     ///
     /// Some agents are never gathered, such as agents that fly or are not discs. These, and agents that `walls` or
     /// `choose` leave out, get the velocity of [`velocity_in_space`](super::LocalModel::velocity_in_space): both ways
-    /// must give the same bits. `choose` leaves agents out by removing their bits from [`AvoidanceLanes::agents`].
+    /// must give the same bits. `choose` leaves agents out by removing their bits from [`SimdInput::agents`].
     ///
     /// ```
     /// use glam::Vec2;
@@ -174,8 +169,8 @@ impl AvoidanceBatch<'_> {
     ///
     ///     fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
     ///         let ignores_walls = |_: &mut _, _, _: &AvoidanceInput<'_>, _: &mut _| true;
-    ///         batch.in_lanes(ignores_walls, |lanes, _| {
-    ///             lanes.chosen = lanes.preferred.map(|all| all.map(|component| component * 0.5));
+    ///         batch.with_simd(ignores_walls, |input, _| {
+    ///             input.chosen = input.preferred.map(|all| all.map(|component| component * 0.5));
     ///         });
     ///     }
     ///
@@ -184,25 +179,24 @@ impl AvoidanceBatch<'_> {
     ///     }
     /// }
     /// ```
-    pub fn in_lanes(
+    pub fn with_simd(
         &mut self,
-        walls: impl FnMut(&mut AvoidanceLanes, usize, &AvoidanceInput<'_>, &mut Workspace) -> bool,
-        choose: impl FnOnce(&mut AvoidanceLanes, &mut Workspace),
+        walls: impl FnMut(&mut SimdInput, usize, &AvoidanceInput<'_>, &mut Workspace) -> bool,
+        choose: impl FnOnce(&mut SimdInput, &mut Workspace),
     ) {
         let Some(level) = self.avoiding.shared.level else { return };
         let mut agents = self.left;
         if self.avoiding.shared.any_irregular() {
-            let irregular = |bits, &row: &u32| bits << 1 | u64::from(self.avoiding.shared.is_irregular(row));
-            agents &= !self.rows.iter().rev().fold(0, irregular);
+            agents &= !rows_where(self.rows, |row| self.avoiding.shared.is_irregular(row));
         }
         // for few agents the scalar path is cheaper
         if 2 * agents.count_ones() as usize >= self.rows.len() {
-            self.scratch.lanes.level = level;
+            self.scratch.input.level = level;
             dispatch!(level, simd => self.gather(simd, agents));
             self.see_walls(walls);
-            let given = self.scratch.lanes.agents;
-            choose(&mut self.scratch.lanes, &mut self.scratch.workspace);
-            self.scratch.lanes.agents &= given;
+            let given = self.scratch.input.agents;
+            choose(&mut self.scratch.input, &mut self.scratch.workspace);
+            self.scratch.input.agents &= given;
             dispatch!(level, simd => self.limit(simd));
         }
     }
@@ -213,14 +207,14 @@ impl Avoiding<'_> {
     pub(super) fn choose_many(&self, places: Range<usize>, scratch: &mut AvoidScratch, chosen: Rows<'_>) {
         let Self { state, shared, .. } = *self;
         if let Some(radius) = shared.radius {
-            scratch.lanes.set_radii((radius + radius) * shared.margin);
+            scratch.input.set_radii((radius + radius) * shared.margin);
         }
         let width = shared.width();
         let mut rest = chosen;
         for (start, rows) in places.clone().step_by(width).zip(self.grid.order()[places].chunks(width)) {
             let (mut chosen, later) = rest.split(rows.len());
             rest = later;
-            // lanes are on the ground
+            // only agents on the ground are gathered
             chosen.1.all.fill(0.0);
             let all = u64::MAX >> (u64::BITS as usize - rows.len());
             let mut waiting = all;
@@ -228,7 +222,8 @@ impl Avoiding<'_> {
             while waiting != 0 {
                 let first = rows[waiting.trailing_zeros() as usize];
                 let model = self.model_of(first);
-                let same = if shared.alike { all } else { self.with_model(rows, model) & waiting };
+                let same =
+                    if shared.alike { all } else { rows_where(rows, |row| self.model_of(row) == model) & waiting };
                 waiting &= !same;
                 left |= if model.is_some() {
                     let mut batch =
@@ -251,9 +246,9 @@ impl Avoiding<'_> {
         let agents = &self.state.agents;
         self.shared.models[agents.group[row as usize].index()].filter(|_| agents.script[row as usize].is_none())
     }
+}
 
-    /// Returns the rows with a model, one bit for each row.
-    fn with_model(&self, rows: &[u32], model: Option<u32>) -> u64 {
-        rows.iter().rev().fold(0, |bits, &row| bits << 1 | u64::from(self.model_of(row) == model))
-    }
+/// Returns the rows for which a condition holds, one bit for each row.
+fn rows_where(rows: &[u32], holds: impl Fn(u32) -> bool) -> u64 {
+    rows.iter().rev().fold(0, |bits, &row| bits << 1 | u64::from(holds(row)))
 }

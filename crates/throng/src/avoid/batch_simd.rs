@@ -1,9 +1,9 @@
-//! The gathering of a batch into lanes, and the limits of chosen velocities, with SIMD. The bits are the same as those
+//! The gathering of a batch into arrays, and the limits of chosen velocities, with SIMD. The bits are the same as those
 //! of the [scalar path](super::avoidance), which handles all other agents and their neighbours.
 
 use super::batch::AvoidanceShared;
 use super::squeeze::may_squeeze;
-use super::{AvoidanceBatch, AvoidanceInput, AvoidanceLanes, MOST_LANE_NEIGHBOURS, Workspace};
+use super::{AvoidanceBatch, AvoidanceInput, MOST_SIMD_NEIGHBOURS, SimdInput, Workspace};
 use crate::intend::{YIELD_AT_REST, YIELD_TO_FIRST};
 use crate::navigate::{GOAL, WALKS};
 use crate::simd::{LANES, Vec2s, load, load_pairs, ones, set};
@@ -15,18 +15,18 @@ impl AvoidanceBatch<'_> {
     #[inline(always)]
     pub(super) fn gather<S: Simd>(&mut self, simd: S, gathered: u64) {
         let Self { avoiding, start, rows, scratch, .. } = self;
-        let (lanes, start, shared) = (&mut scratch.lanes, *start, avoiding.shared);
+        let (input, start, shared) = (&mut scratch.input, *start, avoiding.shared);
         let (agents, around) = (&avoiding.state.agents, avoiding.around);
         let AvoidanceShared { squeeze, all_squeeze, equals, radius, margin, .. } = *shared;
         let (any_irregular, mut beside) = (shared.any_irregular(), 0);
         let (mut own_motion, mut own_keys) = ([[0.0; 4]; LANES], [0; LANES]);
-        let mut keys = [[0; LANES]; MOST_LANE_NEIGHBOURS];
+        let mut keys = [[0; LANES]; MOST_SIMD_NEIGHBOURS];
         let (mut count, mut most) = ([0.0; LANES], 0);
         let mut own_way = [[0.0; LANES]; 2];
         for (lane, &row) in rows.iter().enumerate() {
             let own = &around.shown[row as usize];
             (own_motion[lane], own_keys[lane]) = (own.motion, own.way.key());
-            set(&mut lanes.preferred, lane, avoiding.relaxed_velocity(row as usize, shared.step));
+            set(&mut input.preferred, lane, avoiding.relaxed_velocity(row as usize, shared.step));
             let neighbours = if gathered >> lane & 1 == 1 { around.near.at(start + lane) } else { &[] };
             most = most.max(neighbours.len());
             count[lane] = neighbours.len() as f32;
@@ -36,7 +36,7 @@ impl AvoidanceBatch<'_> {
             if squeeze {
                 set(&mut own_way, lane, own.way.direction);
             }
-            for ((&other, others), keys) in neighbours.iter().zip(&mut lanes.neighbours).zip(&mut keys) {
+            for ((&other, others), keys) in neighbours.iter().zip(&mut input.neighbours).zip(&mut keys) {
                 let shown = &around.shown[other as usize];
                 others.motion[lane] = shown.motion;
                 if squeeze {
@@ -51,10 +51,10 @@ impl AvoidanceBatch<'_> {
         let (walks, goal) = (S::u32s::splat(simd, WALKS), S::u32s::splat(simd, GOAL));
         let count = load(simd, &count);
         let [position, velocity] = load_pairs(simd, &own_motion);
-        position.store(&mut lanes.position);
-        velocity.store(&mut lanes.velocity);
-        agents.max_speed.simd_of(simd, rows).store_slice(&mut lanes.max_speed[..S::f32s::LEN]);
-        let AvoidanceLanes { neighbours, there: all_there, .. } = lanes;
+        position.store(&mut input.position);
+        velocity.store(&mut input.velocity);
+        agents.max_speed.simd_of(simd, rows).store_slice(&mut input.max_speed[..S::f32s::LEN]);
+        let SimdInput { neighbours, there: all_there, .. } = input;
         for (index, (others, keys)) in neighbours[..most].iter_mut().zip(&keys).enumerate() {
             let theirs = of(keys);
             let there = count.simd_gt(S::f32s::splat(simd, index as f32));
@@ -111,21 +111,21 @@ impl AvoidanceBatch<'_> {
                 others.motion[lane][3] += granted.y;
             }
         }
-        (lanes.agents, lanes.most, lanes.step) = (gathered & !beside, most, shared.step);
+        (input.agents, input.most, input.step) = (gathered & !beside, most, shared.step);
     }
 
     /// Removes neighbours that walls hide, and agents that see walls for which `walls` returns false.
     pub(super) fn see_walls(
         &mut self,
-        mut walls: impl FnMut(&mut AvoidanceLanes, usize, &AvoidanceInput<'_>, &mut Workspace) -> bool,
+        mut walls: impl FnMut(&mut SimdInput, usize, &AvoidanceInput<'_>, &mut Workspace) -> bool,
     ) {
         let Self { avoiding, rows, scratch, .. } = self;
-        let (state, lanes) = (avoiding.state, &mut scratch.lanes);
-        lanes.walls.clear();
+        let (state, input) = (avoiding.state, &mut scratch.input);
+        input.walls.clear();
         if avoiding.shared.open {
             return;
         }
-        for lane in ones(lanes.agents) {
+        for lane in ones(input.agents) {
             let row = rows[lane] as usize;
             let range = state.model(row).wall_range(state.agents.radius[row], state.agents.max_speed[row]);
             if state.walls.are_far(state.agents.position[row].as_dvec2(), range.into()) {
@@ -137,11 +137,11 @@ impl AvoidanceBatch<'_> {
                 continue;
             }
             let view = avoiding.view_of(row, avoiding.shared.step, sight);
-            if !walls(lanes, lane, &view, &mut scratch.workspace) {
-                lanes.agents &= !(1 << lane);
+            if !walls(input, lane, &view, &mut scratch.workspace) {
+                input.agents &= !(1 << lane);
                 continue;
             }
-            for (&other, there) in avoiding.around.neighbours(row).iter().zip(&mut lanes.there) {
+            for (&other, there) in avoiding.around.neighbours(row).iter().zip(&mut input.there) {
                 if sight.hides(state.agents.offset(row, other as usize)) {
                     *there &= !(1 << lane);
                 }
@@ -149,21 +149,21 @@ impl AvoidanceBatch<'_> {
         }
     }
 
-    /// Limits the velocities chosen in lanes to what the bodies can do.
+    /// Limits the velocities chosen with SIMD to what the bodies can do.
     #[inline(always)]
     pub(super) fn limit<S: Simd>(&mut self, simd: S) {
-        let (rows, lanes) = (self.rows, &self.scratch.lanes);
-        let velocity = Vec2s::load(simd, &lanes.velocity);
-        let most = self.avoiding.state.agents.max_acceleration.simd_of(simd, rows) * S::f32s::splat(simd, lanes.step);
-        let change = (Vec2s::load(simd, &lanes.chosen) - velocity).clamp_length_max(most);
-        let limited: Vec2s<S> = (velocity + change).clamp_length_max(load(simd, &lanes.max_speed));
-        if lanes.agents.count_ones() as usize == rows.len() {
+        let (rows, input) = (self.rows, &self.scratch.input);
+        let velocity = Vec2s::load(simd, &input.velocity);
+        let most = self.avoiding.state.agents.max_acceleration.simd_of(simd, rows) * S::f32s::splat(simd, input.step);
+        let change = (Vec2s::load(simd, &input.chosen) - velocity).clamp_length_max(most);
+        let limited: Vec2s<S> = (velocity + change).clamp_length_max(load(simd, &input.max_speed));
+        if input.agents.count_ones() as usize == rows.len() {
             limited.put_side_by_side(self.chosen);
         } else {
-            for lane in ones(lanes.agents) {
+            for lane in ones(input.agents) {
                 self.chosen[lane] = Vec2::new(limited.x[lane], limited.y[lane]);
             }
         }
-        self.left &= !lanes.agents;
+        self.left &= !input.agents;
     }
 }

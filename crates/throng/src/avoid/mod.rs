@@ -18,7 +18,6 @@ mod half_plane;
 mod half_space;
 mod hrvo;
 mod imminence;
-mod lanes;
 mod moussaid;
 mod none;
 mod obstacle_lines;
@@ -32,6 +31,7 @@ mod rvo;
 mod rvo_lab;
 mod sampling;
 mod separation;
+mod simd_input;
 mod social_force;
 mod squeeze;
 mod turning;
@@ -51,7 +51,6 @@ pub use forbidden::Forbidden;
 pub use half_plane::{HalfPlane, closest_velocity, least_violation};
 pub use half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
 pub use hrvo::Hrvo;
-pub use lanes::{AvoidanceLanes, LaneNeighbour, MOST_LANE_NEIGHBOURS};
 pub use moussaid::Moussaid2009;
 pub use none::NoAvoidance;
 pub use orca::{BuiltFrom, Orca};
@@ -61,6 +60,7 @@ pub use power_law::PowerLaw;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
 pub use sampling::SamplePattern;
+pub use simd_input::{MOST_SIMD_NEIGHBOURS, SimdInput, SimdNeighbour};
 pub use social_force::SocialForce;
 pub use vo::Vo;
 
@@ -251,7 +251,7 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
     }
 
     /// Chooses the velocities of agents that are near each other, if the model has a faster way for several agents than
-    /// for one: see [`AvoidanceBatch::in_lanes`]. The agents that it leaves out get the velocity of
+    /// for one: see [`AvoidanceBatch::with_simd`]. The agents that it leaves out get the velocity of
     /// [`velocity_in_space`](Self::velocity_in_space), which is the same.
     fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
         let _ = batch;

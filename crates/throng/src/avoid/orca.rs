@@ -73,9 +73,9 @@ impl LocalModel for Orca {
 
     fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
         if self.turning_bias == 1.0 && self.built_from == BuiltFrom::Current {
-            batch.in_lanes(
-                |lanes, lane, view, workspace| lanes.permit(lane, self.permit_walls(view, workspace)),
-                |lanes, workspace| orca_simd::choose_many(self, lanes, workspace),
+            batch.with_simd(
+                |input, lane, view, workspace| input.permit(lane, self.permit_walls(view, workspace)),
+                |input, workspace| orca_simd::choose_many(self, input, workspace),
             );
         }
     }

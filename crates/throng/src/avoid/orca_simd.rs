@@ -3,16 +3,16 @@
 //! sparse crowd, are finished by scalar code.
 
 use super::half_plane::{HalfPlane, PARALLEL, least_violation};
-use super::lanes::MOST_WALLS;
 use super::orca::{Orca, RECOVERY};
-use super::{AvoidanceLanes, LaneNeighbour, MOST_LANE_NEIGHBOURS, Workspace};
+use super::simd_input::MOST_WALLS;
+use super::{MOST_SIMD_NEIGHBOURS, SimdInput, SimdNeighbour, Workspace};
 use crate::simd::{Vec2s, load, load_pairs, ones};
 use fearless_simd::dispatch;
 use fearless_simd::prelude::*;
 use glam::Vec2;
 
 /// Maximum number of half-planes of both kinds.
-const MOST_WITH_WALLS: usize = MOST_WALLS + MOST_LANE_NEIGHBOURS;
+const MOST_WITH_WALLS: usize = MOST_WALLS + MOST_SIMD_NEIGHBOURS;
 
 /// The agents, one in each element.
 struct SimdAgents<S: Simd> {
@@ -22,12 +22,12 @@ struct SimdAgents<S: Simd> {
     max_speed: S::f32s,
 }
 
-/// Chooses the velocities of agents in lanes. Leaves out agents that are at the same place as a neighbour.
-pub(super) fn choose_many(orca: &Orca, lanes: &mut AvoidanceLanes, workspace: &mut Workspace) {
-    if lanes.walls.is_empty() {
-        dispatch!(lanes.level, simd => choose::<_, MOST_LANE_NEIGHBOURS>(simd, orca, lanes, workspace));
+/// Chooses the velocities of agents with SIMD. Leaves out agents that are at the same place as a neighbour.
+pub(super) fn choose_many(orca: &Orca, input: &mut SimdInput, workspace: &mut Workspace) {
+    if input.walls.is_empty() {
+        dispatch!(input.level, simd => choose::<_, MOST_SIMD_NEIGHBOURS>(simd, orca, input, workspace));
     } else {
-        dispatch!(lanes.level, simd => choose::<_, MOST_WITH_WALLS>(simd, orca, lanes, workspace));
+        dispatch!(input.level, simd => choose::<_, MOST_WITH_WALLS>(simd, orca, input, workspace));
     }
 }
 
@@ -40,27 +40,27 @@ struct Lines<S: Simd> {
     there: S::mask32s,
 }
 
-/// As [`choose_many`]. `N` is the maximum number of half-planes: [`MOST_LANE_NEIGHBOURS`] if no agent has half-planes of
+/// As [`choose_many`]. `N` is the maximum number of half-planes: [`MOST_SIMD_NEIGHBOURS`] if no agent has half-planes of
 /// walls, else [`MOST_WITH_WALLS`].
 #[inline(always)]
-fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLanes, workspace: &mut Workspace) {
+fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, input: &mut SimdInput, workspace: &mut Workspace) {
     let own = SimdAgents {
-        position: Vec2s::load(simd, &lanes.position),
-        velocity: Vec2s::load(simd, &lanes.velocity),
-        preferred: Vec2s::load(simd, &lanes.preferred),
-        max_speed: load(simd, &lanes.max_speed),
+        position: Vec2s::load(simd, &input.position),
+        velocity: Vec2s::load(simd, &input.velocity),
+        preferred: Vec2s::load(simd, &input.preferred),
+        max_speed: load(simd, &input.max_speed),
     };
     let none: Vec2s<S> = Vec2s::splat(simd, Vec2::ZERO);
     let none_there = none.x.simd_lt(none.x);
     let mut lines = [Lines { point: none, direction: none, there: none_there }; N];
     let mask = |bits: u64| S::mask32s::from_bitmask(simd, bits);
-    let hard = lanes.walls.len();
-    for (line, wall) in lines.iter_mut().zip(&lanes.walls) {
+    let hard = input.walls.len();
+    for (line, wall) in lines.iter_mut().zip(&input.walls) {
         let (point, direction) = (Vec2s::load(simd, &wall.point), Vec2s::load(simd, &wall.direction));
         *line = Lines { point, direction, there: mask(wall.there) };
     }
-    let (step, most, mut left) = (lanes.step, lanes.most, 0);
-    let seen = lanes.neighbours.iter().zip(&lanes.there);
+    let (step, most, mut left) = (input.step, input.most, 0);
+    let seen = input.neighbours.iter().zip(&input.there);
     for (line, (others, &there)) in lines[hard..hard + most].iter_mut().zip(seen) {
         let (made, coincident) = self::line(simd, orca, &own, others, step);
         let there_lanes = mask(there);
@@ -68,10 +68,10 @@ fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLa
         *line = Lines { direction, there: there_lanes, ..made };
         left |= coincident & there;
     }
-    lanes.agents &= !left;
+    input.agents &= !left;
     let lines = &lines[..hard + most];
     let (mut velocity, failed) = closest_velocity(simd, lines, own.max_speed, own.preferred);
-    for lane in ones(failed.lanes.to_bitmask() & lanes.agents) {
+    for lane in ones(failed.lanes.to_bitmask() & input.agents) {
         let Workspace { lines: all, fallback, .. } = workspace;
         all.clear();
         let at = |v: Vec2s<S>| Vec2::new(v.x[lane], v.y[lane]);
@@ -84,13 +84,13 @@ fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, lanes: &mut AvoidanceLa
         let best = least_violation(all, walls, own.max_speed[lane], (first, at(velocity)), fallback);
         (velocity.x[lane], velocity.y[lane]) = (best.x, best.y);
     }
-    velocity.store(&mut lanes.chosen);
+    velocity.store(&mut input.chosen);
 }
 
 /// Returns the half-plane of one neighbour per agent, as [`line`](super::orca::line), and the agents that are at the
 /// same place as this neighbour.
 #[inline(always)]
-fn line<S: Simd>(simd: S, orca: &Orca, own: &SimdAgents<S>, others: &LaneNeighbour, step: f32) -> (Lines<S>, u64) {
+fn line<S: Simd>(simd: S, orca: &Orca, own: &SimdAgents<S>, others: &SimdNeighbour, step: f32) -> (Lines<S>, u64) {
     let splat = |value: f32| S::f32s::splat(simd, value);
     let zero = splat(0.0);
     let velocity = own.velocity;

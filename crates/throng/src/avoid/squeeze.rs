@@ -3,7 +3,7 @@
 //! A velocity-obstacle model permits two agents that touch no velocity towards each other. Where many agents come from
 //! both sides, several neighbours block each agent, and all stand. People turn their shoulders, touch and slide past.
 
-use super::LaneNeighbour;
+use super::SimdNeighbour;
 use crate::agent::Group;
 use crate::navigate::{SAME_WAY, Surroundings};
 use crate::simd::{Vec2s, load_pairs};
@@ -43,7 +43,7 @@ pub(super) fn may_squeeze<S: Simd>(
     simd: S,
     [position, velocity]: [Vec2s<S>; 2],
     way: Vec2s<S>,
-    others: &LaneNeighbour,
+    others: &SimdNeighbour,
 ) -> S::mask32s {
     let splat = |value: f32| S::f32s::splat(simd, value);
     let opposite = Vec2s::load(simd, &others.way).dot(way).simd_lt(splat(-SAME_WAY));

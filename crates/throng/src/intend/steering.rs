@@ -139,7 +139,7 @@ pub(super) struct GroupSteering<'a> {
     /// Where the steering forces come from.
     pub source: Source<'a>,
     /// The SIMD level and the step of the vehicles, if the kernel supports them.
-    pub lanes: Option<(Level, Stepping)>,
+    pub simd: Option<(Level, Stepping)>,
     pub seconds: f32,
     pub now: f64,
 }
@@ -164,7 +164,7 @@ impl<'a> GroupSteering<'a> {
             None => Source::Behaviour,
         };
         let step = |level| Some((level, Stepping::of(&group.vehicle, seconds)?));
-        Some(Self { group, steering, source, lanes: state.instructions.level().and_then(step), seconds, now })
+        Some(Self { group, steering, source, simd: state.instructions.level().and_then(step), seconds, now })
     }
 }
 
@@ -225,8 +225,8 @@ impl<'a> Behaving<'a> {
                         (range.start as u32..range.end as u32)
                             .filter(|&row| state.agents.group[row as usize].index() == index),
                     );
-                    match of.lanes {
-                        Some(lanes) => self.steer_many(lanes, &of, rows, &mut plans, neighbours),
+                    match of.simd {
+                        Some(simd) => self.steer_many(simd, &of, rows, &mut plans, neighbours),
                         None => rows.iter().for_each(|&row| {
                             let steering = self.steering(&of, row as usize, &mut plans, neighbours);
                             self.steer_row(&of, row as usize, steering, &mut plans);

@@ -97,7 +97,7 @@ impl Perceive {
         self.close = state.close_enough_to_measure(seconds);
         self.rebuild_lattice(state);
         let guarded = state.groups_in_use().any(|group| group.guard);
-        if state.none_counts_the_nearest() && !guarded && state.vehicles_limit_all() {
+        if state.none_counts_the_nearest() && !guarded && !state.any_needs_model() {
             self.near.clear(state.agents.len());
             return self.sort_rows_if_scattered(state, sleep);
         }

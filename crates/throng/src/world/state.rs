@@ -89,6 +89,11 @@ impl State {
         in_air || self.legs.lead_up() || self.any_steers_in_space()
     }
 
+    /// Whether any agent needs a local model, or follows a script and is limited as if it did.
+    pub(crate) fn any_needs_model(&self) -> bool {
+        self.agents.script.uniform() != Some(None) || self.groups_in_use().any(Group::needs_model)
+    }
+
     /// Returns the id of the agent in a row.
     pub(crate) fn id(&self, row: usize) -> AgentId {
         let slot = self.agents.slot[row];

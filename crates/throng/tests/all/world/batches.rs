@@ -1,4 +1,4 @@
-//! Models from outside that choose velocities in lanes: the same bits as one agent at a time.
+//! Models from outside that choose velocities with SIMD: the same bits as one agent at a time.
 
 use crate::world::common::{Draw, journey_to, with_settings};
 use crate::world::determinism::bits;
@@ -12,10 +12,10 @@ use throng::{Agent, Body, Group, Obstacle, SubSteps, World};
 /// Slows down for each neighbour, the more the nearer it is.
 #[derive(Debug, Default)]
 struct Slow {
-    /// Whether it chooses in lanes, and whether it sees walls there.
-    lanes: bool,
+    /// Whether it chooses with SIMD, and whether it sees walls there.
+    simd: bool,
     walls: bool,
-    /// Velocities chosen in lanes, and velocities chosen one at a time.
+    /// Velocities chosen with SIMD, and velocities chosen one at a time.
     chosen: [AtomicUsize; 2],
 }
 
@@ -30,24 +30,24 @@ impl LocalModel for Slow {
     }
 
     fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
-        if !self.lanes {
+        if !self.simd {
             return;
         }
         let sees = |_: &mut _, _, view: &AvoidanceInput<'_>, _: &mut _| {
             assert!(!view.edges.is_empty() && view.neighbours.is_empty());
             self.walls
         };
-        batch.in_lanes(sees, |lanes, _| {
-            for lane in (0..16).filter(|lane| lanes.agents >> lane & 1 == 1) {
+        batch.with_simd(sees, |input, _| {
+            for lane in (0..16).filter(|lane| input.agents >> lane & 1 == 1) {
                 self.chosen[0].fetch_add(1, Ordering::Relaxed);
-                let own = Vec2::new(lanes.position[0][lane], lanes.position[1][lane]);
-                let mut velocity = Vec2::new(lanes.preferred[0][lane], lanes.preferred[1][lane]);
-                let seen = (0..lanes.most).filter(|&index| lanes.there[index] >> lane & 1 == 1);
-                for neighbour in seen.map(|index| &lanes.neighbours[index]) {
+                let own = Vec2::new(input.position[0][lane], input.position[1][lane]);
+                let mut velocity = Vec2::new(input.preferred[0][lane], input.preferred[1][lane]);
+                let seen = (0..input.most).filter(|&index| input.there[index] >> lane & 1 == 1);
+                for neighbour in seen.map(|index| &input.neighbours[index]) {
                     let [x, y, ..] = neighbour.motion[lane];
                     velocity = slowed(velocity, Vec2::new(x, y) - own, neighbour.radii[lane]);
                 }
-                (lanes.chosen[0][lane], lanes.chosen[1][lane]) = (velocity.x, velocity.y);
+                (input.chosen[0][lane], input.chosen[1][lane]) = (velocity.x, velocity.y);
             }
         });
     }
@@ -79,20 +79,20 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(30))]
 
     #[test]
-    fn a_model_that_chooses_in_lanes_chooses_the_same(
+    fn a_model_that_chooses_with_simd_chooses_the_same(
         seed: u64, count in 1usize..150, (walls, long, mixed) in any::<(bool, bool, bool)>(),
     ) {
-        let run = |lanes: bool| {
-            let model = Arc::new(Slow { lanes, walls, ..Slow::default() });
+        let run = |simd: bool| {
+            let model = Arc::new(Slow { simd, walls, ..Slow::default() });
             let others: Arc<dyn LocalModel> = if mixed { Arc::new(Orca::default()) } else { model.clone() };
             let mut world = crowd(model.clone(), others, seed, count, long);
             (0..20).for_each(|_| world.step());
             (bits(&world), model.chosen[0].load(Ordering::Relaxed), model.chosen[1].load(Ordering::Relaxed))
         };
-        let ((plain, none, all), (fast, in_lanes, left)) = (run(false), run(true));
+        let ((plain, none, all), (fast, with_simd, left)) = (run(false), run(true));
         prop_assert_eq!(plain, fast);
-        prop_assert_eq!((none, in_lanes + left), (0, all));
-        // an open crowd of discs is chosen in lanes
-        prop_assert!(long || mixed || !walls || count < 16 || in_lanes > left);
+        prop_assert_eq!((none, with_simd + left), (0, all));
+        // an open crowd of discs is chosen with SIMD
+        prop_assert!(long || mixed || !walls || count < 16 || with_simd > left);
     }
 }

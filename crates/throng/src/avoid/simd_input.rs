@@ -4,15 +4,15 @@ use super::HalfPlane;
 use crate::simd::{LANES, set};
 use fearless_simd::Level;
 
-/// Maximum number of neighbours of an agent in lanes.
-pub const MOST_LANE_NEIGHBOURS: usize = crate::perceive::FEW_NEIGHBOURS;
-/// Maximum number of half-planes of walls of an agent in lanes.
+/// Maximum number of neighbours of an agent that SIMD takes.
+pub const MOST_SIMD_NEIGHBOURS: usize = crate::perceive::FEW_NEIGHBOURS;
+/// Maximum number of half-planes of walls of an agent that SIMD takes.
 pub(super) const MOST_WALLS: usize = 8;
 
 /// The agents of a batch and their surroundings; see [`AvoidanceInput`](super::AvoidanceInput). All are discs on the
 /// ground. Each array has an element for each agent.
 #[derive(Clone, Debug)]
-pub struct AvoidanceLanes {
+pub struct SimdInput {
     /// The agents to choose for, one bit for each. The other elements are meaningless.
     pub agents: u64,
     /// Positions, x and y, metres.
@@ -28,9 +28,9 @@ pub struct AvoidanceLanes {
     /// The greatest number of neighbours of an agent.
     pub most: usize,
     /// The agents that have a first neighbour, a second, ..., one bit for each.
-    pub there: [u64; MOST_LANE_NEIGHBOURS],
+    pub there: [u64; MOST_SIMD_NEIGHBOURS],
     /// The first neighbour of each agent, the second, ...
-    pub neighbours: [LaneNeighbour; MOST_LANE_NEIGHBOURS],
+    pub neighbours: [SimdNeighbour; MOST_SIMD_NEIGHBOURS],
     /// The chosen velocities, m/s.
     pub chosen: [[f32; LANES]; 2],
     /// The first half-plane of walls of each agent, the second, ...; at most [`MOST_WALLS`].
@@ -49,7 +49,7 @@ pub(super) struct Permitted {
 
 /// One neighbour per agent; see [`AvoidanceNeighbour`](super::AvoidanceNeighbour).
 #[derive(Clone, Copy, Debug)]
-pub struct LaneNeighbour {
+pub struct SimdNeighbour {
     /// Position and velocity of the neighbour: x, y, vx, vy.
     pub motion: [[f32; 4]; LANES],
     /// Sum of the two radii, with the margin that the model keeps, metres.
@@ -60,11 +60,11 @@ pub struct LaneNeighbour {
     pub(super) way: [[f32; LANES]; 2],
 }
 
-impl Default for AvoidanceLanes {
+impl Default for SimdInput {
     fn default() -> Self {
         let none = [[0.0; LANES]; 2];
         let neighbour =
-            LaneNeighbour { motion: [[0.0; 4]; LANES], radii: [0.0; LANES], share: [0.5; LANES], way: none };
+            SimdNeighbour { motion: [[0.0; 4]; LANES], radii: [0.0; LANES], share: [0.5; LANES], way: none };
         Self {
             agents: 0,
             position: none,
@@ -73,8 +73,8 @@ impl Default for AvoidanceLanes {
             max_speed: [0.0; LANES],
             step: 0.0,
             most: 0,
-            there: [0; MOST_LANE_NEIGHBOURS],
-            neighbours: [neighbour; MOST_LANE_NEIGHBOURS],
+            there: [0; MOST_SIMD_NEIGHBOURS],
+            neighbours: [neighbour; MOST_SIMD_NEIGHBOURS],
             chosen: none,
             walls: Vec::with_capacity(MOST_WALLS),
             level: Level::baseline(),
@@ -82,7 +82,7 @@ impl Default for AvoidanceLanes {
     }
 }
 
-impl AvoidanceLanes {
+impl SimdInput {
     /// Sets the sums of radii of all pairs.
     pub(super) fn set_radii(&mut self, radii: f32) {
         self.neighbours.iter_mut().for_each(|neighbour| neighbour.radii = [radii; LANES]);
