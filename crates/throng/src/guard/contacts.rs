@@ -4,9 +4,10 @@ use super::GuardedBodies;
 use super::lists::{ContactLists, Reports};
 use super::sizes::{BodySizes, CommonBody};
 use crate::parallel::WORD;
-use crate::perceive::{Grid, Near};
+use crate::perceive::{CellLattice, Grid, Near};
 use crate::simd::ones;
 use crate::space::{NearWalls, Walls};
+use glam::Vec3;
 
 /// The bodies and walls within the reach of each body. Two bodies that are both in a pile are not in each other's
 /// lists, so the cost of a step is linear in the number of bodies even if all of them start at one point.
@@ -41,6 +42,14 @@ const PILE: usize = 6;
 /// the least radius.
 const DEEP: f32 = 0.8;
 
+/// The centres of the bodies, sorted by place.
+#[derive(Clone, Copy)]
+pub(super) struct Centers<'a> {
+    pub grid: &'a Grid,
+    /// The centres in space, if all bodies are discs: a search in space has fewer candidates.
+    pub space: Option<&'a CellLattice>,
+}
+
 /// The search for contacts. A body searches as far as is needed for all bodies that are not larger than the usual size
 /// or than itself. The few larger bodies report their contacts to the smaller ones. `ALIKE`: all rows have the common
 /// body.
@@ -48,7 +57,7 @@ const DEEP: f32 = 0.8;
 struct ContactSearch<'a, const ALIKE: bool> {
     bodies: &'a GuardedBodies<'a>,
     numbers: &'a [u32],
-    grid: &'a Grid,
+    centers: Centers<'a>,
     sizes: &'a BodySizes,
     common: CommonBody,
 }
@@ -78,12 +87,25 @@ impl<const ALIKE: bool> ContactSearch<'_, ALIKE> {
     #[inline]
     fn look(&self, row: usize, limit: f32, mut found: impl FnMut(usize)) {
         let range = (self.size(row) + limit) * (PAD * PAD);
-        self.grid.within(self.bodies.positions[row], range, |near| {
-            let other = near.row as usize;
-            if other != row && self.size(other) <= limit && self.touch(row, other, near.distance_squared) {
+        let mut look = |other: usize, distance_squared: f32| {
+            if other != row && self.size(other) <= limit && self.touch(row, other, distance_squared) {
                 found(other);
             }
-        });
+        };
+        let Centers { grid, space } = self.centers;
+        match space {
+            None => {
+                grid.within(self.bodies.positions[row], range, |near| look(near.row as usize, near.distance_squared))
+            }
+            Some(space) => space.within(self.center(row), range, |place, offset| {
+                look(space.order()[place] as usize, offset.truncate().length_squared());
+            }),
+        }
+    }
+
+    /// Returns the centre of a body.
+    fn center(&self, row: usize) -> Vec3 {
+        self.bodies.positions[row].extend(self.bodies.altitudes[row])
     }
 
     /// Adds the contacts of a larger body to `found`, for the smaller bodies.
@@ -169,12 +191,21 @@ impl<const ALIKE: bool> ContactSearch<'_, ALIKE> {
                 return false;
             }
         }
+        let Centers { grid, space } = self.centers;
+        if let Some(space) = space {
+            let mut deep = 0;
+            space.within(self.center(row), reach, |place, offset| {
+                let other = space.order()[place] as usize;
+                deep += usize::from(other != row && offset.length_squared() < reach * reach && meets(row, other));
+            });
+            return deep > PILE;
+        }
         let overlaps = |near: &mut Near| {
             let other = near.row as usize;
             near.distance_squared += (altitudes[row] - altitudes[other]).powi(2);
             other != row && near.distance_squared < reach * reach && meets(row, other)
         };
-        self.grid.nearest(positions[row], PILE + 1, reach, overlaps, found);
+        grid.nearest(positions[row], PILE + 1, reach, overlaps, found);
         found.len() > PILE
     }
 
@@ -229,14 +260,27 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
+        self.collect_from(bodies, numbers, Centers { grid, space: None }, walls, meets, seen);
+    }
+
+    /// As [`collect`](Self::collect), with the centres perhaps sorted in space too.
+    pub(super) fn collect_from<'a>(
+        &mut self,
+        bodies: &GuardedBodies<'_>,
+        numbers: &[u32],
+        centers: Centers<'_>,
+        walls: &Walls,
+        meets: impl Fn(usize, usize) -> bool + Sync,
+        seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
+    ) {
         self.sizes.measure(bodies);
         let Self { others, reports, sizes, .. } = self;
         let (sizes, common) = (&*sizes, sizes.common);
         if sizes.all_alike() {
             reports.clear();
-            ContactSearch::<true> { bodies, numbers, grid, sizes, common }.fill(others, reports, &meets, &seen);
+            ContactSearch::<true> { bodies, numbers, centers, sizes, common }.fill(others, reports, &meets, &seen);
         } else {
-            let search = ContactSearch::<false> { bodies, numbers, grid, sizes, common };
+            let search = ContactSearch::<false> { bodies, numbers, centers, sizes, common };
             reports.collect(sizes.larger.len(), |first, found| {
                 sizes.larger[first..].iter().take(WORD).for_each(|&row| search.report_larger(row, &meets, found));
             });

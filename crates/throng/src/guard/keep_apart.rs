@@ -1,6 +1,7 @@
 //! Stage 4, guard: the stage that finds where agents can move without overlap.
 
 use super::certify::{led, unguarded, within_reach};
+use super::contacts::Centers;
 use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
 use crate::agent::Column;
 use crate::intend::Velocities;
@@ -89,7 +90,9 @@ impl KeepApart {
             |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
         if state.is_guarded() {
             let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-            contacts.collect(&bodies, &agents.number, seen.grid, walls, meets, covered(state, seen));
+            let sorted = state.any_looks_at_all() && seen.discs_only && agents.any_flies();
+            let centers = Centers { grid: seen.grid, space: sorted.then_some(seen.lattice) };
+            contacts.collect_from(&bodies, &agents.number, centers, walls, meets, covered(state, seen));
             let report = guard.certify(&bodies, contacts, walls, wished, targets);
             let is_pushed = |&row: &usize| state.is_pushed(row, targets[row].place(), seconds);
             return (report.changed, guard.moved_rows().filter(is_pushed).count());

@@ -9,6 +9,7 @@ use super::triangulate::{NONE, triangulate};
 use crate::space::nearest_on_segment;
 use glam::DVec2;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Distance inside the area at which paths end, metres, so that an agent that arrives is certainly inside.
 const INSET: f64 = 0.05;
@@ -29,6 +30,8 @@ pub struct Area {
     /// Positions of the triangles in the order of the bridges, sorted.
     places: Vec<u32>,
     gap: f64,
+    /// See [`in_sight`](Self::in_sight).
+    in_sight: OnceLock<Box<[(u32, f64)]>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -138,6 +141,12 @@ impl Area {
             }
         }
         best
+    }
+
+    /// Returns the vertices from which the area is visible, with the lengths of the straight ways to it. They are found
+    /// when first needed.
+    pub(super) fn in_sight(&self, find: impl FnOnce() -> Vec<(u32, f64)>) -> &[(u32, f64)] {
+        self.in_sight.get_or_init(|| find().into())
     }
 
     pub(super) fn corner(&self) -> DVec2 {

@@ -89,5 +89,8 @@ impl NavMesh {
 
 /// Whether a direction is clearly to the left of another.
 fn is_left(a: DVec2, of: DVec2) -> bool {
-    of.perp_dot(a) > FLAT * of.length() * a.length()
+    let side = of.perp_dot(a);
+    // a vector is no longer than the sum of its components: mostly no root is needed
+    let most = |v: DVec2| v.x.abs() + v.y.abs();
+    side > 0.0 && (side > 10.0 * FLAT * most(of) * most(a) || side > FLAT * of.length() * a.length())
 }

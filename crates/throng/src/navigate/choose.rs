@@ -181,8 +181,11 @@ impl State {
     /// Returns the seconds until an agent reaches the end of a path that `before` agents reach earlier.
     fn expected_time(&self, row: usize, path: &Path, before: usize) -> f64 {
         let walk = path.length / f64::from(self.agents.preferred_speed[row]);
-        let mesh = self.meshes.mesh(self.agents.body(row).clearance_radius());
-        let wait = mesh.map_or(0.0, |mesh| before as f64 / (FLOW * mesh.narrowest(path, BEFORE_GOAL)));
-        walk.max(wait)
+        let wait = |width: f64| before as f64 / (FLOW * width);
+        match self.meshes.mesh(self.agents.body(row).clearance_radius()) {
+            // no place on the mesh is narrower than a body
+            Some(mesh) if wait(2.0 * mesh.radius()) > walk => walk.max(wait(mesh.narrowest(path, BEFORE_GOAL))),
+            _ => walk,
+        }
     }
 }

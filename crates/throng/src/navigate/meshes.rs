@@ -15,6 +15,8 @@ pub struct Meshes {
     classes: BTreeMap<u32, Class>,
     /// The trees by size of body and goal.
     trees: BTreeMap<(u32, GoalId), CachedTree>,
+    /// The size of their memory, bytes.
+    tree_bytes: usize,
     /// The number of searches so far.
     asked: u64,
 }
@@ -50,8 +52,8 @@ struct Class {
 /// Distance that paths keep from walls beyond the body's radius, millimetres.
 const CLEARANCE: f64 = 1.0;
 
-/// Maximum number of vertices of all trees that are kept: 12 bytes each.
-const MOST_VERTICES: usize = 5_000_000;
+/// Maximum size of all trees that are kept, bytes.
+const MOST_TREE_BYTES: usize = 80 << 20;
 
 /// Returns the size class of a radius, in millimetres: rounded up.
 fn class_of(radius: f32) -> u32 {
@@ -83,7 +85,12 @@ impl Meshes {
 
     /// Discards the areas and trees of a goal that has changed.
     pub(crate) fn forget(&mut self, goal: GoalId) {
-        self.trees.retain(|&(_, of), _| of != goal);
+        let bytes = &mut self.tree_bytes;
+        self.trees.retain(|&(_, of), kept| {
+            let stays = of != goal;
+            *bytes -= if stays { 0 } else { kept.tree.bytes() };
+            stays
+        });
         self.classes.values_mut().for_each(|class| _ = class.areas.remove(&goal));
     }
 
@@ -95,70 +102,64 @@ impl Meshes {
     /// Finds the requested paths. Requests for the same goal and size share a tree. The paths do not depend on which
     /// trees are kept.
     pub(crate) fn find(&mut self, goals: &[Goal], asked: &mut [PathRequest]) {
-        self.find_keeping(MOST_VERTICES, goals, asked);
+        self.find_keeping(MOST_TREE_BYTES, goals, asked);
     }
 
-    /// As [`find`](Self::find), with a maximum number of vertices of the trees that are kept.
+    /// As [`find`](Self::find), with a maximum size of the trees that are kept, bytes.
     fn find_keeping(&mut self, most: usize, goals: &[Goal], asked: &mut [PathRequest]) {
         self.asked += 1;
         let to = |asked: &PathRequest| (class_of(asked.radius), asked.goal);
         asked.sort_by_key(|asked| (to(asked), asked.row));
-        let kept: Vec<Option<Tree>> = asked
-            .chunk_by(|one, other| to(one) == to(other))
-            .map(|asked| Some(self.trees.remove(&to(&asked[0]))?.tree))
-            .collect();
-        let mut errands: Vec<PathRequestGroup<'_>> = asked
+        let mut groups: Vec<PathRequestGroup<'_>> = asked
             .chunk_by_mut(|one, other| to(one) == to(other))
-            .zip(kept)
-            .map(|(asked, tree)| {
-                let (class, goal) = to(&asked[0]);
-                PathRequestGroup {
-                    class: self.classes.get(&class),
-                    id: goal,
-                    goal: &goals[goal.index()],
-                    asked,
-                    tree,
-                    keeps: false,
-                }
+            .map(|asked| {
+                let key = to(&asked[0]);
+                let tree = self.trees.remove(&key).map(|kept| kept.tree);
+                self.tree_bytes -= tree.as_ref().map_or(0, Tree::bytes);
+                let (class, goal) = (self.classes.get(&key.0), &goals[key.1.index()]);
+                PathRequestGroup { key, class, goal, asked, tree }
             })
             .collect();
-        // the least recently used trees make room
-        let wanted: usize = errands.iter().map(PathRequestGroup::size).sum();
-        let mut used: usize = self.trees.values().map(|kept| kept.tree.size()).sum();
-        while used > 0 && used + wanted > most {
-            let oldest = self.trees.iter().min_by_key(|(_, kept)| kept.asked).map(|(&key, _)| key);
-            used -= oldest.and_then(|key| self.trees.remove(&key)).map_or(used, |kept| kept.tree.size());
+        let share = most / groups.len().max(1);
+        parallel::rows(&mut groups, |scratch: &mut TreeScratch, _, group| {
+            group.run(scratch);
+            // so that all trees of this search fit
+            group.tree.take_if(|tree| tree.bytes() > share);
+        });
+        let found: Vec<_> = groups.into_iter().filter_map(|group| Some((group.key, group.tree?))).collect();
+        let bytes: usize = found.iter().map(|(_, tree)| tree.bytes()).sum();
+        if self.tree_bytes + bytes > most {
+            self.make_room(most - bytes);
         }
-        for errand in &mut errands {
-            errand.keeps = used + errand.size() <= most;
-            used += if errand.keeps { errand.size() } else { 0 };
+        self.tree_bytes += bytes;
+        self.trees.extend(found.into_iter().map(|(key, tree)| (key, CachedTree { tree, asked: self.asked })));
+    }
+
+    /// Discards the least recently used trees until the others fit in half of `most` bytes: so this is seldom needed.
+    fn make_room(&mut self, most: usize) {
+        let mut by_use: Vec<_> = self.trees.iter().map(|(&key, kept)| (kept.asked, key)).collect();
+        by_use.sort_unstable();
+        for (_, key) in by_use {
+            if self.tree_bytes <= most / 2 {
+                break;
+            }
+            self.tree_bytes -= self.trees.remove(&key).map_or(0, |kept| kept.tree.bytes());
         }
-        parallel::rows(&mut errands, |scratch: &mut TreeScratch, _, errand| errand.run(scratch));
-        let trees: Vec<_> =
-            errands.into_iter().filter_map(|errand| Some((to(&errand.asked[0]), errand.tree?))).collect();
-        self.trees.extend(trees.into_iter().map(|(key, tree)| (key, CachedTree { tree, asked: self.asked })));
     }
 }
 
 /// All requests for paths to one goal by agents of one size.
 struct PathRequestGroup<'a> {
+    key: (u32, GoalId),
     class: Option<&'a Class>,
-    id: GoalId,
     goal: &'a Goal,
     asked: &'a mut [PathRequest],
     tree: Option<Tree>,
-    /// Whether the tree is kept.
-    keeps: bool,
 }
 
 impl PathRequestGroup<'_> {
-    /// Returns the number of vertices of the tree.
-    fn size(&self) -> usize {
-        self.class.and_then(|class| class.mesh.as_ref().ok()).map_or(0, |mesh| mesh.vertices().len())
-    }
-
     fn run(&mut self, scratch: &mut TreeScratch) {
-        let Self { class, id, goal, asked, tree, keeps } = self;
+        let Self { key: (_, id), class, goal, asked, tree } = self;
         let Some(class) = class else {
             asked.iter_mut().for_each(|asked| asked.found = Some(Ok((straight(asked.from, goal), 0.0))));
             return;
@@ -178,7 +179,6 @@ impl PathRequestGroup<'_> {
             };
             asked.found = Some(found.map(|path| (path, area.map_or(0.0, Area::gap))));
         }
-        tree.take_if(|_| !*keeps);
     }
 }
 
@@ -216,7 +216,7 @@ mod tests {
         let all = || (0..60).map(|row| (row, GoalId((row * row % 6) as u32)));
         let mut meshes = Meshes::default();
         meshes.prepare(all().map(|(_, goal)| (0.2, goal)), &place, &goals, (DVec2::ZERO, DVec2::ZERO));
-        let size = meshes.mesh(0.2).unwrap().vertices().len();
+        let size = meshes.mesh(0.2).unwrap().vertices().len() * 16;
         let found = |most: usize, at_once: usize| {
             let mut meshes = meshes.clone();
             let mut found = Vec::new();
@@ -228,7 +228,8 @@ mod tests {
                 };
                 let mut asked: Vec<PathRequest> = asked.iter().map(ask).collect();
                 meshes.find_keeping(most, &goals, &mut asked);
-                assert!(meshes.trees.values().map(|kept| kept.tree.size()).sum::<usize>() <= most);
+                assert!(meshes.trees.values().map(|kept| kept.tree.bytes()).sum::<usize>() <= most);
+                assert_eq!(meshes.trees.values().map(|kept| kept.tree.bytes()).sum::<usize>(), meshes.tree_bytes);
                 found.extend(asked.into_iter().map(|asked| (asked.row, asked.found.unwrap().unwrap())));
             }
             found.sort_by_key(|&(row, _)| row);

@@ -28,6 +28,7 @@ mod planning;
 mod planning_simd;
 mod polyanya;
 mod progress;
+mod reached;
 mod refuge;
 mod route;
 mod script;

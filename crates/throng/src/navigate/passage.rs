@@ -2,6 +2,7 @@
 
 use super::Path;
 use super::mesh::NavMesh;
+use super::visible::CoverScratch;
 use glam::DVec2;
 
 /// Half of the maximum width of a passage, metres.
@@ -43,7 +44,7 @@ impl CornerBend {
 
     /// Returns half of the width of the passage.
     pub fn half_width(&self, mesh: &NavMesh) -> f64 {
-        0.5 * mesh.reach(self.corner, self.corner + self.away * (2.0 * WIDEST))
+        0.5 * mesh.reach(self.corner, self.corner + self.away * (2.0 * WIDEST), &mut CoverScratch::default())
     }
 
     /// Returns the unit vector across the way from `at` to the corner, away from the wall that the path bends around.
@@ -68,20 +69,22 @@ impl NavMesh {
     /// Returns the minimum width, metres from wall to wall, of the last `metres` of a path on the mesh; at most 2
     /// [`BROAD`].
     pub(crate) fn narrowest(&self, path: &Path, metres: f64) -> f64 {
-        let mut left = metres;
+        let (mut rest, mut scratch) = (metres, CoverScratch::default());
         let mut narrowest = 2.0 * BROAD;
         let starts = path.corners.iter().rev().skip(1).chain([&path.start]);
         for (&end, &start) in path.corners.iter().rev().zip(starts) {
             let Some(back) = (start - end).try_normalize() else { continue };
-            let (length, across) = (start.distance(end).min(left), back.perp() * BROAD);
+            let (length, across) = (start.distance(end).min(rest), back.perp());
             let looks = (length / BETWEEN_LOOKS).ceil() as u32;
             for look in 0..looks {
                 let at = end + back * (f64::from(look) * BETWEEN_LOOKS);
-                let free = self.reach(at, at + across) + self.reach(at, at - across) + 2.0 * self.radius();
-                narrowest = narrowest.min(free);
+                // more room than at the narrowest place so far does not matter
+                let beside = across * BROAD.min(narrowest - 2.0 * self.radius());
+                let [left, right] = [beside, -beside].map(|beside| self.reach(at, at + beside, &mut scratch));
+                narrowest = narrowest.min(left + right + 2.0 * self.radius());
             }
-            left -= length;
-            if left <= 0.0 {
+            rest -= length;
+            if rest <= 0.0 {
                 break;
             }
         }

@@ -194,10 +194,9 @@ impl State {
         let clearance_radius = self.agents.body(row).clearance_radius();
         let heading = match self.meshes.mesh(clearance_radius) {
             Some(mesh) if self.local_groups[self.agents.group[row].index()].look_ahead => {
-                let area = self.passed_area(row, leg);
-                route.advance_in_place(mesh, at, area, |across| {
-                    self.off_walls(row, across) - f64::from(clearance_radius)
-                })
+                let area = || self.passed_area(row, leg);
+                let off = |across| self.off_walls(row, across) - f64::from(clearance_radius);
+                route.advance_in_place(mesh, at, area, off)
             }
             Some(mesh) => route.advance(mesh, at),
             None => route.end().map_or(Heading::Lost, Heading::End),

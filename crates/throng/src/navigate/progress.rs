@@ -45,6 +45,10 @@ pub struct RouteProgress {
     pub(crate) measured: bool,
     /// Whether the agent arrived at the point itself, so that it returns to the point when pushed.
     pub at_point: bool,
+    /// Whether the agent waits for room in the area of the stop.
+    waits_for_room: bool,
+    /// Whether there are metres still to rise or sink on the way.
+    slopes: bool,
     /// Metres from the point of the stop on arrival.
     pub(crate) arrived_at: f32,
     /// `None`: all values in it are those at the start of a leg.
@@ -60,9 +64,9 @@ struct RouteDetails {
     refuge: Option<Box<Route>>,
     /// The point that the agent heads for now, world coordinates.
     aim: DVec2,
-    /// Metres still to rise on the way, negative to sink; 0 if the goal is on the ground.
+    /// Metres still to rise on the way, negative to sink, if the way slopes.
     rise: f32,
-    /// Metres of way still ahead along the ground, if there is a height to rise or sink.
+    /// Metres of way still ahead along the ground, if the way slopes.
     along: f32,
     /// Distance from an area in a wall that counts as arrived, metres.
     gap: f32,
@@ -70,8 +74,6 @@ struct RouteDetails {
     wait: f32,
     /// The standing place in the area of the stop.
     standing: Option<Standing>,
-    /// Whether the agent waits for room in the area of the stop.
-    waits_for_room: bool,
 }
 
 /// The place in a goal area that an agent has chosen to stand at.
@@ -99,6 +101,8 @@ impl Default for RouteProgress {
             planned: false,
             measured: false,
             at_point: false,
+            waits_for_room: false,
+            slopes: false,
             arrived_at: 0.0,
             rare: None,
         }
@@ -134,18 +138,16 @@ impl RouteProgress {
 
     /// Whether the agent waits for room in the area of the stop.
     pub fn waits_for_room(&self) -> bool {
-        self.rare.as_ref().is_some_and(|rare| rare.waits_for_room)
+        self.waits_for_room
     }
 
     pub(crate) fn set_waits_for_room(&mut self, waits: bool) {
-        if waits || self.rare.is_some() {
-            self.rare_mut().waits_for_room = waits;
-        }
+        self.waits_for_room = waits;
     }
 
     /// Returns the metres still to rise on the way, negative to sink; 0 if the goal is on the ground.
     pub fn rise(&self) -> f32 {
-        self.rare.as_ref().map_or(0.0, |rare| rare.rise)
+        self.rare.as_ref().filter(|_| self.slopes).map_or(0.0, |rare| rare.rise)
     }
 
     /// Returns the distance from an area in a wall that counts as arrived, metres.
@@ -160,9 +162,10 @@ impl RouteProgress {
 
     /// Records the metres still to rise, and to go along the ground.
     pub(crate) fn set_rise(&mut self, metres: f32, along: f32) {
-        self.set(metres, |rare| &mut rare.rise);
-        if metres != 0.0 {
-            self.rare_mut().along = along;
+        self.slopes = metres != 0.0;
+        if self.slopes {
+            let rare = self.rare_mut();
+            (rare.rise, rare.along) = (metres, along);
         }
     }
 
@@ -193,7 +196,7 @@ impl RouteProgress {
     /// Returns the parts of the speed along the ground and upwards, so that both distances end at the same time.
     pub(crate) fn slope(&self) -> Vec2 {
         match &self.rare {
-            Some(rare) if rare.rise != 0.0 => Vec2::new(rare.along, rare.rise).normalize_or(Vec2::Y),
+            Some(rare) if self.slopes => Vec2::new(rare.along, rare.rise).normalize_or(Vec2::Y),
             _ => Vec2::X,
         }
     }
@@ -212,7 +215,7 @@ impl RouteProgress {
     /// way.
     #[inline]
     pub(crate) fn is_plain(&self) -> bool {
-        self.planned && self.rare.is_none() && self.turn == Turn::Free
+        self.planned && self.rare.is_none() && self.turn == Turn::Free && !self.waits_for_room
     }
 
     /// Returns the route that the agent follows, unless its way is straight: to the refuge if it steps aside, else to

@@ -116,15 +116,18 @@ impl Route {
     /// corner at the same distance from the corner as it keeps from the walls on that side, but at most in the middle
     /// of the passage, and enters an `area` at the nearest point. `off` returns the agent's distance, metres, from the
     /// walls that a direction leads away from.
-    pub(crate) fn advance_in_place(
+    pub(crate) fn advance_in_place<'a>(
         &mut self,
         mesh: &NavMesh,
         position: DVec2,
-        area: Option<&[DVec2]>,
+        area: impl FnOnce() -> Option<&'a [DVec2]>,
         off: impl Fn(DVec2) -> f64,
     ) -> Heading {
         if self.advance_taut(mesh, position) {
-            if let Some(area) = area.filter(|_| self.is_last() && !self.lost) {
+            if self.is_last()
+                && !self.lost
+                && let Some(area) = area()
+            {
                 self.end_near(mesh, position, area);
             }
             self.place = if self.lost { None } else { self.find_place(mesh, position, off) };

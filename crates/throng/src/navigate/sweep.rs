@@ -14,6 +14,23 @@ struct Beam {
     edge: usize,
 }
 
+/// The vertex of a triangle opposite to the interval through which the triangle is seen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct VertexAhead {
+    pub vertex: u32,
+    /// Its distance from the edges of the view, metres; negative beside the view.
+    pub inside: f64,
+    /// Whether it is visible. At the very edges of the view it is.
+    is_visible: bool,
+}
+
+impl VertexAhead {
+    /// Returns the vertex if it is visible.
+    pub fn visible(&self) -> Option<u32> {
+        self.is_visible.then_some(self.vertex)
+    }
+}
+
 /// The views that a sweep has still to follow; the memory is reused.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ViewSweep {
@@ -48,13 +65,17 @@ impl ViewSweep {
         }
     }
 
-    /// Follows all views. `visit` gets each triangle with the view into it, and the vertex ahead if it is visible; it
-    /// returns whether to continue behind the triangle.
-    pub fn follow(&mut self, mesh: &NavMesh, mut visit: impl FnMut(u32, &IntervalView, Option<u32>) -> bool) {
+    /// Follows all views. `visit` gets each triangle with the view into it, and the vertex ahead; it returns whether to
+    /// continue behind the triangle.
+    pub fn follow(&mut self, mesh: &NavMesh, mut visit: impl FnMut(u32, &IntervalView, VertexAhead) -> bool) {
         while let Some(Beam { view, triangle, edge }) = self.beams.pop() {
             let ahead = view.ahead(rotated(mesh.corners(triangle), edge));
-            let corner = mesh.triangles[triangle as usize][(edge + 2) % 3];
-            if visit(triangle, &view, ahead.sees_corner.then_some(corner)) {
+            let corner = VertexAhead {
+                vertex: mesh.triangles[triangle as usize][(edge + 2) % 3],
+                inside: ahead.sides.1.min(-ahead.sides.0),
+                is_visible: ahead.sees_corner,
+            };
+            if visit(triangle, &view, corner) {
                 for (edge, view) in [(edge + 2) % 3, (edge + 1) % 3].into_iter().zip(ahead.through) {
                     if let Some(view) = view {
                         self.push(mesh, triangle, edge, view);

@@ -38,7 +38,7 @@ impl NavMesh {
             for between in self.taut(vertex).into_iter().flatten() {
                 sweep.look_out(self, vertex, |view| view.between(between));
                 sweep.follow(self, |_, _, corner| {
-                    corner.into_iter().for_each(&mut see);
+                    corner.visible().into_iter().for_each(&mut see);
                     true
                 });
             }

@@ -19,7 +19,8 @@ use super::interval::{GRAZE, IntervalCrossing};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
 use super::path::Path;
-use super::sweep::ViewSweep;
+use super::reached::{Reached, ReachedVertices};
+use super::sweep::{VertexAhead, ViewSweep};
 use super::triangulate::NONE;
 use glam::DVec2;
 use std::cmp::Reverse;
@@ -28,14 +29,14 @@ use std::collections::BinaryHeap;
 /// The shortest paths to one target on one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
-    /// For each vertex: the length of the shortest known path from it.
-    lengths: Vec<f64>,
-    /// The next vertex of the path from each vertex; [`NONE`] for the target.
-    next: Vec<u32>,
+    reached: ReachedVertices,
     /// Bits of lengths, and vertices that are not final yet. Lengths are never negative, so their bits are in the order
     /// of their values.
     open: BinaryHeap<Reverse<(u64, u32)>>,
 }
+
+/// Distance inside the view from a point, metres, at which a vertex certainly sees the point.
+const CLEARLY: f64 = 1e-6;
 
 /// How a tree grows when the path from a start is not known yet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,8 +68,6 @@ pub(super) struct TreeScratch {
     /// Bits of a lower bound of the length of a path from the start through an open vertex, bits of the length from
     /// that vertex, and the vertex.
     front: BinaryHeap<Reverse<(u64, u64, u32)>>,
-    /// Vertices that may be visible from the target.
-    candidates: Vec<u32>,
 }
 
 /// The first part of the shortest path from a point.
@@ -96,22 +95,22 @@ pub(super) fn path(
 impl Tree {
     /// Creates a tree with the vertices that are visible from the target.
     fn new(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Self {
-        let count = mesh.vertices.len();
-        let mut tree = Self { lengths: vec![f64::INFINITY; count], next: vec![NONE; count], open: BinaryHeap::new() };
-        let mut candidates = std::mem::take(&mut scratch.candidates);
-        in_view(mesh, target, &mut scratch.sweep, &mut candidates);
-        for &vertex in &candidates {
-            if let Some(way) = straight(mesh, target, vertex, scratch) {
-                tree.offer(vertex, way.length, NONE);
+        let found;
+        let seen = match target {
+            SearchTarget::Area(area) => area.in_sight(|| in_sight(mesh, target, scratch)),
+            SearchTarget::Point { .. } => {
+                found = in_sight(mesh, target, scratch);
+                &found[..]
             }
-        }
-        scratch.candidates = candidates;
+        };
+        let mut tree = Self { reached: ReachedVertices::new(mesh.vertices.len()), open: BinaryHeap::new() };
+        seen.iter().for_each(|&(vertex, length)| tree.offer(vertex, length, NONE));
         tree
     }
 
-    /// Returns the number of vertices that the tree has memory for.
-    pub fn size(&self) -> usize {
-        self.lengths.len()
+    /// Returns the size of the tree's memory, bytes.
+    pub fn bytes(&self) -> usize {
+        self.reached.bytes() + self.open.len() * size_of::<Reverse<(u64, u32)>>()
     }
 
     /// Returns the shortest path from a point of the mesh.
@@ -135,7 +134,7 @@ impl Tree {
         let mut on = on;
         while let On::By(vertex) = on {
             points.push(mesh.vertices[vertex as usize]);
-            on = match self.next[vertex as usize] {
+            on = match self.reached.of(vertex).next {
                 NONE => straight(mesh, target, vertex, scratch)
                     .map_or(On::Straight(mesh.vertices[vertex as usize]), |way| On::Straight(way.end)),
                 next => On::By(next),
@@ -169,7 +168,7 @@ impl Tree {
             let offset = offset(vertex);
             if mesh.bends_along(vertex, offset) {
                 seen.push((vertex, offset.length()));
-                *shortest = shortest.min(offset.length() + self.lengths[vertex as usize]);
+                *shortest = shortest.min(offset.length() + self.reached.of(vertex).length);
             }
         };
         for &triangle in around {
@@ -179,7 +178,7 @@ impl Tree {
         sweep.look_from(mesh, start, around);
         sweep.follow(mesh, |triangle, view, corner| {
             offer(&mut shortest, target.straight_through(triangle, view, polygons));
-            corner.into_iter().for_each(|corner| see(&mut shortest, corner));
+            corner.visible().into_iter().for_each(|corner| see(&mut shortest, corner));
             target.bound(view) <= shortest + GRAZE
         });
         seen.sort_unstable_by_key(|&(vertex, _)| vertex);
@@ -202,13 +201,15 @@ impl Tree {
                 }
             }
         }
-        let seen = scratch.seen.iter().map(|&(vertex, distance)| distance + self.lengths[vertex as usize]);
+        let seen = scratch.seen.iter().map(|&(vertex, distance)| distance + self.reached.of(vertex).length);
         shortest = seen.fold(shortest, f64::min);
         if let Some(IntervalCrossing { length, end, .. }) = straight.filter(|way| way.length <= shortest + GRAZE) {
             return Some((length, On::Straight(end)));
         }
-        let by =
-            scratch.seen.iter().map(|&(vertex, distance)| (distance + self.lengths[vertex as usize], distance, vertex));
+        let by = scratch
+            .seen
+            .iter()
+            .map(|&(vertex, distance)| (distance + self.reached.of(vertex).length, distance, vertex));
         by.filter(|&(length, ..)| length <= shortest + GRAZE)
             .reduce(|one, other| {
                 let is_left = offset(one.2).perp_dot(offset(other.2)) > 0.0;
@@ -220,7 +221,7 @@ impl Tree {
 
     /// Whether the path from a vertex is known and final.
     fn is_done(&self, vertex: u32) -> bool {
-        let length = self.lengths[vertex as usize];
+        let length = self.reached.of(vertex).length;
         length.is_finite() && self.open.peek().is_none_or(|&Reverse(first)| (length.to_bits(), vertex) < first)
     }
 
@@ -228,14 +229,14 @@ impl Tree {
     /// distances.
     fn by_way_of(&self, vertex: u32, seen: &[(u32, f64)]) -> Option<f64> {
         let place = seen.binary_search_by_key(&vertex, |&(vertex, _)| vertex).ok()?;
-        Some(seen[place].1 + self.lengths[vertex as usize])
+        Some(seen[place].1 + self.reached.of(vertex).length)
     }
 
     /// Finalises the path from the open vertex with the shortest path, and returns that vertex; `None` for an entry
     /// that is out of date.
     fn grow(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Option<u32> {
         let Reverse((bits, vertex)) = self.open.pop()?;
-        if bits != self.lengths[vertex as usize].to_bits() {
+        if bits != self.reached.of(vertex).length.to_bits() {
             return None;
         }
         self.expand(mesh, target, vertex, scratch);
@@ -265,7 +266,7 @@ impl Tree {
             && f64::from_bits(least) <= shortest + 2.0 * GRAZE
         {
             front.pop();
-            if bits != self.lengths[vertex as usize].to_bits() {
+            if bits != self.reached.of(vertex).length.to_bits() {
                 continue;
             }
             if let Some(length) = self.by_way_of(vertex, &scratch.seen) {
@@ -280,8 +281,8 @@ impl Tree {
 
     /// Offers the path from a vertex to all vertices that its tangents lead to.
     fn expand(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, vertex: u32, scratch: &mut TreeScratch) {
-        let (length, at) = (self.lengths[vertex as usize], mesh.vertices[vertex as usize]);
-        let on = match self.next[vertex as usize] {
+        let (length, at) = (self.reached.of(vertex).length, mesh.vertices[vertex as usize]);
+        let on = match self.reached.of(vertex).next {
             NONE => match straight(mesh, target, vertex, scratch) {
                 Some(way) => way.end,
                 None => return,
@@ -298,34 +299,44 @@ impl Tree {
 
     /// Records a path from a vertex, if it is the shortest known.
     fn offer(&mut self, vertex: u32, length: f64, next: u32) {
-        let known = &mut self.lengths[vertex as usize];
-        if length < *known {
-            *known = length;
-            self.next[vertex as usize] = next;
+        let known = self.reached.of_mut(vertex);
+        if length < known.length {
+            *known = Reached { length, next };
             self.open.push(Reverse((length.to_bits(), vertex)));
-        } else if length == *known {
-            self.next[vertex as usize] = self.next[vertex as usize].min(next);
+        } else if length == known.length {
+            known.next = known.next.min(next);
         }
     }
 }
 
-/// Finds the vertices that may be visible from the target, in order: for a point the corners of the visible triangles,
-/// for an area all vertices.
-fn in_view(mesh: &NavMesh, target: &SearchTarget<'_>, sweep: &mut ViewSweep, out: &mut Vec<u32>) {
-    out.clear();
+/// Returns the vertices where paths bend and from which the target is visible, in order, with the lengths of the
+/// straight ways.
+fn in_sight(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Vec<(u32, f64)> {
+    let way = |vertex: u32, scratch: &mut TreeScratch| Some((vertex, straight(mesh, target, vertex, scratch)?.length));
     let SearchTarget::Point { at, triangles, .. } = *target else {
-        out.extend(0..mesh.vertices.len() as u32);
-        return;
+        return (0..mesh.vertices.len() as u32).filter_map(|vertex| way(vertex, scratch)).collect();
     };
-    let mut see = |triangle: u32| out.extend(mesh.triangles[triangle as usize]);
-    triangles.iter().copied().for_each(&mut see);
-    sweep.look_from(mesh, at, triangles);
-    sweep.follow(mesh, |triangle, _, _| {
-        see(triangle);
+    // vertices that may be visible, and whether they are certainly hidden by nothing
+    let mut near: Vec<(u32, bool)> = Vec::new();
+    near.extend(triangles.iter().flat_map(|&triangle| mesh.triangles[triangle as usize]).map(|vertex| (vertex, true)));
+    scratch.sweep.look_from(mesh, at, triangles);
+    scratch.sweep.follow(mesh, |_, _, VertexAhead { vertex, inside, .. }| {
+        if inside >= -CLEARLY {
+            near.push((vertex, inside > CLEARLY));
+        }
         true
     });
-    out.sort_unstable();
-    out.dedup();
+    near.sort_unstable_by_key(|&(vertex, is_clear)| (vertex, !is_clear));
+    near.dedup_by_key(|&mut (vertex, _)| vertex);
+    let seen = near.into_iter().filter_map(|(vertex, is_clear)| {
+        let offset = mesh.vertices[vertex as usize] - at;
+        if is_clear {
+            mesh.bends_along(vertex, offset).then(|| (vertex, offset.length()))
+        } else {
+            way(vertex, scratch)
+        }
+    });
+    seen.collect()
 }
 
 /// Returns the shorter of two ways, or the first if they are equally long.

@@ -27,6 +27,16 @@ pub(super) enum VisibleItem {
     Blocked(Option<BlockingEdge>),
 }
 
+/// Scratch memory of a cover of a segment.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CoverScratch {
+    /// Triangles that are still to be examined, and all that were found.
+    open: Vec<u32>,
+    seen: Vec<u32>,
+    /// The parts of the segment that triangles cover.
+    parts: Vec<(f64, f64)>,
+}
+
 impl NavMesh {
     /// Whether the straight segment from `a` to `b` stays on the mesh, within 1e-6 m. It can graze corners and run
     /// along walls.
@@ -47,8 +57,8 @@ impl NavMesh {
     }
 
     /// Returns how far the straight segment from `a` to `b` stays on the mesh, metres.
-    pub(super) fn reach(&self, a: DVec2, b: DVec2) -> f64 {
-        self.covered(a, b).unwrap_or(0.0).min(a.distance(b))
+    pub(super) fn reach(&self, a: DVec2, b: DVec2, scratch: &mut CoverScratch) -> f64 {
+        self.covered(a, b, scratch).unwrap_or(0.0).min(a.distance(b))
     }
 
     /// Whether a wall is clearly in the way from `a` to `b`: then [`sight`](Self::sight) returns a wall too. The wall
@@ -112,21 +122,21 @@ impl NavMesh {
 
     /// Whether the triangles that the segment touches, from neighbour to neighbour, cover it.
     fn visible_by_cover(&self, a: DVec2, b: DVec2) -> bool {
-        self.covered(a, b).is_some_and(|covered| covered >= a.distance(b) - SLACK)
+        self.covered(a, b, &mut CoverScratch::default()).is_some_and(|covered| covered >= a.distance(b) - SLACK)
     }
 
     /// Returns the length of the segment, from its beginning, that those triangles cover, metres; none if it begins off
     /// the mesh.
-    fn covered(&self, a: DVec2, b: DVec2) -> Option<f64> {
+    fn covered(&self, a: DVec2, b: DVec2, scratch: &mut CoverScratch) -> Option<f64> {
+        let CoverScratch { open, seen, parts } = scratch;
         let length = a.distance(b);
-        let mut open = Vec::new();
-        self.touching(a, SLACK, &mut open);
+        self.touching(a, SLACK, open);
         if open.is_empty() || length <= SLACK {
             return (!open.is_empty()).then_some(length);
         }
         let along = (b - a) / length;
-        let mut seen = open.clone();
-        let mut parts = Vec::new();
+        seen.clone_from(open);
+        parts.clear();
         while let Some(triangle) = open.pop() {
             let Some(part) = self.overlap(triangle, a, along, length) else { continue };
             parts.push(part);
@@ -137,9 +147,9 @@ impl NavMesh {
                 }
             }
         }
-        parts.sort_by(|one, other| one.0.total_cmp(&other.0));
+        parts.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
         let mut covered = 0.0_f64;
-        for (from, to) in parts {
+        for &(from, to) in &*parts {
             if from > covered + SLACK {
                 break;
             }

@@ -24,16 +24,21 @@ impl Place {
 
     /// Returns why the point is not on free ground; `None` if it is.
     pub fn blocked(&self, p: DVec2) -> Option<&'static str> {
+        self.blocked_where(p, || self.obstacles().any(|obstacle| obstacle.covers(p)))
+    }
+
+    /// As [`blocked`](Self::blocked), with whether an obstacle covers the point.
+    fn blocked_where(&self, p: DVec2, covered: impl FnOnce() -> bool) -> Option<&'static str> {
         if !self.areas.is_empty() && !self.areas.iter().any(|area| area.contains(p)) {
             return Some("it is outside the walkable area");
         }
-        self.obstacles().any(|obstacle| obstacle.covers(p)).then_some("it is inside an obstacle")
+        covered().then_some("it is inside an obstacle")
     }
 
     /// Returns why a body does not fit at its core, or `None` if it fits. `p` is in world coordinates; the core and
     /// `walls` are relative to the local origin.
     pub(crate) fn no_room_for(&self, p: DVec2, core: &Core, body: Body, walls: &Walls) -> Option<&'static str> {
-        self.blocked(p).or_else(|| {
+        self.blocked_where(p, || walls.cover(core.center)).or_else(|| {
             let mut near = NearWalls::default();
             walls.near(core.center, f64::from(body.bounding_radius()), &mut near);
             let edges = near.edges.iter().map(|&(_, index)| walls.edges()[index as usize]);
@@ -49,7 +54,7 @@ impl Place {
     /// Returns why a disc does not fit at a point, or `None` if it fits. `walls` are those of this place, relative to
     /// `origin`.
     pub fn no_room(&self, p: DVec2, radius: f64, walls: &Walls, origin: DVec2) -> Option<&'static str> {
-        self.blocked(p).or_else(|| {
+        self.blocked_where(p, || walls.cover(p - origin)).or_else(|| {
             // positions are rounded to `f32`: an overlap this small is rounding
             let slack = 1e-4 * radius;
             let distance = walls.distance(p - origin, radius, &mut NearWalls::default());

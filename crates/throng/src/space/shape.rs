@@ -38,6 +38,16 @@ impl Obstacle {
         }
     }
 
+    /// Returns the lower left and upper right corners of its bounding box.
+    pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
+        match self {
+            Self::Circle { center, radius } => (*center - *radius, *center + *radius),
+            Self::Polygon { corners: points } | Self::Wall { points } => {
+                points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)))
+            }
+        }
+    }
+
     /// Returns the obstacle, moved by an offset, metres.
     pub fn moved(mut self, by: DVec2) -> Self {
         match &mut self {

@@ -99,6 +99,15 @@ pub struct Walls {
     cells: Cells,
     /// A lower bound of the distance between a cell and the nearest of its walls; infinite if there are none.
     clearance: Vec<f32>,
+    solids: Solids,
+}
+
+/// The obstacles that enclose an area, relative to the local origin.
+#[derive(Clone, Debug, Default)]
+struct Solids {
+    all: Vec<Obstacle>,
+    /// The solids with a bounding box that touches each cell.
+    cells: Cells,
 }
 
 /// Distance from a cell up to which it lists walls, metres. With it, queries of pedestrians need only one cell.
@@ -114,6 +123,7 @@ impl Walls {
     /// must not overlap.
     pub fn new<'a>(areas: &[Walkable], obstacles: impl IntoIterator<Item = &'a Obstacle>, origin: DVec2) -> Self {
         let mut walls = Self::default();
+        let mut solids = Vec::new();
         for area in areas {
             walls.add_ring(&area.outer, false, origin);
             for hole in &area.holes {
@@ -121,6 +131,9 @@ impl Walls {
             }
         }
         for obstacle in obstacles {
+            if !matches!(obstacle, Obstacle::Wall { .. }) {
+                solids.push(obstacle.clone().moved(-origin));
+            }
             match obstacle {
                 Obstacle::Circle { center, radius } => {
                     walls.discs.push(Disc { center: *center - origin, radius: *radius });
@@ -134,7 +147,13 @@ impl Walls {
             }
         }
         walls.sort();
+        walls.solids = Solids::new(solids);
         walls
+    }
+
+    /// Whether a point is inside an obstacle. A thin wall has no inside.
+    pub fn cover(&self, p: DVec2) -> bool {
+        self.solids.cover(p)
     }
 
     /// Returns the edges.
@@ -203,17 +222,7 @@ impl Walls {
 
     fn sort(&mut self) {
         let count = self.edges.len() + self.discs.len();
-        if count == 0 {
-            return;
-        }
-        let all = (0..count).map(|i| self.bounds(i));
-        let (low, high) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((DVec2::ZERO, DVec2::ZERO));
-        let size = high - low;
-        let mut cell = CELL;
-        while (size.x / cell + 1.0) * (size.y / cell + 1.0) > MOST_CELLS {
-            cell *= 2.0;
-        }
-        let mut cells = Cells::new(low, high, cell);
+        let Some(mut cells) = cells_of((0..count).map(|item| self.bounds(item)), MOST_CELLS) else { return };
         let mut pairs = Vec::new();
         for item in 0..count {
             self.touch(&cells, item, &mut pairs);
@@ -384,6 +393,37 @@ impl Walls {
     }
 }
 
+/// Returns empty cells that cover all of these boxes, at most this number; `None` if there are no boxes.
+fn cells_of(boxes: impl Iterator<Item = (DVec2, DVec2)>, most: f64) -> Option<Cells> {
+    let (low, high) = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    let size = high - low;
+    let mut cell = CELL;
+    while (size.x / cell + 1.0) * (size.y / cell + 1.0) > most {
+        cell *= 2.0;
+    }
+    Some(Cells::new(low, high, cell))
+}
+
+impl Solids {
+    fn new(all: Vec<Obstacle>) -> Self {
+        let boxes: Vec<(DVec2, DVec2)> = all.iter().map(Obstacle::bounds).collect();
+        let Some(mut cells) = cells_of(boxes.iter().copied(), 4.0 * all.len() as f64) else {
+            return Self::default();
+        };
+        let mut pairs = Vec::new();
+        for (&(low, high), item) in boxes.iter().zip(0..) {
+            pairs.extend(cells.touched(low, high).map(|cell| (cell as u32, item)));
+        }
+        cells.fill(pairs);
+        Self { all, cells }
+    }
+
+    fn cover(&self, p: DVec2) -> bool {
+        !self.all.is_empty()
+            && self.cells.items(self.cells.cell_of(p)).iter().any(|&item| self.all[item as usize].covers(p))
+    }
+}
+
 /// The result of [`Walls::near`]: (distance in metres, index) of edges and of discs.
 #[derive(Clone, Debug, Default)]
 pub struct NearWalls {
@@ -434,7 +474,9 @@ mod tests {
             Obstacle::Wall { points: vec![a, a + d] }
         });
         let pillar = (point(30.0), 0.1f64..4.0).prop_map(|(center, radius)| Obstacle::Circle { center, radius });
-        prop_oneof![long, short, straight, pillar]
+        let block = (point(30.0), point(20.0), -3.0f64..3.0)
+            .prop_map(|(center, size, angle)| Obstacle::rectangle(center, size.abs() + 0.1, angle));
+        prop_oneof![long, short, straight, pillar, block]
     }
 
     proptest! {
@@ -460,6 +502,9 @@ mod tests {
                 prop_assert_eq!(&near.discs, &sorted(discs));
                 let is_clear = near.edges.is_empty() && near.discs.is_empty();
                 prop_assert!(is_clear || !walls.are_far(eye, range));
+                let has_inside = |obstacle: &&Obstacle| !matches!(obstacle, Obstacle::Wall { .. });
+                let covered = obstacles.iter().filter(has_inside).any(|obstacle| obstacle.covers(eye));
+                prop_assert_eq!(walls.cover(eye), covered);
             }
         }
     }

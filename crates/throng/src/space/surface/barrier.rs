@@ -1,5 +1,6 @@
 //! Surfaces as obstacles and containers: the side on which agents are, and the first obstacle ahead of a vehicle.
 
+use super::sweep::rounding;
 use super::{Surface, SurfaceHit, Sweep};
 use glam::Vec3;
 
@@ -112,8 +113,12 @@ impl<S: Surface> Barrier<S> {
         let Some(direction) = forward.try_normalize() else {
             return (here.distance.abs() <= radius).then_some(back);
         };
-        let hit = self.surface.sweep(&Sweep { origin: position, direction, radius, reach })?;
-        let SurfaceHit { distance, point, normal, .. } = hit;
+        // the distance changes by at most the length of the motion
+        if here.distance.abs() > (radius + reach) * (1.0 + 1e-5) + 16.0 * rounding(position) {
+            return None;
+        }
+        let sweep = Sweep { origin: position, direction, radius, reach };
+        let SurfaceHit { distance, point, normal, .. } = self.surface.sweep(&sweep)?;
         let free = away(normal, vehicle_outside);
         let steer_hint = if distance > 0.0 { self.round(point, free, direction, vehicle_outside) } else { free };
         Some(PathIntersection { distance, point, normal, steer_hint, vehicle_outside })

@@ -75,6 +75,9 @@ impl Surface for Union {
     }
 
     fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
+        if self.bvh.bounds().entry(sweep).is_none() {
+            return None;
+        }
         if self.query(sweep.origin).is_inside() {
             return self.sweep_inside(sweep);
         }

@@ -47,12 +47,12 @@ impl Neighbourhood {
 
     /// Returns the bounds for an agent with this radius.
     pub(super) fn sight(&self, radius: f32) -> SquaredBounds {
-        let cosine = libm::cosf(self.angle);
         let always = self.always * radius;
+        let squared = |cosine: f32| cosine * cosine.abs();
         SquaredBounds {
             range_squared: self.distance * self.distance,
             always_squared: always * always,
-            cosine: if self.angle < PI { cosine * cosine.abs() } else { -2.0 },
+            cosine: if self.angle < PI { squared(libm::cosf(self.angle)) } else { -2.0 },
         }
     }
 
