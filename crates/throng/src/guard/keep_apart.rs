@@ -233,15 +233,17 @@ mod tests {
     use glam::{DVec2, Vec2};
     use proptest::prelude::*;
 
-    /// Returns agents in rows. Some of them are larger, long, or avoid only some agents.
-    fn crowd(spacing: f64, group: Group, others: &[(usize, u8)]) -> World {
+    /// Returns agents in rows, at heights of up to `height` spacings. Some of them are larger, long, or avoid only some
+    /// agents.
+    fn crowd((spacing, height): (f64, f64), group: Group, others: &[(usize, u8)]) -> World {
         let settings = Settings { step: 0.1, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
         let mut world = World::new(settings).unwrap();
         let group = world.add_group(group).unwrap();
         for at in 0..240u32 {
             let (x, y) = (f64::from(at % 16), f64::from(at / 16));
             let position = DVec2::new(x + 0.3 * (y * 1.7).sin(), y + 0.3 * (x * 2.3).sin()) * spacing;
-            let agent = Agent { position: position.extend(0.0), group, radius: 0.2, ..Agent::default() };
+            let altitude = spacing * height * (0.5 + 0.5 * f64::from(at).sin());
+            let agent = Agent { position: position.extend(altitude), group, radius: 0.2, ..Agent::default() };
             let kind = others.iter().find(|&&(row, _)| row == at as usize).map(|&(_, kind)| kind);
             let agent = match kind {
                 None => agent,
@@ -257,6 +259,30 @@ mod tests {
         world
     }
 
+    /// Checks that the guard's contacts are those of a search in the plan.
+    fn check_contacts(mut world: World) -> Result<(), TestCaseError> {
+        world.step();
+        let (mut state, mut sleep) = (world.state, SleepBlocks::default());
+        let (mut perceive, mut guard) = (Perceive::default(), KeepApart::default());
+        guard.solids_mut().add(Vec::new());
+        guard.solids_mut().add(Vec::new());
+        let of = SubStep::new(&state, 0, 1);
+        let seen = perceive.run(&mut state, &mut sleep, of);
+        let mut chosen = Velocities::default();
+        chosen.resize(state.agents.len(), state.agents.any_flies());
+        chosen.ground.fill(Vec2::new(0.5, 0.2));
+        guard.run(&mut state, seen, (&chosen, &chosen), &sleep, of);
+        let agents = &state.agents;
+        let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+        let mut contacts = Contacts::default();
+        let bodies = guard.bodies(&state, &sleep);
+        contacts.collect(&bodies, &agents.number, seen.grid, &state.walls, meets, |_| None);
+        for row in 0..agents.len() {
+            prop_assert_eq!(guard.contacts.of(row), contacts.of(row));
+        }
+        Ok(())
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(100))]
 
@@ -267,26 +293,18 @@ mod tests {
             (neighbours, neighbour_distance) in (1usize..12, 0.5f32..5.0),
         ) {
             let group = Group { neighbours, neighbour_distance, ..Group::default() };
-            let mut world = crowd(spacing, group, &others);
-            world.step();
-            let (mut state, mut sleep) = (world.state, SleepBlocks::default());
-            let (mut perceive, mut guard) = (Perceive::default(), KeepApart::default());
-            guard.solids_mut().add(Vec::new());
-            guard.solids_mut().add(Vec::new());
-            let of = SubStep::new(&state, 0, 1);
-            let seen = perceive.run(&mut state, &mut sleep, of);
-            let mut chosen = Velocities::default();
-            chosen.resize(state.agents.len(), false);
-            chosen.ground.fill(Vec2::new(0.5, 0.2));
-            guard.run(&mut state, seen, (&chosen, &chosen), &sleep, of);
-            let agents = &state.agents;
-            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
-            let mut contacts = Contacts::default();
-            let bodies = guard.bodies(&state, &sleep);
-            contacts.collect(&bodies, &agents.number, seen.grid, &state.walls, meets, |_| None);
-            for row in 0..agents.len() {
-                prop_assert_eq!(guard.contacts.of(row), contacts.of(row));
-            }
+            check_contacts(crowd((spacing, 0.0), group, &others))?;
+        }
+
+        #[test]
+        fn contacts_from_the_grid_in_space_are_those_of_a_search_in_the_plan(
+            others in prop::collection::vec((0usize..240, 3u8..6), 0..6),
+            spacing in 0.02..1.0,
+            (height, neighbour_distance) in (0.0..10.0, 0.5f32..3.0),
+        ) {
+            let model = std::sync::Arc::new(crate::avoid::NoAvoidance);
+            let group = Group { neighbours: Group::ALL_NEIGHBOURS, neighbour_distance, model, ..Group::default() };
+            check_contacts(crowd((spacing, height), group, &others))?;
         }
     }
 }
