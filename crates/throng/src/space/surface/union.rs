@@ -75,9 +75,7 @@ impl Surface for Union {
     }
 
     fn sweep(&self, sweep: &Sweep) -> Option<SurfaceHit> {
-        if self.bvh.bounds().entry(sweep).is_none() {
-            return None;
-        }
+        self.bvh.bounds().entry(sweep)?;
         if self.query(sweep.origin).is_inside() {
             return self.sweep_inside(sweep);
         }
