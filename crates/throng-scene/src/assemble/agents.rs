@@ -11,7 +11,6 @@ use throng::Agent;
 use throng::avoid::{Avo, BuiltFrom, Hrvo, LocalModel, NoAvoidance, Orca, Orca3d, Rvo, RvoLab, SamplePattern, Vo};
 use throng::field::Governed;
 use throng::steer::BoxedBehaviour;
-use throng::steer::swarm::Swarm;
 
 /// Draws the values that differ between agents.
 pub(super) struct AgentDraw<'a> {
@@ -113,9 +112,9 @@ pub(super) fn shared(
         Neighbours::Nearest(count) => count as usize,
         Neighbours::All => throng::Group::ALL_NEIGHBOURS,
     };
-    // the neighbour search of a swarm reaches as far as its guides need
-    let swarm = steering.as_ref().filter(|_| group.avoid.is_none()).and_then(|steering| steering.as_swarm());
-    let (neighbours, neighbour_distance) = match swarm.map(Swarm::reach) {
+    // the neighbour search reaches as far as the behaviour needs
+    let range = steering.as_ref().filter(|_| group.avoid.is_none()).and_then(|steering| steering.perception_range());
+    let (neighbours, neighbour_distance) = match range {
         None => (neighbours, neighbour_distance as f32),
         Some(0.0) => (0, neighbour_distance as f32),
         Some(reach) => (throng::Group::ALL_NEIGHBOURS, reach),

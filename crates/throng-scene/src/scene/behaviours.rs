@@ -10,8 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
-use throng::steer::swarm::Swarm;
-use throng::steer::{Behaviour, BoxedBehaviour, Flocking, SteeringInput, TraceRecorder};
+use throng::steer::{Behaviour, BoxedBehaviour, FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
 use toml::Table;
 
 /// Behaviours by name, for `steer.custom = "name"`: a scene uses the behaviours of a program by these names.
@@ -175,12 +174,20 @@ impl Behaviour for NamedBehaviour {
         named("behaviour", &self.name, || self.branch.steer(view, memory, why))
     }
 
-    fn as_flocking(&self) -> Option<&Flocking> {
-        self.branch.as_flocking()
+    fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
+        named("behaviour", &self.name, || self.branch.steer_many(batch));
     }
 
-    fn as_swarm(&self) -> Option<&Swarm> {
-        self.branch.as_swarm()
+    fn is_flock(&self) -> bool {
+        self.branch.is_flock()
+    }
+
+    fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+        named("behaviour", &self.name, || self.branch.steer_flock(batch));
+    }
+
+    fn perception_range(&self) -> Option<f32> {
+        self.branch.perception_range()
     }
 
     fn check(&self) -> Result<(), Error> {

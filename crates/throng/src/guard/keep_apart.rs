@@ -99,7 +99,7 @@ impl KeepApart {
         }
         // for measuring
         contacts.collect_walls_only(&bodies, walls);
-        if state.lanes_to_move().is_none() && state.lanes_to_fly(seconds).is_none() {
+        if state.lanes_to_move().is_none() && state.lanes_to_fly().is_none() {
             unguarded(&bodies, wished, targets);
         } else if bodies.solids.are_near() {
             led(&bodies, wished, targets);

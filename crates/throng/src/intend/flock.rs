@@ -6,7 +6,7 @@ use crate::agent::Group;
 use crate::parallel;
 use crate::perceive::{CellLattice, Perceived};
 use crate::simd::LANES;
-use crate::steer::{Behaviour, Bird, Birds, Flock, FlockTileScratch, Flocking, SteeringNeighbour, TraceRecorder};
+use crate::steer::{Bird, Birds, FlockBatch, FlockTileScratch, SteeringNeighbour, TraceRecorder};
 use crate::world::State;
 use glam::Vec3;
 use std::ops::Range;
@@ -102,24 +102,28 @@ impl Behaving<'_> {
     ) {
         let (group, Self { lattice, birds, .. }) = (&self.state.local_groups[index], *self);
         let close = close.min(group.neighbour_distance);
-        let flocking = group.steering.as_ref().and_then(|steering| steering.as_flocking());
-        let mut force = |place: usize, flocking: &Flocking| {
+        let steering = group.steering.as_ref().filter(|_| group.is_flock());
+        let mut force = |place: usize| {
             let row = lattice.order()[place] as usize;
             let view = self.view(row, seconds, now, neighbours);
-            flocking.steer(&view, &mut [], &mut TraceRecorder::default()).unwrap_or_default().force
+            let steering = steering.and_then(|steering| steering.steer(&view, &mut [], &mut TraceRecorder::default()));
+            steering.unwrap_or_default().force
         };
         let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
-        if let (Some(level), Some(flocking)) = (level, flocking) {
-            let flock = Flock {
-                flocking,
+        if let (Some(level), Some(steering)) = (level, steering) {
+            return steering.steer_flock(&mut FlockBatch {
+                level,
                 vehicle: &group.vehicle,
                 group: index as u32,
                 range: group.neighbour_distance,
                 close,
                 lattice,
                 birds,
-            };
-            return flock.forces(level, places, pack, forces, |place| force(place, flocking));
+                places,
+                scratch: pack,
+                forces,
+                one: &mut force,
+            });
         }
         for (place, out) in places.zip(forces).filter(|(place, _)| birds.all[*place].group as usize == index) {
             lattice.within(birds.all[place].position, close, |other, _| {
@@ -127,8 +131,8 @@ impl Behaving<'_> {
                     pack.note_close(place, other);
                 }
             });
-            if let Some(flocking) = flocking {
-                *out = force(place, flocking);
+            if steering.is_some() {
+                *out = force(place);
             }
         }
     }
@@ -154,7 +158,7 @@ impl Behaving<'_> {
             }
         });
         // birds are many, and their forces do not depend on the order
-        if group.steering.as_ref().is_none_or(|steering| steering.as_flocking().is_none()) {
+        if !group.is_flock() {
             let distance = |other: &SteeringNeighbour| other.offset.length_squared();
             neighbours.sort_unstable_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.number.cmp(&b.number)));
         }
@@ -174,9 +178,9 @@ impl State {
 }
 
 impl Group {
-    /// Whether its agents are birds: they steer by a plain [`Flocking`] behaviour, with all neighbours within a distance.
+    /// Whether the forces of its agents are computed as those of a flock.
     pub(super) fn is_flock(&self) -> bool {
         self.neighbours == Self::ALL_NEIGHBOURS
-            && self.steering.as_ref().is_some_and(|steering| steering.as_flocking().is_some())
+            && self.steering.as_ref().is_some_and(|steering| steering.is_flock() && steering.words() == 0)
     }
 }

@@ -9,7 +9,6 @@ use crate::agent::{Group, Memory, Status};
 use crate::motion::{Attitude, Basis, Motion, Steering, Stepping};
 use crate::parallel::{self, RowLists};
 use crate::perceive::{CellLattice, Neighbours, Perceived};
-use crate::steer::swarm::Swarm;
 use crate::steer::{
     AgentQuery, Birds, BoxedBehaviour, Kinematics, SteeringInput, SteeringNeighbour, TraceEntry, TraceRecorder,
 };
@@ -136,35 +135,27 @@ impl Plans<'_> {
 pub(super) struct GroupSteering<'a> {
     pub group: &'a Group,
     pub steering: &'a BoxedBehaviour,
-    /// Where the steering forces come from.
-    pub source: Source<'a>,
+    /// Whether the steering forces are those of a flock, which are computed before.
+    pub is_flock: bool,
     /// The SIMD level and the step of the vehicles, if the kernel supports them.
     pub simd: Option<(Level, Stepping)>,
     pub seconds: f32,
     pub now: f64,
 }
 
-/// Where the steering forces of a group come from.
-#[derive(Clone, Copy)]
-pub(super) enum Source<'a> {
-    /// The forces of flocks are computed before.
-    Flock,
-    /// The noise of a swarm is computed for several insects at once.
-    Swarm(&'a Swarm),
-    Behaviour,
-}
-
 impl<'a> GroupSteering<'a> {
     /// Returns what steers the agents of a group; `None` if they do not steer.
     fn of(state: &State, group: &'a Group, seconds: f32, now: f64) -> Option<Self> {
         let steering = group.steering.as_ref()?;
-        let source = match steering.as_swarm() {
-            _ if group.is_flock() => Source::Flock,
-            Some(swarm) => Source::Swarm(swarm),
-            None => Source::Behaviour,
-        };
         let step = |level| Some((level, Stepping::of(&group.vehicle, seconds)?));
-        Some(Self { group, steering, source, simd: state.instructions.level().and_then(step), seconds, now })
+        Some(Self {
+            group,
+            steering,
+            is_flock: group.is_flock(),
+            simd: state.instructions.level().and_then(step),
+            seconds,
+            now,
+        })
     }
 }
 
@@ -238,14 +229,14 @@ impl<'a> Behaving<'a> {
     }
 
     /// Returns the steering of an agent.
-    pub(super) fn steering(
+    fn steering(
         &self,
         of: &GroupSteering<'_>,
         row: usize,
         plans: &mut Plans<'_>,
         neighbours: &mut Vec<SteeringNeighbour>,
     ) -> Steering {
-        if let Source::Flock = of.source {
+        if of.is_flock {
             return self.force(row).into();
         }
         let view = self.view(row, of.seconds, of.now, neighbours);

@@ -1,11 +1,10 @@
 //! The vehicles of agents that steer, with SIMD, one agent in each element. The bits are the same as those of
 //! [`Vehicle::step`](crate::motion::Vehicle::step), which moves vehicles that the kernel does not support.
 
-use super::steering::{Behaving, GroupSteering, Plans, Source};
+use super::steering::{Behaving, GroupSteering, Plans};
 use crate::motion::{Attitudes, Motions, Stepping};
 use crate::simd::{LANES, Vec2s, Vec3s, get3, in_space, ones, set, set3};
-use crate::steer::SteeringNeighbour;
-use crate::steer::swarm::Swarm;
+use crate::steer::{BatchAgents, Steer, SteeringBatch, SteeringNeighbour, TraceRecorder};
 use crate::world::State;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -36,13 +35,7 @@ impl Behaving<'_> {
     ) {
         for rows in rows.chunks(S::f32s::LEN) {
             let mut force = [[0.0; LANES]; 3];
-            let faced = match of.source {
-                Source::Swarm(swarm) => {
-                    self.forces_of_insects(simd, (swarm, of), rows, plans, neighbours, &mut force);
-                    0
-                }
-                Source::Flock | Source::Behaviour => self.forces(of, rows, plans, neighbours, &mut force),
-            };
+            let faced = self.forces(of, rows, plans, neighbours, &mut force);
             let before = self.state.motions(simd, rows);
             let after = stepping.step(simd, &before, Vec3s::load(simd, &force));
             let preferred = (after.position - before.position).over(S::f32s::splat(simd, of.seconds));
@@ -61,59 +54,48 @@ impl Behaving<'_> {
         neighbours: &mut Vec<SteeringNeighbour>,
         forces: &mut [[f32; LANES]; 3],
     ) -> u64 {
-        let mut faced = 0;
-        for (lane, &row) in rows.iter().enumerate() {
-            let steering = self.steering(of, row as usize, plans, neighbours);
-            if steering.facing.is_some() {
-                faced |= 1 << lane;
-                self.steer_row(of, row as usize, steering, plans);
-            } else {
-                set3(forces, lane, steering.force);
-            }
+        if of.is_flock {
+            rows.iter().enumerate().for_each(|(lane, &row)| set3(forces, lane, self.force(row as usize)));
+            return 0;
         }
-        faced
+        let mut agents = RowsToSteer { behaving: self, of, rows, plans, neighbours, forces, faced: 0 };
+        let mut batch = SteeringBatch::new(&mut agents, rows.len(), of.now - f64::from(of.seconds));
+        of.steering.steer_many(&mut batch);
+        for lane in ones(batch.left()) {
+            batch.steer(lane, |view, memory| of.steering.steer(view, memory, &mut TraceRecorder::default()));
+        }
+        agents.faced
+    }
+}
+
+/// The agents of a batch, which are the elements of a SIMD vector.
+struct RowsToSteer<'a, 'p> {
+    behaving: &'a Behaving<'a>,
+    of: &'a GroupSteering<'a>,
+    rows: &'a [u32],
+    plans: &'a mut Plans<'p>,
+    neighbours: &'a mut Vec<SteeringNeighbour>,
+    forces: &'a mut [[f32; LANES]; 3],
+    /// The agents that face a given direction, one bit each.
+    faced: u64,
+}
+
+impl BatchAgents for RowsToSteer<'_, '_> {
+    fn agent(&self, index: usize) -> (Vec3, u32) {
+        let (row, state) = (self.rows[index] as usize, self.behaving.state);
+        (state.place_in_space(row), state.agents.number[row])
     }
 
-    /// Computes the forces of the insects of a SIMD vector of rows. Noise uses SIMD; the rest is the scalar
-    /// [behaviour](crate::steer::Behaviour).
-    #[inline(always)]
-    fn forces_of_insects<S: Simd>(
-        &self,
-        simd: S,
-        (swarm, of): (&Swarm, &GroupSteering<'_>),
-        rows: &[u32],
-        plans: &mut Plans<'_>,
-        neighbours: &mut Vec<SteeringNeighbour>,
-        forces: &mut [[f32; LANES]; 3],
-    ) {
-        let (mut places, mut numbers, mut noise) = ([Vec3::ZERO; LANES], [0; LANES], [Vec3::ZERO; LANES]);
-        let count = rows.len();
-        for (&row, (place, number)) in rows.iter().zip(places.iter_mut().zip(&mut numbers)) {
-            (*place, *number) = (self.state.place_in_space(row as usize), self.state.agents.number[row as usize]);
-        }
-        if let Some(field) = &swarm.noise {
-            let numbers = swarm.own_noise.then_some(&numbers[..count]);
-            let time = of.now - f64::from(of.seconds);
-            field.vector(simd, (&places[..count], numbers), time, &mut noise[..count]);
-        }
-        self.forces_with_noise((swarm, of), rows, &noise, plans, neighbours, forces);
-    }
-
-    /// As [`forces_of_insects`](Self::forces_of_insects), with given noise.
-    #[inline(never)]
-    fn forces_with_noise(
-        &self,
-        (swarm, of): (&Swarm, &GroupSteering<'_>),
-        rows: &[u32],
-        noise: &[Vec3; LANES],
-        plans: &mut Plans<'_>,
-        neighbours: &mut Vec<SteeringNeighbour>,
-        forces: &mut [[f32; LANES]; 3],
-    ) {
-        for (lane, (&row, &noise)) in rows.iter().zip(noise).enumerate() {
-            let view = self.view(row as usize, of.seconds, of.now, neighbours);
-            let velocity = swarm.velocity(&view, noise, plans.memory(row as usize, of.steering.words()));
-            set3(forces, lane, view.reach(velocity).force);
+    fn steer(&mut self, index: usize, steer: Steer<'_>) {
+        let Self { behaving, of, plans, .. } = self;
+        let row = self.rows[index] as usize;
+        let view = behaving.view(row, of.seconds, of.now, self.neighbours);
+        let steering = steer(&view, plans.memory(row, of.steering.words())).unwrap_or_default();
+        if steering.facing.is_some() {
+            self.faced |= 1 << index;
+            behaving.steer_row(of, row, steering, plans);
+        } else {
+            set3(self.forces, index, steering.force);
         }
     }
 }
@@ -154,14 +136,10 @@ fn are_consecutive(rows: &[u32]) -> bool {
 }
 
 impl State {
-    /// Returns the SIMD level and the vehicle step of all agents, if all are birds of one flock or insects of one
-    /// swarm.
-    pub(crate) fn lanes_to_fly(&self, seconds: f32) -> Option<(Level, Stepping)> {
+    /// Returns the SIMD level for the motion of all agents that steer, if all are discs of one group.
+    pub(crate) fn lanes_to_fly(&self) -> Option<Level> {
         let group = &self.local_groups[self.agents.group.uniform()?.index()];
-        let is_swarm = || !group.model.avoids() && group.steering.as_ref().is_some_and(|all| all.as_swarm().is_some());
-        let alike = self.agents.all_discs() && (group.is_flock() || is_swarm());
-        let level = self.instructions.level().filter(|_| alike)?;
-        Some((level, Stepping::of(&group.vehicle, seconds)?))
+        self.instructions.level().filter(|_| self.agents.all_discs() && group.steering.is_some())
     }
 
     /// Returns the motion of the agents of a SIMD vector of rows in ascending order.

@@ -1,5 +1,5 @@
-//! The motion of the birds of one flock, or of the insects of one swarm, with SIMD, one agent in each element. The bits are
-//! the same as those of the [scalar path](super::movement).
+//! The motion of agents of one group that steer, with SIMD, one agent in each element. The bits are the same as those of the
+//! [scalar path](super::movement).
 
 use super::movement::{diverted, rows_if};
 use super::movement_simd::Trips;
@@ -15,7 +15,7 @@ use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
-/// Moves all agents, if all are birds of one flock or insects of one swarm, and no agent is guarded.
+/// Moves all agents, if all are discs of one group that steer, and no agent is guarded.
 pub(super) fn fly_many(
     level: Level,
     state: &mut State,
@@ -30,6 +30,7 @@ pub(super) fn fly_many(
         preferred: intended.preferred,
         chosen_velocities: chosen,
         before: &agents.attitude,
+        faces: &intended.planned.faces,
         reach: safe.reach,
         solids: safe.solids,
         led: safe.targets,
@@ -63,6 +64,8 @@ struct Flight<'a> {
     preferred: &'a Velocities,
     chosen_velocities: &'a Velocities,
     before: &'a Column<Attitude>,
+    /// Whether they face a given direction.
+    faces: &'a [bool],
     reach: &'a Column<f32>,
     /// Agents near solids take the targets in `led`.
     solids: &'a Solids,
@@ -135,10 +138,9 @@ impl Flight<'_> {
             velocity.store(&mut are);
             for lane in ones(other) {
                 let before = self.before[rows.start + lane].motion(get3(&places, lane), get3(&were, lane));
-                let planned = (&mut planned.0[lane], &mut planned.1[lane]);
-                let (velocity, attitude) =
-                    diverted(&self.group.vehicle, &before, (planned.1, false), get3(&are, lane), self.seconds);
-                (*planned.0, *planned.1) = (velocity, attitude);
+                let plan = (&planned.1[lane], self.faces[rows.start + lane]);
+                (planned.0[lane], planned.1[lane]) =
+                    diverted(&self.group.vehicle, &before, plan, get3(&are, lane), self.seconds);
             }
         }
         let (mut forwards, mut moved) = ([[0.0; LANES]; 2], [[0.0; LANES]; 3]);

@@ -37,10 +37,10 @@ impl Move {
             };
             !is_displaced && !shown[row].way.may_change() && is_still(&state.agents, chosen.ground[row], row, seconds)
         });
-        let flying = state.lanes_to_fly(seconds).filter(|_| !state.is_guarded());
+        let flying = state.lanes_to_fly().filter(|_| !state.is_guarded());
         match (state.lanes_to_move(), flying) {
             (Some(level), _) => self.move_many(level, state, &intended, (chosen, safe), sleep, seconds),
-            (None, Some((level, _))) => fly_many(level, state, &mut intended, chosen, safe, seconds),
+            (None, Some(level)) => fly_many(level, state, &mut intended, chosen, safe, seconds),
             (None, None) => move_each(state, &intended, chosen, safe, seconds),
         }
         state.agents.pass(seconds);

@@ -1,7 +1,6 @@
 //! The trait of all steering behaviours.
 
-use super::swarm::Swarm;
-use super::{Flocking, SteeringInput, TraceRecorder};
+use super::{FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
 use crate::Error;
 use crate::motion::Steering;
 use std::fmt::Debug;
@@ -44,13 +43,28 @@ pub trait Behaviour: Debug + Send + Sync {
     /// world.
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering>;
 
-    /// Returns the flock if the behaviour is exactly a flock: the birds of a flock are steered several at a time.
-    fn as_flocking(&self) -> Option<&Flocking> {
-        None
+    /// Steers several agents together, where that is faster. Agents that it leaves get the steering of
+    /// [`steer`](Self::steer): both ways must give the same bits.
+    fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
+        let _ = batch;
     }
 
-    /// Returns the swarm if the behaviour is exactly a swarm: the insects of a swarm are steered several at a time.
-    fn as_swarm(&self) -> Option<&Swarm> {
+    /// Whether [`steer_flock`](Self::steer_flock) computes the forces of agents that see all others within a distance. The
+    /// neighbours of such agents are not sorted by distance: their order depends on positions only. A behaviour with
+    /// memory is never steered as a flock.
+    fn is_flock(&self) -> bool {
+        false
+    }
+
+    /// Computes the forces of agents that see all others within a distance, in the order of their places in space. Only
+    /// for a behaviour that [is a flock](Self::is_flock). [`steer`](Self::steer) must give the same bits.
+    fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+        let _ = batch;
+    }
+
+    /// Returns the distance within which an agent must see all others, metres, 0 if it needs no neighbours; `None` if the
+    /// behaviour does not say.
+    fn perception_range(&self) -> Option<f32> {
         None
     }
 

@@ -24,6 +24,7 @@
 //! ```
 
 mod approach;
+mod batch;
 mod behaviour;
 mod combine;
 mod group;
@@ -38,6 +39,8 @@ mod view;
 
 pub use crate::motion::Steering;
 pub use crate::random::Rng;
+pub(crate) use batch::{BatchAgents, Steer};
+pub use batch::{MOST_IN_BATCH, SteeringBatch};
 pub use behaviour::{Behaviour, BoxedBehaviour};
 pub use combine::*;
 pub use group::*;

@@ -9,7 +9,7 @@ use crate::field::{Adaptive, Field, Governed};
 use crate::motion::{Steering, WrapAround};
 use crate::space::surface::{Barrier, Moved, Pose};
 use crate::steer::{
-    AgentQuery, Barriers, Behaviour, BoxedBehaviour, Flocking, Kinematics, SteeringInput, Stimulus, TraceRecorder,
+    AgentQuery, Barriers, Behaviour, BoxedBehaviour, FlockBatch, Kinematics, SteeringInput, Stimulus, TraceRecorder,
 };
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
@@ -131,8 +131,16 @@ impl Behaviour for ShiftedBehaviour {
     }
 
     // a flock is the same everywhere
-    fn as_flocking(&self) -> Option<&Flocking> {
-        self.behaviour.as_flocking()
+    fn is_flock(&self) -> bool {
+        self.behaviour.is_flock()
+    }
+
+    fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+        self.behaviour.steer_flock(batch);
+    }
+
+    fn perception_range(&self) -> Option<f32> {
+        self.behaviour.perception_range()
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,6 +1,6 @@
 //! Flocking: Reynolds, Steering behaviors for autonomous characters, GDC 1999; OpenSteer's Boids demo.
 
-use super::{Alignment, Cohesion, Falloff, Neighbourhood, Separation};
+use super::{Alignment, Cohesion, Falloff, FlockBatch, Neighbourhood, Separation};
 use crate::Error;
 use crate::motion::Steering;
 use crate::steer::{Behaviour, GroupFilter, SteeringInput, TraceRecorder};
@@ -70,8 +70,12 @@ impl Behaviour for Flocking {
         Some(sum.into())
     }
 
-    fn as_flocking(&self) -> Option<&Flocking> {
-        Some(self)
+    fn is_flock(&self) -> bool {
+        true
+    }
+
+    fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+        batch.flock(self);
     }
 
     fn check(&self) -> Result<(), Error> {

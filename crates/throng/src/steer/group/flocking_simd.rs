@@ -68,19 +68,76 @@ impl FlockTileScratch {
     }
 }
 
-/// A flock, and all agents of the world.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Flock<'a> {
-    pub flocking: &'a Flocking,
-    pub vehicle: &'a Vehicle,
-    /// Index of the flock's group.
-    pub group: u32,
+/// The agents of a group in a part of space that see all others within a distance.
+///
+/// ```
+/// use throng::motion::Steering;
+/// use throng::steer::{Behaviour, FlockBatch, Flocking, SteeringInput, TraceRecorder};
+///
+/// /// A flock that keeps closer together.
+/// #[derive(Debug)]
+/// struct Close(Flocking);
+///
+/// impl Behaviour for Close {
+///     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+///         self.0.steer(view, memory, why)
+///     }
+///
+///     fn is_flock(&self) -> bool {
+///         true
+///     }
+///
+///     fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+///         batch.flock(&self.0);
+///     }
+/// }
+/// ```
+pub struct FlockBatch<'a> {
+    pub(crate) level: Level,
+    pub(crate) vehicle: &'a Vehicle,
+    /// Index of the group.
+    pub(crate) group: u32,
     /// Perception range, metres.
-    pub range: f32,
+    pub(crate) range: f32,
     /// Distance within which two agents are close, metres, at most `range`.
-    pub close: f32,
-    pub lattice: &'a CellLattice,
-    pub birds: &'a Birds,
+    pub(crate) close: f32,
+    pub(crate) lattice: &'a CellLattice,
+    pub(crate) birds: &'a Birds,
+    pub(crate) places: Range<usize>,
+    pub(crate) scratch: &'a mut FlockTileScratch,
+    /// The forces by place. Those of agents of other groups stay unchanged.
+    pub(crate) forces: &'a mut [Vec3],
+    /// Returns the force of the agent at a place, by [`Behaviour::steer`](crate::steer::Behaviour::steer).
+    pub(crate) one: &'a mut dyn FnMut(usize) -> Vec3,
+}
+
+impl std::fmt::Debug for FlockBatch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("FlockBatch").field("places", &self.places).finish_non_exhaustive()
+    }
+}
+
+impl FlockBatch<'_> {
+    /// Sets the forces to those of a flock. A bird at exactly the position of another agent gets the force of
+    /// [`Behaviour::steer`](crate::steer::Behaviour::steer).
+    pub fn flock(&mut self, flocking: &Flocking) {
+        let Self { level, vehicle, group, range, close, lattice, birds, .. } = *self;
+        let flock = Flock { flocking, vehicle, group, range, close, lattice, birds };
+        let (places, scratch, out) = (self.places.clone(), &mut *self.scratch, &mut *self.forces);
+        dispatch!(level, simd => forces(simd, &flock, places, scratch, out, &mut *self.one));
+    }
+}
+
+/// The rules of a flock, and all agents of the world.
+#[derive(Clone, Copy, Debug)]
+struct Flock<'a> {
+    flocking: &'a Flocking,
+    vehicle: &'a Vehicle,
+    group: u32,
+    range: f32,
+    close: f32,
+    lattice: &'a CellLattice,
+    birds: &'a Birds,
 }
 
 impl Flock<'_> {
@@ -94,21 +151,10 @@ impl Flock<'_> {
             GroupFilter::Group(index) => other.group as usize == index,
         }
     }
-
-    /// Computes the forces of the flock's birds in a range of places, one per place; the forces of other agents stay
-    /// unchanged. Calls `left` for each bird that shares its position with another agent.
-    pub fn forces(
-        &self,
-        level: Level,
-        places: Range<usize>,
-        pack: &mut FlockTileScratch,
-        out: &mut [Vec3],
-        left: impl FnMut(usize) -> Vec3,
-    ) {
-        dispatch!(level, simd => forces(simd, self, places, pack, out, left));
-    }
 }
 
+/// Computes the forces of the flock's birds in a range of places, one per place; the forces of other agents stay
+/// unchanged. Calls `left` for each bird that shares its position with another agent.
 #[inline(always)]
 fn forces<S: Simd>(
     simd: S,

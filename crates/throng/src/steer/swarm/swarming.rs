@@ -6,15 +6,17 @@ use crate::agent::Group;
 use crate::field::{CurlNoise, Octave, Potential};
 use crate::motion::{Locomotion, Steering, Vehicle};
 use crate::space::surface::SeenFrom;
-use crate::steer::{Barriers, Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
+use crate::steer::{
+    Barriers, Behaviour, GroupFilter, MOST_IN_BATCH, SteeringBatch, SteeringInput, SteeringNeighbour, SteeringReason,
+    TraceRecorder,
+};
 use glam::Vec3;
 use std::sync::Arc;
 
 /// The flight of an insect. Its chosen velocity is the sum of the guides' velocities, noise, separation from other
 /// insects, and repulsion by obstacles.
 ///
-/// The vehicle sets the [`response`](Vehicle::response) time and the limits of the speed. In a world where all agents
-/// belong to one such swarm, several insects are computed at a time.
+/// The vehicle sets the [`response`](Vehicle::response) time and the limits of the speed.
 #[derive(Clone, Debug)]
 pub struct Swarm {
     /// The guides; their velocities add up.
@@ -103,8 +105,17 @@ impl Swarm {
         Group { neighbours, neighbour_distance, ..Group::vehicles(self, vehicle) }
     }
 
+    /// Computes the noise of the insects with these numbers.
+    fn noise_at(&self, places: &[Vec3], numbers: &[u32], time: f64, noise: &mut [Vec3]) {
+        match &self.noise {
+            Some(field) if self.own_noise => field.velocities_of_individuals(places, numbers, time, noise),
+            Some(field) => field.velocities(places, time, noise),
+            None => {}
+        }
+    }
+
     /// Returns the chosen velocity of an insect, m/s, with this noise.
-    pub(crate) fn velocity(&self, view: &SteeringInput<'_>, noise: Vec3, mut memory: &mut [f32]) -> Vec3 {
+    fn velocity(&self, view: &SteeringInput<'_>, noise: Vec3, mut memory: &mut [f32]) -> Vec3 {
         let mut chosen = GuideOutput::default();
         for guide in &self.guides {
             let (own, rest) = memory.split_at_mut(guide.memory());
@@ -128,20 +139,28 @@ impl Behaviour for Swarm {
 
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let mut noise = [Vec3::ZERO];
-        if let Some(field) = &self.noise {
-            let (place, number) = ([view.position()], [view.rng.number]);
-            match self.own_noise {
-                true => field.velocities_of_individuals(&place, &number, view.time, &mut noise),
-                false => field.velocities(&place, view.time, &mut noise),
-            }
-        }
+        self.noise_at(&[view.position()], &[view.rng.number], view.time, &mut noise);
         let velocity = self.velocity(view, noise[0], memory);
         why.note(|| SteeringReason::Wishes(velocity));
         Some(view.reach(velocity))
     }
 
-    fn as_swarm(&self) -> Option<&Swarm> {
-        Some(self)
+    /// The noise is computed for all insects of the batch at once.
+    fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
+        let count = batch.count();
+        let (mut places, mut numbers, mut noise) =
+            ([Vec3::ZERO; MOST_IN_BATCH], [0; MOST_IN_BATCH], [Vec3::ZERO; MOST_IN_BATCH]);
+        for index in 0..count {
+            (places[index], numbers[index]) = (batch.position(index), batch.number(index));
+        }
+        self.noise_at(&places[..count], &numbers[..count], batch.time(), &mut noise[..count]);
+        for (index, noise) in (0..count).zip(noise) {
+            batch.steer(index, |view, memory| Some(view.reach(self.velocity(view, noise, memory))));
+        }
+    }
+
+    fn perception_range(&self) -> Option<f32> {
+        Some(self.reach())
     }
 
     fn check(&self) -> Result<(), Error> {

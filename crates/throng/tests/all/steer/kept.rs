@@ -722,7 +722,7 @@ fn with_count(count: usize) -> Vec<BoxedBehaviour> {
 fn steering_and_explanations_are_as_kept() {
     let mut results = Results::default();
     for (name, behaviour) in [single(), group(), combined(), place()].concat() {
-        results.add(name, &(behaviour.words(), behaviour.as_flocking().is_some(), behaviour.as_swarm().is_some()));
+        results.add(name, &(behaviour.words(), behaviour.is_flock(), behaviour.perception_range().is_some()));
         let mut draw = Draw::new(7);
         for (stages, steps, every, on_grid) in [(20, 50, 5, false), (8, 50, 5, true), (60, 4, 1, true)] {
             for _ in 0..stages {

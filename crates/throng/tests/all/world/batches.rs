@@ -1,12 +1,17 @@
-//! Models from outside that choose velocities with SIMD: the same bits as one agent at a time.
+//! Models and behaviours from outside that decide for several agents together: the same bits as one agent at a time.
 
 use crate::world::common::{Draw, journey_to, with_settings};
 use crate::world::determinism::bits;
-use glam::{DVec2, Vec2};
+use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, LocalModel, Orca, Workspace};
+use throng::motion::{Locomotion, Steering, Vehicle};
+use throng::perceive::SimdLevel;
+use throng::steer::{
+    Behaviour, BoxedBehaviour, FlockBatch, Flocking, MOST_IN_BATCH, SteeringBatch, SteeringInput, TraceRecorder,
+};
 use throng::{Agent, Body, Group, Obstacle, SubSteps, World};
 
 /// Slows down for each neighbour, the more the nearer it is.
@@ -94,5 +99,143 @@ proptest! {
         prop_assert_eq!((none, with_simd + left), (0, all));
         // an open crowd of discs is chosen with SIMD
         prop_assert!(long || mixed || !walls || count < 16 || with_simd > left);
+    }
+}
+
+/// Flies in waves. Counts its steps, rests in some of them, and looks aside in others.
+#[derive(Debug)]
+struct Waves {
+    /// Of how many agents of a batch it steers one together with the others; 0: none.
+    together: usize,
+    /// Agents steered together, and agents steered one at a time.
+    steered: [AtomicUsize; 2],
+}
+
+impl Waves {
+    fn steering(view: &SteeringInput<'_>, memory: &mut [f32], wave: f32) -> Option<Steering> {
+        memory[0] += 1.0;
+        let steps = memory[0] as u32 + view.rng.number;
+        let facing = (steps % 7 < 2).then_some(Vec3::Y);
+        (steps % 5 > 0).then(|| Steering { facing, ..view.reach(Vec3::new(1.0, wave, 0.5 * wave)) })
+    }
+
+    fn wave(place: Vec3, number: u32, time: f64) -> f32 {
+        (place.x + number as f32 * 0.3 + time as f32).fract()
+    }
+}
+
+impl Behaviour for Waves {
+    fn memory(&self) -> usize {
+        1
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
+        self.steered[1].fetch_add(1, Ordering::Relaxed);
+        Self::steering(view, memory, Self::wave(view.position(), view.rng.number, view.time))
+    }
+
+    fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
+        assert!((1..=MOST_IN_BATCH).contains(&batch.count()));
+        let steered = |index: &usize| self.together > 0 && index % self.together == 0;
+        for index in (0..batch.count()).filter(steered) {
+            let wave = Self::wave(batch.position(index), batch.number(index), batch.time());
+            self.steered[0].fetch_add(1, Ordering::Relaxed);
+            batch.steer(index, |view, memory| Self::steering(view, memory, wave));
+            batch.steer(index, |_, _| panic!("it has been steered"));
+        }
+    }
+}
+
+/// Waves that count for the test too.
+#[derive(Debug)]
+struct Shared(Arc<Waves>);
+
+impl Behaviour for Shared {
+    fn memory(&self) -> usize {
+        self.0.memory()
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        self.0.steer(view, memory, why)
+    }
+
+    fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
+        self.0.steer_many(batch);
+    }
+}
+
+/// A flock from outside.
+#[derive(Debug)]
+struct Outside(Flocking);
+
+impl Behaviour for Outside {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        self.0.steer(view, memory, why)
+    }
+
+    fn is_flock(&self) -> bool {
+        true
+    }
+
+    fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
+        batch.flock(&self.0);
+    }
+}
+
+/// Returns agents that fly by behaviours, the first of every three by the second behaviour.
+fn flyers(seed: u64, count: usize, group: impl Fn(BoxedBehaviour) -> Group, all: [BoxedBehaviour; 2]) -> World {
+    let mut draw = Draw::new(seed);
+    let mut world = with_settings(0.05, SubSteps::Fixed(1), DVec2::ZERO);
+    let groups = all.map(|behaviour| world.add_group(group(behaviour)).unwrap());
+    let half = DVec2::splat(0.6 * (count as f64).sqrt());
+    for number in 0..count {
+        let position = draw.point(-half, half).extend(3.0 + f64::from(number as u32 % 10) * 0.3);
+        let agent = Agent { position, radius: 0.05, ..Agent::default() };
+        world.add_agent(agent.group(groups[usize::from(number % 3 == 0)])).unwrap();
+    }
+    world
+}
+
+fn vehicle() -> Vehicle {
+    Vehicle { max_speed: 3.0, max_force: 10.0, locomotion: Locomotion::Level, ..Vehicle::default() }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(30))]
+
+    #[test]
+    fn a_behaviour_that_steers_agents_together_steers_them_the_same(
+        seed: u64, count in 1usize..150, together in 1usize..4, (guard, mixed) in any::<(bool, bool)>(),
+    ) {
+        let run = |together: usize, level: SimdLevel| {
+            let waves = Arc::new(Waves { together, steered: Default::default() });
+            let group = |steering| Group { guard, ..Group::vehicles(steering, vehicle()) };
+            let other = if mixed { Flocking::default().into() } else { BoxedBehaviour::from(Shared(waves.clone())) };
+            let mut world = flyers(seed, count, group, [Shared(waves.clone()).into(), other]);
+            world.set_simd_level(level);
+            (0..30).for_each(|_| world.step());
+            let [many, each] = waves.steered.each_ref().map(|count| count.load(Ordering::Relaxed));
+            (world.save(), many, each)
+        };
+        let ((plain, none, all), (fast, many, left)) = (run(0, SimdLevel::Best), run(together, SimdLevel::Best));
+        prop_assert!(plain == fast && plain == run(together, SimdLevel::Plain).0);
+        prop_assert_eq!((none, many + left), (0, all));
+        prop_assert!(many > 0 || count < 2);
+    }
+
+    #[test]
+    fn a_flock_from_outside_flies_as_a_flock(seed: u64, count in 1usize..150, guard: bool) {
+        let run = |behaviour: &dyn Fn() -> BoxedBehaviour, level: SimdLevel| {
+            let group = |steering| Group {
+                guard, neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 2.0, ..Group::vehicles(steering, vehicle())
+            };
+            let mut world = flyers(seed, count, group, [behaviour(), Flocking::default().into()]);
+            world.set_simd_level(level);
+            (0..30).for_each(|_| world.step());
+            world.save()
+        };
+        let (own, outside) = (|| Flocking::default().into(), || Outside(Flocking::default()).into());
+        let expected = run(&own, SimdLevel::Best);
+        prop_assert!(expected == run(&outside, SimdLevel::Best) && expected == run(&outside, SimdLevel::Plain));
     }
 }
