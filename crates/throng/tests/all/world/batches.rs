@@ -116,7 +116,7 @@ impl Waves {
         memory[0] += 1.0;
         let steps = memory[0] as u32 + view.rng.number;
         let facing = (steps % 7 < 2).then_some(Vec3::Y);
-        (steps % 5 > 0).then(|| Steering { facing, ..view.reach(Vec3::new(1.0, wave, 0.5 * wave)) })
+        (!steps.is_multiple_of(5)).then(|| Steering { facing, ..view.reach(Vec3::new(1.0, wave, 0.5 * wave)) })
     }
 
     fn wave(place: Vec3, number: u32, time: f64) -> f32 {
@@ -136,7 +136,7 @@ impl Behaviour for Waves {
 
     fn steer_many(&self, batch: &mut SteeringBatch<'_>) {
         assert!((1..=MOST_IN_BATCH).contains(&batch.count()));
-        let steered = |index: &usize| self.together > 0 && index % self.together == 0;
+        let steered = |index: &usize| self.together > 0 && index.is_multiple_of(self.together);
         for index in (0..batch.count()).filter(steered) {
             let wave = Self::wave(batch.position(index), batch.number(index), batch.time());
             self.steered[0].fetch_add(1, Ordering::Relaxed);
