@@ -111,7 +111,7 @@ impl Behaving<'_> {
         };
         let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
         if let (Some(level), Some(steering)) = (level, steering) {
-            return steering.steer_flock(&mut FlockBatch {
+            let mut batch = FlockBatch {
                 level,
                 vehicle: &group.vehicle,
                 group: index as u32,
@@ -119,11 +119,16 @@ impl Behaving<'_> {
                 close,
                 lattice,
                 birds,
-                places,
+                places: places.clone(),
                 scratch: pack,
                 forces,
                 one: &mut force,
-            });
+                is_done: false,
+            };
+            steering.steer_flock(&mut batch);
+            if batch.is_done {
+                return;
+            }
         }
         for (place, out) in places.zip(forces).filter(|(place, _)| birds.all[*place].group as usize == index) {
             lattice.within(birds.all[place].position, close, |other, _| {
@@ -178,7 +183,7 @@ impl State {
 }
 
 impl Group {
-    /// Whether the forces of its agents are computed as those of a flock.
+    /// Whether the forces of its agents are those of a flock, which are computed before the vehicles step.
     pub(super) fn is_flock(&self) -> bool {
         self.neighbours == Self::ALL_NEIGHBOURS
             && self.steering.as_ref().is_some_and(|steering| steering.is_flock() && steering.words() == 0)

@@ -135,8 +135,6 @@ impl Plans<'_> {
 pub(super) struct GroupSteering<'a> {
     pub group: &'a Group,
     pub steering: &'a BoxedBehaviour,
-    /// Whether the steering forces are those of a flock, which are computed before.
-    pub is_flock: bool,
     /// The SIMD level and the step of the vehicles, if the kernel supports them.
     pub simd: Option<(Level, Stepping)>,
     pub seconds: f32,
@@ -148,14 +146,7 @@ impl<'a> GroupSteering<'a> {
     fn of(state: &State, group: &'a Group, seconds: f32, now: f64) -> Option<Self> {
         let steering = group.steering.as_ref()?;
         let step = |level| Some((level, Stepping::of(&group.vehicle, seconds)?));
-        Some(Self {
-            group,
-            steering,
-            is_flock: group.is_flock(),
-            simd: state.instructions.level().and_then(step),
-            seconds,
-            now,
-        })
+        Some(Self { group, steering, simd: state.instructions.level().and_then(step), seconds, now })
     }
 }
 
@@ -236,7 +227,7 @@ impl<'a> Behaving<'a> {
         plans: &mut Plans<'_>,
         neighbours: &mut Vec<SteeringNeighbour>,
     ) -> Steering {
-        if of.is_flock {
+        if of.group.is_flock() {
             return self.force(row).into();
         }
         let view = self.view(row, of.seconds, of.now, neighbours);

@@ -54,7 +54,7 @@ impl Behaving<'_> {
         neighbours: &mut Vec<SteeringNeighbour>,
         forces: &mut [[f32; LANES]; 3],
     ) -> u64 {
-        if of.is_flock {
+        if of.group.is_flock() {
             rows.iter().enumerate().for_each(|(lane, &row)| set3(forces, lane, self.force(row as usize)));
             return 0;
         }
@@ -81,9 +81,12 @@ struct RowsToSteer<'a, 'p> {
 }
 
 impl BatchAgents for RowsToSteer<'_, '_> {
-    fn agent(&self, index: usize) -> (Vec3, u32) {
-        let (row, state) = (self.rows[index] as usize, self.behaving.state);
-        (state.place_in_space(row), state.agents.number[row])
+    fn position(&self, index: usize) -> Vec3 {
+        self.behaving.state.place_in_space(self.rows[index] as usize)
+    }
+
+    fn number(&self, index: usize) -> u32 {
+        self.behaving.state.agents.number[self.rows[index] as usize]
     }
 
     fn steer(&mut self, index: usize, steer: Steer<'_>) {

@@ -281,8 +281,8 @@ impl Tree {
 
     /// Offers the path from a vertex to all vertices that its tangents lead to.
     fn expand(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, vertex: u32, scratch: &mut TreeScratch) {
-        let (length, at) = (self.reached.of(vertex).length, mesh.vertices[vertex as usize]);
-        let on = match self.reached.of(vertex).next {
+        let (Reached { length, next }, at) = (self.reached.of(vertex), mesh.vertices[vertex as usize]);
+        let on = match next {
             NONE => match straight(mesh, target, vertex, scratch) {
                 Some(way) => way.end,
                 None => return,

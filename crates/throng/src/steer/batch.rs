@@ -12,8 +12,8 @@ pub(crate) type Steer<'f> = &'f mut dyn FnMut(&SteeringInput<'_>, &mut [f32]) ->
 
 /// The agents of a batch, by index.
 pub(crate) trait BatchAgents {
-    /// Returns the position and the number of an agent.
-    fn agent(&self, index: usize) -> (Vec3, u32);
+    fn position(&self, index: usize) -> Vec3;
+    fn number(&self, index: usize) -> u32;
     /// Steers an agent.
     fn steer(&mut self, index: usize, steer: Steer<'_>);
 }
@@ -86,12 +86,12 @@ impl<'a> SteeringBatch<'a> {
 
     /// Returns the position of an agent, metres.
     pub fn position(&self, index: usize) -> Vec3 {
-        self.agents.agent(index).0
+        self.agents.position(index)
     }
 
     /// Returns the number of an agent: that of its [random numbers](SteeringInput::rng).
     pub fn number(&self, index: usize) -> u32 {
-        self.agents.agent(index).1
+        self.agents.number(index)
     }
 
     /// Steers an agent. `steer` gets its input and its memory, as [`Behaviour::steer`](super::Behaviour::steer) does, and

@@ -57,7 +57,8 @@ pub trait Behaviour: Debug + Send + Sync {
     }
 
     /// Computes the forces of agents that see all others within a distance, in the order of their places in space. Only
-    /// for a behaviour that [is a flock](Self::is_flock). [`steer`](Self::steer) must give the same bits.
+    /// for a behaviour that [is a flock](Self::is_flock). Agents that it leaves get the steering of [`steer`](Self::steer):
+    /// both ways must give the same bits.
     fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
         let _ = batch;
     }

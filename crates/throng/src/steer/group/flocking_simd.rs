@@ -109,6 +109,8 @@ pub struct FlockBatch<'a> {
     pub(crate) forces: &'a mut [Vec3],
     /// Returns the force of the agent at a place, by [`Behaviour::steer`](crate::steer::Behaviour::steer).
     pub(crate) one: &'a mut dyn FnMut(usize) -> Vec3,
+    /// Whether the forces are set.
+    pub(crate) is_done: bool,
 }
 
 impl std::fmt::Debug for FlockBatch<'_> {
@@ -125,6 +127,7 @@ impl FlockBatch<'_> {
         let flock = Flock { flocking, vehicle, group, range, close, lattice, birds };
         let (places, scratch, out) = (self.places.clone(), &mut *self.scratch, &mut *self.forces);
         dispatch!(level, simd => forces(simd, &flock, places, scratch, out, &mut *self.one));
+        self.is_done = true;
     }
 }
 

@@ -6,7 +6,7 @@ use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use throng::avoid::{AvoidanceBatch, AvoidanceInput, LocalModel, Orca, Workspace};
+use throng::avoid::{AvoidanceBatch, AvoidanceInput, LocalModel, NoAvoidance, Orca, Orca3d, Workspace};
 use throng::motion::{Locomotion, Steering, Vehicle};
 use throng::perceive::SimdLevel;
 use throng::steer::{
@@ -164,13 +164,16 @@ impl Behaviour for Shared {
     }
 }
 
-/// A flock from outside.
+/// A flock from outside, which may leave its birds to be steered one at a time.
 #[derive(Debug)]
-struct Outside(Flocking);
+struct Outside {
+    flocking: Flocking,
+    together: bool,
+}
 
 impl Behaviour for Outside {
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
-        self.0.steer(view, memory, why)
+        self.flocking.steer(view, memory, why)
     }
 
     fn is_flock(&self) -> bool {
@@ -178,20 +181,22 @@ impl Behaviour for Outside {
     }
 
     fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
-        batch.flock(&self.0);
+        if self.together {
+            batch.flock(&self.flocking);
+        }
     }
 }
 
-/// Returns agents that fly by behaviours, the first of every three by the second behaviour.
-fn flyers(seed: u64, count: usize, group: impl Fn(BoxedBehaviour) -> Group, all: [BoxedBehaviour; 2]) -> World {
+/// Returns agents that fly by behaviours, the first of every three by the last behaviour, the others by the first.
+fn flyers(seed: u64, count: usize, group: impl Fn(BoxedBehaviour) -> Group, all: Vec<BoxedBehaviour>) -> World {
     let mut draw = Draw::new(seed);
     let mut world = with_settings(0.05, SubSteps::Fixed(1), DVec2::ZERO);
-    let groups = all.map(|behaviour| world.add_group(group(behaviour)).unwrap());
+    let groups: Vec<_> = all.into_iter().map(|behaviour| world.add_group(group(behaviour)).unwrap()).collect();
     let half = DVec2::splat(0.6 * (count as f64).sqrt());
     for number in 0..count {
         let position = draw.point(-half, half).extend(3.0 + f64::from(number as u32 % 10) * 0.3);
         let agent = Agent { position, radius: 0.05, ..Agent::default() };
-        world.add_agent(agent.group(groups[usize::from(number % 3 == 0)])).unwrap();
+        world.add_agent(agent.group(groups[if number % 3 == 0 { groups.len() - 1 } else { 0 }])).unwrap();
     }
     world
 }
@@ -205,13 +210,18 @@ proptest! {
 
     #[test]
     fn a_behaviour_that_steers_agents_together_steers_them_the_same(
-        seed: u64, count in 1usize..150, together in 1usize..4, (guard, mixed) in any::<(bool, bool)>(),
+        seed: u64, count in 1usize..150, together in 1usize..4,
+        (guard, mixed, avoids) in any::<(bool, bool, bool)>(),
     ) {
         let run = |together: usize, level: SimdLevel| {
             let waves = Arc::new(Waves { together, steered: Default::default() });
-            let group = |steering| Group { guard, ..Group::vehicles(steering, vehicle()) };
-            let other = if mixed { Flocking::default().into() } else { BoxedBehaviour::from(Shared(waves.clone())) };
-            let mut world = flyers(seed, count, group, [Shared(waves.clone()).into(), other]);
+            let model: Arc<dyn LocalModel> = if avoids { Arc::new(Orca3d::default()) } else { Arc::new(NoAvoidance) };
+            let group = |steering| Group { guard, model: model.clone(), ..Group::vehicles(steering, vehicle()) };
+            let mut all = vec![Shared(waves.clone()).into()];
+            if mixed {
+                all.push(Flocking::default().into());
+            }
+            let mut world = flyers(seed, count, group, all);
             world.set_simd_level(level);
             (0..30).for_each(|_| world.step());
             let [many, each] = waves.steered.each_ref().map(|count| count.load(Ordering::Relaxed));
@@ -224,17 +234,17 @@ proptest! {
     }
 
     #[test]
-    fn a_flock_from_outside_flies_as_a_flock(seed: u64, count in 1usize..150, guard: bool) {
+    fn a_flock_from_outside_flies_as_a_flock(seed: u64, count in 1usize..150, (guard, together) in any::<(bool, bool)>()) {
         let run = |behaviour: &dyn Fn() -> BoxedBehaviour, level: SimdLevel| {
             let group = |steering| Group {
                 guard, neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 2.0, ..Group::vehicles(steering, vehicle())
             };
-            let mut world = flyers(seed, count, group, [behaviour(), Flocking::default().into()]);
+            let mut world = flyers(seed, count, group, vec![behaviour(), Flocking::default().into()]);
             world.set_simd_level(level);
             (0..30).for_each(|_| world.step());
             world.save()
         };
-        let (own, outside) = (|| Flocking::default().into(), || Outside(Flocking::default()).into());
+        let (own, outside) = (|| Flocking::default().into(), || Outside { flocking: Flocking::default(), together }.into());
         let expected = run(&own, SimdLevel::Best);
         prop_assert!(expected == run(&outside, SimdLevel::Best) && expected == run(&outside, SimdLevel::Plain));
     }
