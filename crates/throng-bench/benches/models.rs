@@ -5,8 +5,8 @@ use divan::counter::ItemsCount;
 use std::sync::Arc;
 use throng::Group;
 use throng::avoid::{
-    AnticipationVelocity, Avo, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance, Orca, Orca3d, PowerLaw,
-    Rvo, RvoLab, SamplePattern, SocialForce, Vo,
+    AnticipationVelocity, Avo, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance, Orca,
+    Orca3d, PowerLaw, Rvo, RvoLab, SocialForce, Vo,
 };
 use throng_bench::{Crowd, lap, work};
 
@@ -39,10 +39,10 @@ fn crossing_of_10000(bencher: Bencher, name: &str) {
         "orca_3d" => Arc::new(Orca3d::default()),
         "avo" => Arc::new(Avo::default()),
         "hrvo" => Arc::new(Hrvo::default()),
-        "clearpath" => Arc::new(Vo::clear_path()),
+        "clearpath" => Arc::new(ClearPath::default()),
         "vo" => Arc::new(Vo::default()),
         "rvo" => Arc::new(Rvo::default()),
-        "rvo, 250 drawn" => Arc::new(Rvo { search: SamplePattern::Random { candidates: 250 }, ..Rvo::default() }),
+        "rvo, 250 drawn" => Arc::new(Rvo { candidates: 250, ..Rvo::default() }),
         "rvo_lab" => Arc::new(RvoLab),
         "collision_free_speed" => Arc::new(CollisionFreeSpeed::default()),
         "anticipation_velocity" => Arc::new(AnticipationVelocity::default()),

@@ -45,7 +45,7 @@
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
 //! | define what agents steer by; add your own behaviours | [`steer`], [`Behaviours`], [`SceneNames`] |
-//! | register behaviours, rules and scenes under names | [`Plugins`] |
+//! | register models, behaviours, rules and scenes under names | [`Plugins`] |
 //! | play a game; add your own rules | [`Scene::rules`], [`Rulebook`] |
 //! | see what would be built | [`Scene::plan`] |
 //! | check the expectations of a scene | [`Expectations`], [`Outcome`] |
@@ -62,8 +62,8 @@ pub mod gallery;
 mod games;
 mod geometry;
 pub mod import;
-mod plugins;
 mod random;
+mod registry;
 mod scene;
 
 pub use assemble::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
@@ -71,8 +71,8 @@ pub use caught::{caught, hush};
 pub use error::{Error, Kind, abridged};
 pub use expectations::{Expectation, Expectations, Figure, Outcome};
 pub use import::{Imported, open};
-pub use plugins::Plugins;
 pub use random::{Purpose, Random};
+pub use registry::{Avoid, Behaviours, Catalogue, Choice, Model, Models, Plugins, Rulebook};
 pub use scene::*;
 
 /// The examples of the README, compiled and run as tests.

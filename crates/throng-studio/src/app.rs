@@ -308,7 +308,7 @@ impl App {
             }
             ui.separator();
             panels::layers(ui, &mut self.settings, shown.map(|shown| &*shown.setting));
-            if panels::beside_by(ui, &mut self.settings.beside) {
+            if panels::beside_by(ui, &self.document.plugins().models, &mut self.settings.beside) {
                 self.put_beside();
             }
             ui.toggle_value(&mut self.help, "?");

@@ -79,10 +79,6 @@ impl Error {
         Self::unless(value > 0.0 && value.is_finite(), what, value, "greater than 0 and finite")
     }
 
-    pub(crate) fn unless_not_negative(what: &'static str, value: f32) -> Result<(), Self> {
-        Self::unless(value >= 0.0 && value.is_finite(), what, value, "at least 0 and finite")
-    }
-
     pub(crate) fn unless_finite(what: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value.is_finite(), what, value, "finite")
     }

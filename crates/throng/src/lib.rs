@@ -39,6 +39,9 @@
 //! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The parts of the stages that tests and
 //! benchmarks reach are documented with the feature `internals` only.
 
+// the code that `#[parameters]` writes names this crate
+extern crate self as throng;
+
 pub mod agent;
 pub mod avoid;
 mod error;
@@ -49,6 +52,7 @@ pub mod motion;
 mod moving;
 pub mod navigate;
 mod parallel;
+pub mod parameters;
 pub mod perceive;
 mod position;
 pub mod random;

@@ -4,11 +4,10 @@ use super::size::Size;
 use super::steer::{vehicle, wrap_around};
 use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
-use crate::scene::{self, Avoid, Group, Neighbours, Number, Preset, Scene};
+use crate::registry::ChosenModel;
+use crate::scene::{Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
-use std::sync::Arc;
 use throng::Agent;
-use throng::avoid::{Avo, BuiltFrom, Hrvo, LocalModel, NoAvoidance, Orca, Orca3d, Rvo, RvoLab, SamplePattern, Vo};
 use throng::field::Governed;
 use throng::steer::BoxedBehaviour;
 
@@ -102,11 +101,10 @@ const ANIMATED_SIDE: f32 = 8.0_f64.to_radians() as f32;
 pub(super) fn shared(
     group: &Group,
     name: String,
+    ChosenModel { model, neighbours, neighbour_distance }: ChosenModel,
     (steering, field): (Option<BoxedBehaviour>, Option<Governed>),
     origin: DVec2,
 ) -> throng::Group {
-    let avoid = group.local_model();
-    let (neighbours, neighbour_distance) = avoid.sight();
     let walks = steering.is_none();
     let neighbours = match neighbours {
         Neighbours::Nearest(count) => count as usize,
@@ -130,7 +128,8 @@ pub(super) fn shared(
     throng::Group {
         name,
         origin,
-        model: model(&avoid),
+        guard: group.guard.unwrap_or(walks && model.wants_guard()),
+        model,
         neighbour_distance,
         neighbours,
         look_ahead,
@@ -143,61 +142,6 @@ pub(super) fn shared(
         steering,
         vehicle: vehicle(group),
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
-        guard: group.is_guarded(),
         ..usual
-    }
-}
-
-fn model(avoid: &Avoid) -> Arc<dyn LocalModel> {
-    match avoid {
-        Avoid::Orca(model) => Arc::new(Orca {
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: model.time_horizon_obstacles as f32,
-            turning_bias: model.turning_bias as f32,
-            built_from: match model.built_from {
-                scene::BuiltFrom::Current => BuiltFrom::Current,
-                scene::BuiltFrom::Preferred => BuiltFrom::Preferred,
-                scene::BuiltFrom::Zero => BuiltFrom::Zero,
-            },
-        }),
-        Avoid::Orca3d(model) => Arc::new(Orca3d {
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: model.time_horizon_obstacles as f32,
-            vertical_scale: model.vertical_scale as f32,
-        }),
-        Avoid::Avo(model) => Arc::new(Avo {
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: model.time_horizon_obstacles as f32,
-            delay: model.delay as f32,
-        }),
-        Avoid::Vo(model) => Arc::new(Vo {
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: model.time_horizon_obstacles as f32,
-            reciprocal: false,
-        }),
-        Avoid::Hrvo(model) => Arc::new(Hrvo { time_horizon_obstacles: model.time_horizon_obstacles as f32 }),
-        Avoid::Clearpath(model) => Arc::new(Vo {
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: model.time_horizon_obstacles as f32,
-            reciprocal: true,
-        }),
-        Avoid::Rvo(model) => Arc::new(Rvo {
-            weight: model.weight as f32,
-            responsibility: model.responsibility as f32,
-            time_horizon: model.time_horizon as f32,
-            time_horizon_obstacles: (!model.braking).then_some(model.time_horizon_obstacles as f32),
-            kinodynamic: model.kinodynamic,
-            search: match model.candidates {
-                0 => SamplePattern::Adaptive,
-                candidates => SamplePattern::Random { candidates },
-            },
-        }),
-        Avoid::RvoLab(_) => Arc::new(RvoLab),
-        Avoid::PowerLaw(model) => Arc::new(model.built()),
-        Avoid::Moussaid2009(model) => Arc::new(model.built()),
-        Avoid::SocialForce(model) => Arc::new(model.built()),
-        Avoid::AnticipationVelocity(model) => Arc::new(model.built()),
-        Avoid::CollisionFreeSpeed(model) => Arc::new(model.built()),
-        Avoid::None(_) => Arc::new(NoAvoidance),
     }
 }

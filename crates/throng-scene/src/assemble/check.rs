@@ -4,9 +4,10 @@ use super::limits::{Limit, check, check_number, check_point, check_some, check_s
 use super::steer::check_steering;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
+use crate::registry::Models;
 use crate::scene::{
-    Avoid, Body, Camera, Expect, Goal, Group, Mover, Neighbours, Obstacle, Place, Point, PointGoal, Rectangle, Region,
-    Scene, Shape, Sides, Stop, SubSteps, View,
+    Body, Camera, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape,
+    Sides, Stop, SubSteps, View,
 };
 
 type Checked = Result<(), Problem>;
@@ -27,7 +28,7 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
         check_obstacle(&Path::of("obstacle").index(i), obstacle)?;
     }
     for (i, group) in scene.groups.iter().enumerate() {
-        check_group(&Path::of("group").index(i), group).map_err(|mut problem| {
+        check_group(&Path::of("group").index(i), group, &scene.plugins.models).map_err(|mut problem| {
             let name = Group::name_at(&group.name, i);
             problem.message = format!("group `{name}`: {}", problem.message);
             problem
@@ -91,7 +92,7 @@ pub(super) fn check_points(path: &Path, points: &[Point]) -> Checked {
     points.iter().enumerate().try_for_each(|(i, point)| check_point(&path.index(i), point))
 }
 
-fn check_group(path: &Path, group: &Group) -> Checked {
+fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
     check_place(&path.key("place"), &group.place)?;
     if let Some(goal) = &group.goal {
         check_goal(&path.key("goal"), goal, false)?;
@@ -149,7 +150,7 @@ fn check_group(path: &Path, group: &Group) -> Checked {
     check_layers(&path.key("layers"), &group.layers)?;
     check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;
     check_steering(path, group)?;
-    check_avoid(path, &group.local_model())
+    models.make(&group.local_model(), &path.key("avoid")).map(drop)
 }
 
 pub(super) fn check_layers(path: &Path, layers: &[u8]) -> Checked {
@@ -168,73 +169,6 @@ pub(super) fn check_body(path: &Path, body: &Body) -> Checked {
         Body::Capsule(capsule) => sides(&path.key("capsule"), capsule),
         Body::Rectangle(rectangle) => sides(&path.key("rectangle"), rectangle),
     }
-}
-
-fn check_avoid(path: &Path, avoid: &Avoid) -> Checked {
-    let key = |name: &str| path.key("avoid").key(name);
-    let ahead = |path: &Path, seconds: f64| check(&path.key("time_horizon"), seconds, Limit::Positive);
-    let walls = |path: &Path, seconds: f64| check(&path.key("time_horizon_obstacles"), seconds, Limit::Positive);
-    let path = match avoid {
-        Avoid::Orca(model) => {
-            let path = key("orca");
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            check(&path.key("turning_bias"), model.turning_bias, Limit::Between(0.1, 10.0))?;
-            path
-        }
-        Avoid::Orca3d(model) => {
-            let path = key("orca_3d");
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            check(&path.key("vertical_scale"), model.vertical_scale, Limit::Between(1.0, 10.0))?;
-            path
-        }
-        Avoid::Avo(model) => {
-            let path = key("avo");
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            check(&path.key("delay"), model.delay, Limit::UpTo(10.0))?;
-            path
-        }
-        Avoid::Vo(model) => {
-            let path = key("vo");
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            path
-        }
-        Avoid::Hrvo(model) => {
-            let path = key("hrvo");
-            walls(&path, model.time_horizon_obstacles)?;
-            path
-        }
-        Avoid::Clearpath(model) => {
-            let path = key("clearpath");
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            path
-        }
-        Avoid::Rvo(model) => {
-            let path = key("rvo");
-            check(&path.key("weight"), model.weight, Limit::Positive)?;
-            check(&path.key("responsibility"), model.responsibility, Limit::Between(0.1, 1.0))?;
-            ahead(&path, model.time_horizon)?;
-            walls(&path, model.time_horizon_obstacles)?;
-            check(&path.key("candidates"), f64::from(model.candidates), Limit::Between(0.0, 1e5))?;
-            path
-        }
-        Avoid::RvoLab(_) => key("rvo_lab"),
-        Avoid::PowerLaw(model) => model.checked(key("power_law"))?,
-        Avoid::Moussaid2009(model) => model.checked(key("moussaid_2009"))?,
-        Avoid::SocialForce(model) => model.checked(key("social_force"))?,
-        Avoid::AnticipationVelocity(model) => model.checked(key("anticipation_velocity"))?,
-        Avoid::CollisionFreeSpeed(model) => model.checked(key("collision_free_speed"))?,
-        Avoid::None(_) => key("none"),
-    };
-    let (neighbours, distance) = avoid.sight();
-    if let Neighbours::Nearest(count) = neighbours {
-        check(&path.key("neighbours"), f64::from(count), Limit::Between(1.0, 1000.0))?;
-    }
-    check(&path.key("neighbour_distance"), distance, Limit::Positive)
 }
 
 fn check_place(path: &Path, place: &Place) -> Checked {

@@ -115,7 +115,7 @@ pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result
 }
 
 /// Returns a value's name in messages: its path below the group, obstacle or table.
-pub(super) fn name(path: &Path) -> String {
+pub(crate) fn name(path: &Path) -> String {
     let text = path.to_string();
     match text.split_once("].") {
         Some((head, rest))

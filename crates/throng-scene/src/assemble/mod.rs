@@ -12,7 +12,6 @@ mod limits;
 mod movers;
 mod place;
 mod plan;
-mod repulsion;
 mod rules;
 mod size;
 mod steer;
@@ -26,3 +25,4 @@ pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 
 pub(crate) use ground::{has_room, solid_shape};
+pub(crate) use limits::name;

@@ -13,7 +13,7 @@ use super::size::Size;
 use super::steer::{Around, BehaviourContext, in_world};
 use super::surface;
 use crate::error::Error;
-use crate::file::Problem;
+use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, bounds};
 use crate::scene::{Group, Mover, Scene, SceneNames};
 use std::cell::{OnceCell, RefCell};
@@ -249,7 +249,8 @@ impl Scene {
             let field = flows.governed(i, |name| cast.find(name).ok().map(|(position, _)| in_world(position)))?;
             let (steering, solid) = (making.steering()?, making.solid()?);
             let name = cast.named[i].0.to_owned();
-            Ok(throng::Group { solid, ..shared(group, name, (steering, field), cast.origin) })
+            let chosen = self.plugins.models.make(&group.local_model(), &Path::of("group").index(i).key("avoid"))?;
+            Ok(throng::Group { solid, ..shared(group, name, chosen, (steering, field), cast.origin) })
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, GroundError>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

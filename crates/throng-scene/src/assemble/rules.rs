@@ -10,7 +10,7 @@ use throng::{Rules, World};
 /// Returns the rules of the scene's game, if it has rules.
 pub(super) fn make(scene: &Scene, cast: &SceneNames) -> Result<Option<Arc<dyn Rules>>, Problem> {
     let Some(name) = &scene.rules else { return Ok(None) };
-    let made = scene.rulebook.make(name, cast).ok_or_else(|| unknown(scene, name))?;
+    let made = scene.plugins.rules.make(name, cast).ok_or_else(|| unknown(scene, name))?;
     let made =
         made.map_err(|says| Problem::new(&Path::of("rules"), Kind::Panic, format!("a plug-in panicked: {says}")))?;
     made.map(Some).map_err(|error| unfit(scene, &error))
@@ -29,9 +29,9 @@ pub(super) fn begin(scene: &Scene, rules: Option<Arc<dyn Rules>>, world: &mut Wo
 }
 
 fn unknown(scene: &Scene, name: &str) -> Problem {
-    let known: Vec<&str> = scene.rulebook.names().collect();
+    let known: Vec<&str> = scene.plugins.rules.names().collect();
     let problem = Problem::new(&Path::of("rules"), Kind::UnknownKey, format!("there are no rules `{name}`"));
-    problem.hint(format!("there are: {}; programs add theirs to Scene::rulebook", known.join(", ")))
+    problem.hint(format!("there are: {}; programs add theirs to Scene::plugins", known.join(", ")))
 }
 
 fn unfit(scene: &Scene, error: &throng::Error) -> Problem {

@@ -11,5 +11,5 @@ mod value;
 pub use document::Origin;
 pub(crate) use path::{Path, Problem};
 pub(crate) use read::{LARGEST, missing, read_bytes, read_text, too_large};
-pub(crate) use serde_message::{explain, keys_of, nearest, unknown_key, value_of};
+pub(crate) use serde_message::{explain, nearest, unknown_key, unknown_variant};
 pub(crate) use set::quoted;

@@ -17,8 +17,7 @@ pub(crate) fn explain(message: &str) -> Error {
     if message.starts_with("unknown variant")
         && let Some((wrong, choices)) = quoted.split_first()
     {
-        let error = Error::new(Kind::UnknownKey, format!("`{wrong}` is not one of the choices here"));
-        return with_nearest(error, wrong, choices, "the choices");
+        return unknown_variant(wrong, choices);
     }
     if message.starts_with("missing field")
         && let Some(key) = quoted.first()
@@ -38,6 +37,12 @@ pub(crate) fn explain(message: &str) -> Error {
     }
     let kind = if message.starts_with("invalid value") { Kind::OutOfRange } else { Kind::WrongType };
     Error::new(kind, in_plain_words(message))
+}
+
+/// Returns the error for a name that is not one of the choices.
+pub(crate) fn unknown_variant(wrong: &str, choices: &[String]) -> Error {
+    let error = Error::new(Kind::UnknownKey, format!("`{wrong}` is not one of the choices here"));
+    with_nearest(error, wrong, choices, "the choices")
 }
 
 /// Removed keys, and the key that replaces each.
@@ -152,6 +157,7 @@ fn in_plain_words(message: &str) -> String {
             "a sequence" => "a list".to_owned(),
             "an array of length 2" => point(2).to_owned(),
             "an array of length 3" => point(3).to_owned(),
+            "a map" => "a table such as { key = value }".to_owned(),
             text if text.starts_with("struct ") => "a table such as { key = value }".to_owned(),
             text if text.starts_with("enum ") || text == "string or map" || text == "string or table" => {
                 "a choice, as in `place.ring = { .. }`".to_owned()

@@ -46,8 +46,7 @@ impl Scene {
         let document = document.with(Override { written: path.trim().to_owned(), value: quoted(value.trim()) });
         let mut changed: Self = document.read()?;
         changed.origin.folder.clone_from(&self.origin.folder);
-        changed.behaviours.clone_from(&self.behaviours);
-        changed.rulebook.clone_from(&self.rulebook);
+        changed.plugins.clone_from(&self.plugins);
         changed.origin.document = Some(Arc::new(document));
         *self = changed;
         Ok(())

@@ -7,7 +7,7 @@ mod map_drive;
 mod multiple_pursuit;
 mod soccer;
 
-use crate::scene::{Behaviours, Rulebook};
+use crate::registry::{Behaviours, Rulebook};
 use glam::{DVec2, Vec2};
 use throng::{AgentId, AgentRef, World};
 

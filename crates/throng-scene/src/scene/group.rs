@@ -1,12 +1,14 @@
 //! Groups of agents.
 
-use super::avoid::NoAvoidance;
 use super::flow::Governed;
 use super::steer::ObstacleNames;
 use super::surface::is_default;
-use super::{AgentShape, Avoid, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
+use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
+use crate::registry::Avoid;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use throng::avoid::{NoAvoidance, Orca};
+use throng::parameters::Parameters;
 
 /// A group of agents with the same start, goal, body and avoidance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -219,16 +221,12 @@ pub(super) fn is_yes(yes: &bool) -> bool {
 impl Group {
     /// Returns the local model: that of the key `avoid`, or else ORCA, or no avoidance for agents that steer.
     pub fn local_model(&self) -> Avoid {
-        self.avoid.clone().unwrap_or_else(|| match self.steer {
-            None => Avoid::default(),
-            Some(_) => Avoid::None(NoAvoidance::default()),
+        self.avoid.clone().unwrap_or_else(|| {
+            Avoid::named(match self.steer {
+                None => Orca::NAME,
+                Some(_) => NoAvoidance::NAME,
+            })
         })
-    }
-
-    /// Whether the guard keeps the agents from overlapping: as the key `guard` says, or else for all agents except
-    /// those that steer and those with the labs' algorithm.
-    pub fn is_guarded(&self) -> bool {
-        self.guard.unwrap_or(self.steer.is_none() && !matches!(self.avoid, Some(Avoid::RvoLab(_))))
     }
 
     /// Returns the name of the group at this position of a scene: its own name, or `group-1` for the first.

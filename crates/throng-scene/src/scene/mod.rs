@@ -2,22 +2,18 @@
 
 mod annotate;
 mod annulus;
-mod avoid;
-mod behaviours;
 mod body;
 mod expect;
 pub mod flow;
 mod goal;
 mod ground;
 mod group;
-mod model;
 mod mover;
 mod names;
 mod neighbours;
 mod number;
 mod obstacle;
 mod place;
-mod rulebook;
 mod schema;
 mod source;
 pub mod steer;
@@ -28,26 +24,18 @@ mod view;
 
 pub use annotate::{Annotate, Annotation};
 pub use annulus::{Annulus, Lap};
-pub use avoid::{
-    AnticipationVelocity, Avo, Avoid, BuiltFrom, Clearpath, CollisionFreeSpeed, Hrvo, Moussaid2009, NoAvoidance, Orca,
-    Orca3d, PowerLaw, Rvo, RvoLab, SocialForce, Vo,
-};
-pub use behaviours::Behaviours;
-pub(crate) use behaviours::Unmade;
 pub use body::{Body, Sides};
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
 pub use flow::{Field, Flow};
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Preset, Speed};
-pub use model::Model;
 pub use mover::{Keyframe, Mover};
 pub use names::SceneNames;
 pub use neighbours::Neighbours;
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
 pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
-pub use rulebook::Rulebook;
 pub use schema::schema;
 pub use source::Source;
 pub use steer::Steer;
@@ -59,6 +47,7 @@ pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind, WrapAround};
 pub use view::{AgentShape, Camera, Colour, Projection, View};
 
 pub use crate::file::Origin;
+use crate::registry::Plugins;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -114,15 +103,10 @@ pub struct Scene {
     /// What a run must show.
     #[serde(default, skip_serializing_if = "Expect::is_default")]
     pub expect: Expect,
-    /// Behaviours of plug-ins, for `steer.custom`. They are not part of the scene's content.
+    /// The models, behaviours and rules that the scene can name. They are not part of the scene's content.
     #[serde(skip)]
     #[schemars(skip)]
-    pub behaviours: Behaviours,
-    /// The rules that the scene can name: those of the gallery and of plug-ins. They are not part of the scene's
-    /// content.
-    #[serde(skip)]
-    #[schemars(skip)]
-    pub rulebook: Rulebook,
+    pub plugins: Plugins,
     /// The source of the scene: relative file names and the positions of errors refer to it. It is not part of the
     /// scene's content: scenes that differ only in it are equal.
     #[serde(skip)]
@@ -161,8 +145,7 @@ impl Default for Scene {
             rules: None,
             view: View::default(),
             expect: Expect::default(),
-            behaviours: Behaviours::default(),
-            rulebook: Rulebook::default(),
+            plugins: Plugins::default(),
             origin: Origin::default(),
         }
     }

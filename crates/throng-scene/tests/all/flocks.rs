@@ -94,7 +94,7 @@ fn check(name: &str) {
     assert!(local_order > 0.5, "{name}: neighbours move in the same direction: {local_order}");
     // random positions in the ball that contains most agents give 8.4 m
     assert!((0.9..7.6).contains(&nearest), "{name}: agents keep together, but not too near: {nearest} m");
-    if gallery::scene(name).unwrap().groups[0].is_guarded() {
+    if gallery::scene(name).unwrap().plan().unwrap().groups[0].guard {
         assert!(separation > 0.9999, "{name}: no two agents overlap: {separation}");
     }
 }

@@ -98,7 +98,7 @@ const PLAIN: &str = "rules = \"clock\"\n[[group]]\nname = \"they\"\nplace.point 
 fn a_program_brings_rules_of_its_own_and_expects_what_they_count() {
     for (each, passes) in [(0.3, false), (0.5, true), (0.7, false)] {
         let mut scene: Scene = PLAIN.parse().unwrap();
-        scene.rulebook.add("clock", move |cast| {
+        scene.plugins.rules.add("clock", move |cast| {
             assert!(cast.group("they").is_ok() && cast.barriers().is_ok());
             Ok(Clock(each))
         });
@@ -122,7 +122,7 @@ fn behaviours_change_when_a_figure_does() {
     let switch = "switch = { first = \"wait\", states = { go.of.target_speed.speed = 1, wait = { of.target_speed.speed = 0, \
                   exits = [{ to = \"go\", when.figure = { of = \"ticks\", at_least = 3 } }] } } }";
     let mut scene: Scene = PLAIN.replace("wander = {}", switch).parse().unwrap();
-    scene.rulebook.add("clock", |_| Ok(Clock(1.0)));
+    scene.plugins.rules.add("clock", |_| Ok(Clock(1.0)));
     assert_eq!(scene.to_toml().unwrap().parse::<Scene>().unwrap(), scene);
     let (mut world, _) = scene.build().unwrap();
     let went: Vec<bool> = (0..5)
@@ -139,7 +139,7 @@ fn what_is_wrong_with_a_game_is_named() {
     let error = |text: &str, clock: bool| {
         let mut scene: Scene = text.parse().unwrap();
         if clock {
-            scene.rulebook.add("clock", |_| Ok(Clock(1.0)));
+            scene.plugins.rules.add("clock", |_| Ok(Clock(1.0)));
         }
         scene.build().map(|_| ()).unwrap_err()
     };

@@ -340,7 +340,7 @@ fn a_program_adds_behaviours_of_its_own() {
     let error = scene.plan().unwrap_err();
     assert_eq!(error.kind, Kind::UnknownKey);
     assert!(error.to_string().contains("there is no behaviour `hunt`"), "{error}");
-    scene.behaviours.add("hunt", |cast| {
+    scene.plugins.behaviours.add("hunt", |cast| {
         assert!(cast.group("lost").is_err() && cast.agent("lost", 0).is_err() && cast.path("nowhere").is_none());
         Ok(steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
     });

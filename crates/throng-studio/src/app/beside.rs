@@ -5,11 +5,13 @@ use crate::direct::Tool;
 use crate::panels;
 use crate::play::{Command, RunMoment};
 use eframe::egui::{self, Ui};
+use throng_scene::Model;
 
 impl App {
     /// Runs the scene with a second model beside its own, as the settings select.
     pub(super) fn put_beside(&mut self) {
-        self.player.command(Command::Beside(self.settings.beside.parse().ok()));
+        let model = Model::parse(&self.settings.beside, &self.document.plugins().models).ok();
+        self.player.command(Command::Beside(model));
     }
 
     /// Draws the main view, or two views of the scene with two models and one camera.

@@ -3,16 +3,16 @@
 use super::bar::named;
 use crate::play::models_of;
 use eframe::egui::{Align2, ComboBox, FontId, Rect, Role, Ui};
-use throng_scene::{Model, Scene};
+use throng_scene::{Models, Scene};
 
-/// Shows the choice of the model that runs beside the model of the scene. Returns whether it changed.
-pub fn beside_by(ui: &mut Ui, model: &mut String) -> bool {
+/// Shows the choice of one of `models`, which runs beside the model of the scene. Returns whether it changed.
+pub fn beside_by(ui: &mut Ui, models: &Models, model: &mut String) -> bool {
     let before = model.clone();
     let shown = if model.is_empty() { "one model" } else { model.as_str() };
     let combo = ComboBox::from_id_salt("beside").width(96.0).selected_text(shown).show_ui(ui, |ui| {
         ui.selectable_value(model, String::new(), "one model");
-        for name in Model::names() {
-            ui.selectable_value(model, name.clone(), name);
+        for name in models.names() {
+            ui.selectable_value(model, name.to_owned(), name);
         }
     });
     named(&combo.response, Role::ComboBox, "beside");

@@ -116,7 +116,7 @@ impl PlayedRun {
 pub(crate) fn models_of(scene: &Scene) -> String {
     let mut names: Vec<String> = Vec::new();
     for group in &scene.groups {
-        let name = group.local_model().name();
+        let name = group.local_model().name;
         if !names.contains(&name) {
             names.push(name);
         }

@@ -47,7 +47,7 @@ impl Tunable {
     pub fn groups(&self, document: &Document) -> Vec<Section> {
         let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
         let of = |(k, group): (usize, &throng_scene::Group)| {
-            let said = serde_json::to_value(group.table()).unwrap_or_default();
+            let said = serde_json::to_value(scene.table_of(group)).unwrap_or_default();
             let name = if group.name.is_empty() { format!("group {}", k + 1) } else { group.name.clone() };
             let mut section =
                 section::of(&self.schema, &self.schema["$defs"]["Group"], &said, &format!("group.{k}"), &name);
@@ -62,7 +62,7 @@ impl Tunable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use throng_scene::{Model, gallery};
+    use throng_scene::{Models, gallery};
 
     fn all<'a>(section: &'a Section, found: &mut Vec<&'a Parameter>) {
         found.extend(&section.parameters);
@@ -93,7 +93,7 @@ mod tests {
         let ParameterKind::Choice { value, options } = &of("group.0.avoid").kind else { panic!("a choice of models") };
         let names: Vec<&str> = options.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(value, "orca");
-        assert_eq!(names, Model::names());
+        assert_eq!(names, Models::default().names().collect::<Vec<_>>());
         assert!(options.iter().all(|(_, about)| about.len() > 10), "{options:?}");
     }
 

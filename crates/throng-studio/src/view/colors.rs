@@ -77,7 +77,7 @@ impl Coloring {
 pub(super) fn models(shown: &RunMoment) -> (Vec<usize>, Vec<String>) {
     let mut known: Vec<String> = Vec::new();
     let number = |group: &Group| {
-        let name = group.local_model().name();
+        let name = group.local_model().name;
         known.iter().position(|other| *other == name).unwrap_or_else(|| {
             known.push(name);
             known.len() - 1

@@ -123,7 +123,7 @@ fn sliders_change_the_text() {
     }
     assert_eq!(last, Some(Tuned::Changed));
     assert!(document.text().contains("avoid = { hrvo = {} }"), "{}", document.text());
-    assert!(matches!(document.scene().unwrap().groups[0].avoid, Some(throng_scene::Avoid::Hrvo(_))));
+    assert_eq!(document.scene().unwrap().groups[0].avoid, Some(throng_scene::Avoid::named("hrvo")));
     assert!(document.undo() && document.text() == gallery::text("circle").unwrap());
 }
 
@@ -306,7 +306,8 @@ fn a_model_is_chosen_and_named() {
     let mut model = String::new();
     let mut changed = 0;
     {
-        let mut harness = Harness::new_ui(|ui| changed += u32::from(panels::beside_by(ui, &mut model)));
+        let models = throng_scene::Models::default();
+        let mut harness = Harness::new_ui(|ui| changed += u32::from(panels::beside_by(ui, &models, &mut model)));
         harness.get_by_label("beside").click();
         harness.run();
         harness.get_by_label("hrvo").click();

@@ -121,7 +121,7 @@ fn a_panic_in_a_scene_is_told() {
     let text =
         "[[group]]\nplace.point = [0, 0]\nvehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.custom = \"faulty\"\n";
     let mut scene: Scene = text.parse().unwrap();
-    scene.behaviours.add("faulty", |_| Ok(Faulty.into()));
+    scene.plugins.behaviours.add("faulty", |_| Ok(Faulty.into()));
     let mut engine = Engine::default();
     engine.command(Command::Load { name: "faulty".into(), scene: Arc::new(scene), run: false });
     engine.command(Command::Seek(500));

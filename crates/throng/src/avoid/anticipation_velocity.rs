@@ -18,48 +18,39 @@ use super::collision_free_speed::{optimal_speed, speed_limit};
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// The anticipation velocity model.
+/// The anticipation velocity model (Xu, Chraibi, Seyfried, 2021), as in JuPedSim.
 ///
 /// ```
 /// use throng::avoid::AnticipationVelocity;
 /// let farsighted = AnticipationVelocity { anticipation_time: 2.0, ..AnticipationVelocity::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnticipationVelocity {
-    /// Time gap to the neighbour ahead, seconds: the speed is the gap divided by it. The paper's T. Limit: > 0.
+    /// Seconds that an agent stays behind the neighbour ahead (T).
+    #[parameter(default = 1.06, unit = "s", above = 0)]
     pub time_gap: f32,
-    /// How far ahead positions are predicted, seconds, the paper's t^a. Limit: >= 0.
+    /// How far ahead positions are predicted, seconds.
+    #[parameter(default = 1.0, unit = "s", least = 0)]
     pub anticipation_time: f32,
-    /// Time constant, seconds, with which the direction approaches the new one (all but 1/e of a change). The paper's
-    /// tau. Limit: > 0.
+    /// Seconds in which the direction completes all but 1/e of a change.
+    #[parameter(default = 0.3, unit = "s", above = 0)]
     pub reaction_time: f32,
-    /// How much a neighbour at contact that walks the same way turns the direction, relative to the preferred direction
-    /// of length 1. The paper's k. A neighbour that comes the other way turns it twice as much. Limit: >= 0.
+    /// Influence of a neighbour at contact on the direction, relative to the preferred direction.
+    #[parameter(default = 8.0, least = 0)]
     pub strength: f32,
-    /// Predicted gap, metres, over which `strength` falls to 1/e, the paper's D. Limit: > 0.
+    /// Metres of predicted gap over which that influence falls to 1/e.
+    #[parameter(default = 0.1, unit = "m", above = 0)]
     pub range: f32,
-    /// Gap to a wall, metres, within which an agent does not walk towards it. Limit: >= 0.
+    /// Gap to an obstacle, metres, within which an agent does not walk towards it.
+    #[parameter(default = 0.1, unit = "m", least = 0)]
     pub wall_buffer: f32,
-    /// How strongly such an agent turns away from the wall, relative to a component along the wall of at most 1. Limit:
-    /// >= 0.
+    /// How strongly such an agent turns away from the obstacle.
+    #[parameter(default = 0.3, least = 0)]
     pub wall_pushout: f32,
-}
-
-impl Default for AnticipationVelocity {
-    /// The values of JuPedSim.
-    fn default() -> Self {
-        Self {
-            time_gap: 1.06,
-            anticipation_time: 1.0,
-            reaction_time: 0.3,
-            strength: 8.0,
-            range: 0.1,
-            wall_buffer: 0.1,
-            wall_pushout: 0.3,
-        }
-    }
 }
 
 /// Least speed, m/s, at which the velocity defines the present direction. Below it the heading does.
@@ -88,13 +79,7 @@ impl LocalModel for AnticipationVelocity {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time gap", self.time_gap)?;
-        Error::unless_not_negative("anticipation time", self.anticipation_time)?;
-        Error::unless_positive("reaction time", self.reaction_time)?;
-        Error::unless_not_negative("strength", self.strength)?;
-        Error::unless_positive("range", self.range)?;
-        Error::unless_not_negative("wall buffer", self.wall_buffer)?;
-        Error::unless_not_negative("wall pushout", self.wall_pushout)
+        self.check_limits()
     }
 }
 

@@ -8,29 +8,28 @@
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, HalfPlane, LocalModel, Workspace, orca};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// Acceleration-velocity obstacles.
+/// Acceleration-velocity obstacles (van den Berg, Snape, Guy, Manocha, 2011): ORCA for bodies that reach a new velocity
+/// with a delay.
 ///
 /// ```
 /// use throng::avoid::Avo;
 /// let sluggish = Avo { delay: 0.6, ..Avo::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Avo {
-    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+    /// Seconds ahead for which a velocity must be safe from other agents.
+    #[parameter(default = 2.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
+    /// Seconds ahead for which a velocity must be safe from obstacles.
+    #[parameter(default = 0.7, unit = "s", above = 0)]
     pub time_horizon_obstacles: f32,
-    /// Time constant, seconds, with which a body approaches its new velocity (all but 1/e of the change). Limit: > 0,
-    /// at most 10.
+    /// Seconds in which a body completes all but a third of a change of velocity.
+    #[parameter(default = 0.25, unit = "s", above = 0, most = 10)]
     pub delay: f32,
-}
-
-impl Default for Avo {
-    fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, delay: 0.25 }
-    }
 }
 
 impl LocalModel for Avo {
@@ -55,9 +54,7 @@ impl LocalModel for Avo {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
-        Error::unless(self.delay > 0.0 && self.delay <= 10.0, "delay", self.delay, "greater than 0, at most 10 s")
+        self.check_limits()
     }
 }
 
@@ -83,7 +80,7 @@ pub fn line(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, delay: f32
     let AvoidanceNeighbour { offset, radii, .. } = *other;
     // for bodies that are not discs the delay is ignored
     if other.touches() || !other.outline.is_point() {
-        return orca::line(velocity, other, horizon, step);
+        return other.half_plane(velocity, horizon, step);
     }
     let relative = velocity - other.velocity;
     // columns, so that several times are evaluated together

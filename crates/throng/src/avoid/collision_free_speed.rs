@@ -14,34 +14,33 @@
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceReason, Cause, HalfPlane, LocalModel, Workspace};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// The collision-free speed model.
+/// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim.
 ///
 /// ```
 /// use throng::avoid::CollisionFreeSpeed;
 /// let hasty = CollisionFreeSpeed { time_gap: 0.5, ..CollisionFreeSpeed::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CollisionFreeSpeed {
-    /// Time gap to the neighbour ahead, seconds: the speed is the gap divided by it. The paper's T. Limit: > 0.
+    /// Seconds that an agent stays behind the neighbour ahead (T).
+    #[parameter(default = 1.0, unit = "s", above = 0)]
     pub time_gap: f32,
-    /// How much a neighbour at contact turns the direction, relative to the preferred direction of length 1. The
-    /// paper's a. Limit: >= 0.
+    /// Influence of a neighbour at contact on the direction, relative to the preferred direction.
+    #[parameter(default = 8.0, least = 0)]
     pub strength: f32,
-    /// Gap, metres, over which `strength` falls to 1/e, the paper's D. Limit: > 0.
+    /// Metres of gap over which that influence falls to 1/e.
+    #[parameter(default = 0.1, unit = "m", above = 0)]
     pub range: f32,
-    /// As `strength`, of walls. Limit: >= 0.
+    /// As `strength`, for obstacles.
+    #[parameter(default = 5.0, least = 0)]
     pub strength_obstacles: f32,
-    /// As `range`, of walls. Limit: > 0.
+    /// As `range`, for obstacles.
+    #[parameter(default = 0.02, above = 0)]
     pub range_obstacles: f32,
-}
-
-impl Default for CollisionFreeSpeed {
-    /// The values of JuPedSim.
-    fn default() -> Self {
-        Self { time_gap: 1.0, strength: 8.0, range: 0.1, strength_obstacles: 5.0, range_obstacles: 0.02 }
-    }
 }
 
 impl LocalModel for CollisionFreeSpeed {
@@ -63,11 +62,7 @@ impl LocalModel for CollisionFreeSpeed {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time gap", self.time_gap)?;
-        Error::unless_not_negative("strength", self.strength)?;
-        Error::unless_positive("range", self.range)?;
-        Error::unless_not_negative("strength of obstacles", self.strength_obstacles)?;
-        Error::unless_positive("range of obstacles", self.range_obstacles)
+        self.check_limits()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Regions of forbidden velocities, and the pieces of lines and circles that bound them.
 
-use super::{AvoidanceNeighbour, HalfPlane, orca};
+use super::{AvoidanceNeighbour, HalfPlane};
 use glam::Vec2;
 
 /// A region of forbidden velocities.
@@ -43,7 +43,7 @@ impl Forbidden {
     pub fn truncated(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, step: f32) -> Self {
         let AvoidanceNeighbour { offset, radii, share, .. } = *other;
         if other.touches() || !other.outline.is_point() {
-            return Self::RightOf(orca::line(velocity, other, horizon, step));
+            return Self::RightOf(other.half_plane(velocity, horizon, step));
         }
         let (left, right) = other.legs();
         let apex = velocity * (1.0 - share) + other.velocity * share;

@@ -5,29 +5,23 @@
 //! on the side on which the agent should not pass, up to the leg of the plain velocity obstacle: passing on that side
 //! costs all of the avoidance. The velocity is found by [ClearPath](super::closest_outside).
 
-use super::{
-    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside, orca,
-};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// Hybrid reciprocal velocity obstacles.
+/// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011).
 ///
 /// ```
 /// use throng::avoid::Hrvo;
 /// let model = Hrvo { time_horizon_obstacles: 1.0 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hrvo {
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0. There is no horizon for agents: a
-    /// velocity that leads to a collision at any time is forbidden.
+    /// Seconds ahead for which a velocity must be safe from obstacles.
+    #[parameter(default = 0.7, unit = "s", above = 0)]
     pub time_horizon_obstacles: f32,
-}
-
-impl Default for Hrvo {
-    fn default() -> Self {
-        Self { time_horizon_obstacles: 0.7 }
-    }
 }
 
 impl LocalModel for Hrvo {
@@ -46,7 +40,7 @@ impl LocalModel for Hrvo {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)
+        self.check_limits()
     }
 }
 
@@ -55,7 +49,7 @@ impl LocalModel for Hrvo {
 pub fn hybrid(velocity: Vec2, other: &AvoidanceNeighbour, step: f32) -> Forbidden {
     let AvoidanceNeighbour { offset, share, .. } = *other;
     if other.touches() {
-        return Forbidden::RightOf(orca::line(velocity, other, 1.0, step));
+        return Forbidden::RightOf(other.half_plane(velocity, 1.0, step));
     }
     let (left, right) = other.legs();
     let relative = velocity - other.velocity;

@@ -1,6 +1,6 @@
 //! Collision avoidance: local models turn the preferred velocity into a new velocity.
 //!
-//! A model is one file that implements [`LocalModel`]. Its input is one agent and the agent's surroundings, frozen at
+//! A model is one file that declares its [parameters](crate::parameters) and implements [`LocalModel`]. Its input is one agent and the agent's surroundings, frozen at
 //! the start of the step. It returns a velocity and keeps no state. The velocity need not be safe: the
 //! [guard](crate::guard) makes it so.
 
@@ -10,6 +10,7 @@ mod avoidance;
 mod batch;
 mod batch_simd;
 mod clearpath;
+mod closest_outside;
 mod collision_free_speed;
 mod descent;
 mod explain;
@@ -43,7 +44,8 @@ pub use anticipation_velocity::AnticipationVelocity;
 pub use avo::Avo;
 pub(crate) use avoidance::{Avoid, Visibility};
 pub use batch::AvoidanceBatch;
-pub use clearpath::closest_outside;
+pub use clearpath::ClearPath;
+pub use closest_outside::closest_outside;
 pub use collision_free_speed::CollisionFreeSpeed;
 pub use explain::{AvoidanceReason, Cause};
 use forbidden::BoundaryPiece;
@@ -59,7 +61,6 @@ pub use outline::Outline;
 pub use power_law::PowerLaw;
 pub use rvo::Rvo;
 pub use rvo_lab::RvoLab;
-pub use sampling::SamplePattern;
 pub use simd_input::{MOST_SIMD_NEIGHBOURS, SimdInput, SimdNeighbour};
 pub use social_force::SocialForce;
 pub use vo::Vo;
@@ -250,6 +251,17 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// Returns the reach of the neighbour search that scene files give agents with this model, unless they state
+    /// another, metres between centres.
+    fn neighbour_distance(&self) -> f32 {
+        8.0
+    }
+
+    /// Whether the guard keeps agents with this model apart in scene files, unless they state that it does not.
+    fn wants_guard(&self) -> bool {
+        true
+    }
+
     /// Chooses the velocities of agents that are near each other, if the model has a faster way for several agents than
     /// for one: see [`AvoidanceBatch::with_simd`]. The agents that it leaves out get the velocity of
     /// [`velocity_in_space`](Self::velocity_in_space), which is the same.
@@ -286,6 +298,32 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
     fn check(&self) -> Result<(), crate::Error> {
         Ok(())
     }
+}
+
+/// A collection of local models by name.
+#[cfg(feature = "schema")]
+pub trait Models {
+    /// Adds a model. Its name is [`Parameters::NAME`](crate::parameters::Parameters::NAME).
+    fn add<M: LocalModel + crate::parameters::Declared>(&mut self);
+}
+
+/// Adds the models of the engine to a collection.
+#[cfg(feature = "schema")]
+pub fn register(models: &mut impl Models) {
+    models.add::<Orca>();
+    models.add::<Orca3d>();
+    models.add::<Avo>();
+    models.add::<Hrvo>();
+    models.add::<ClearPath>();
+    models.add::<Rvo>();
+    models.add::<RvoLab>();
+    models.add::<Vo>();
+    models.add::<CollisionFreeSpeed>();
+    models.add::<AnticipationVelocity>();
+    models.add::<SocialForce>();
+    models.add::<Moussaid2009>();
+    models.add::<PowerLaw>();
+    models.add::<NoAvoidance>();
 }
 
 /// Returns the factor by which models enlarge the radii of two bodies in a step of `seconds`.

@@ -17,51 +17,45 @@ use super::collision_free_speed::RANGES;
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// The social force model of Moussaid et al., 2009.
+/// The social force model measured in experiments (Moussaid and others, 2009). Distances are between centres.
 ///
 /// ```
 /// use throng::avoid::Moussaid2009;
 /// let keeps_left = Moussaid2009 { side_preference: -0.005, ..Moussaid2009::default() };
 /// ```
+#[parameters(name = "moussaid_2009")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moussaid2009 {
-    /// Time constant of the approach to the preferred velocity, seconds, the paper's tau. Limit: > 0.
+    /// Seconds to reach the preferred velocity (the paper's tau).
+    #[parameter(default = 0.54, unit = "s", above = 0)]
     pub relaxation_time: f32,
-    /// Greatest acceleration by one neighbour, m/s^2, the paper's A. Limit: >= 0.
+    /// Greatest acceleration by one neighbour, m/s^2 (A).
+    #[parameter(default = 4.5, unit = "m/s²", least = 0)]
     pub strength: f32,
-    /// Range of an interaction with a direction `D` of length 1, metres. Limit: > 0.
+    /// Range of an interaction with a direction of length 1, metres.
+    #[parameter(default = 0.35, unit = "m", above = 0)]
     pub gamma: f32,
-    /// Weight of the relative velocity relative to the direction to the neighbour, s/m. Limit: >= 0.
+    /// Weight of the relative velocity against the direction to the neighbour, s/m.
+    #[parameter(default = 2.0, unit = "s/m", least = 0)]
     pub lambda: f32,
-    /// Narrowness of the angle in which neighbours make the agent turn, 1/m, the paper's n. Limit: >= 0.
+    /// How narrow the angle is in which neighbours make the agent turn, 1/m (n).
+    #[parameter(default = 2.0, unit = "1/m", least = 0)]
     pub turning: f32,
-    /// Narrowness of the angle in which neighbours make the agent brake, 1/m, the paper's n'. Limit: >= 0.
+    /// How narrow the angle is in which neighbours make the agent brake, 1/m (n').
+    #[parameter(default = 3.0, unit = "1/m", least = 0)]
     pub braking: f32,
-    /// Preference for passing on the right, 1/m, the paper's epsilon; negative: on the left. Limit: finite.
+    /// Preference for passing on the right, 1/m (epsilon); negative: on the left.
+    #[parameter(default = 0.005, unit = "1/m")]
     pub side_preference: f32,
-    /// Acceleration at the surface of a wall, m/s^2, the paper's a. Limit: >= 0.
+    /// Acceleration at the surface of an obstacle, m/s^2 (a).
+    #[parameter(default = 3.0, unit = "m/s²", least = 0)]
     pub strength_obstacles: f32,
-    /// Range of the repulsion by walls, metres, the paper's b. Limit: > 0.
+    /// Range of that acceleration, metres (b).
+    #[parameter(default = 0.1, unit = "m", above = 0)]
     pub range_obstacles: f32,
-}
-
-impl Default for Moussaid2009 {
-    /// The values of the paper.
-    fn default() -> Self {
-        Self {
-            relaxation_time: 0.54,
-            strength: 4.5,
-            gamma: 0.35,
-            lambda: 2.0,
-            turning: 2.0,
-            braking: 3.0,
-            side_preference: 0.005,
-            strength_obstacles: 3.0,
-            range_obstacles: 0.1,
-        }
-    }
 }
 
 impl LocalModel for Moussaid2009 {
@@ -86,15 +80,7 @@ impl LocalModel for Moussaid2009 {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("relaxation time", self.relaxation_time)?;
-        Error::unless_not_negative("strength", self.strength)?;
-        Error::unless_positive("gamma", self.gamma)?;
-        Error::unless_not_negative("lambda", self.lambda)?;
-        Error::unless_not_negative("turning", self.turning)?;
-        Error::unless_not_negative("braking", self.braking)?;
-        Error::unless_finite("side preference", self.side_preference.into())?;
-        Error::unless_not_negative("strength of obstacles", self.strength_obstacles)?;
-        Error::unless_positive("range of obstacles", self.range_obstacles)
+        self.check_limits()
     }
 }
 

@@ -1,16 +1,17 @@
 //! No avoidance: the baseline for comparisons. It shows the work of the guard alone.
 
 use super::{AvoidanceInput, LocalModel, Workspace};
+use crate::parameters::parameters;
 use glam::Vec2;
 
-/// No avoidance: the chosen velocity is the preferred one, and the [guard](crate::guard) stops agents before they
-/// overlap.
+/// No avoidance: only the guard keeps agents apart.
 ///
 /// ```
 /// use throng::{Group, avoid::NoAvoidance};
 /// let group = Group { model: std::sync::Arc::new(NoAvoidance), ..Group::default() };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters(name = "none")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoAvoidance;
 
 impl LocalModel for NoAvoidance {
@@ -20,6 +21,10 @@ impl LocalModel for NoAvoidance {
 
     fn avoids(&self) -> bool {
         false
+    }
+
+    fn neighbour_distance(&self) -> f32 {
+        5.0
     }
 
     fn wall_range(&self, radius: f32, _: f32) -> f32 {

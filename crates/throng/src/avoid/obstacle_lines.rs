@@ -3,7 +3,7 @@
 //! always permitted.
 
 use super::half_plane::HalfPlane;
-use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, NearEdge, Workspace, orca};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, NearEdge, Workspace};
 use crate::motion::followable;
 use glam::Vec2;
 
@@ -12,7 +12,7 @@ const EPSILON: f32 = 1e-5;
 impl Workspace {
     /// Collects the half-planes that walls permit to a body of `radius`, and those of the velocities that the body can
     /// follow, with the cause of each. All of them permit standing still.
-    pub(super) fn permit(&mut self, view: &AvoidanceInput<'_>, radius: f32, horizon: f32) {
+    pub fn permit(&mut self, view: &AvoidanceInput<'_>, radius: f32, horizon: f32) {
         let Self { lines, causes, .. } = self;
         lines.clear();
         causes.clear();
@@ -30,7 +30,7 @@ impl Workspace {
         for (index, near) in view.discs.iter().enumerate() {
             let disc = AvoidanceNeighbour::resting(near.offset, near.disc.radius as f32 + radius);
             let disc = AvoidanceNeighbour { outline: near.outline, ..disc };
-            push(lines, Cause::Disc(index), orca::line(view.velocity, &disc, horizon, view.step));
+            push(lines, Cause::Disc(index), disc.half_plane(view.velocity, horizon, view.step));
         }
         if view.tracking_error > 0.0 {
             let corners = followable(view.tracking_error, view.heading, view.max_speed, view.max_turn_rate);
@@ -45,7 +45,7 @@ impl Workspace {
 
 impl Workspace {
     /// Returns the half-planes as reasons: first those collected by [`permit`](Self::permit), then one per neighbour.
-    pub(super) fn permissions(&self) -> Vec<AvoidanceReason> {
+    pub fn permissions(&self) -> Vec<AvoidanceReason> {
         let neighbours = (0..).map(Cause::Neighbour);
         let causes = self.causes.iter().copied().chain(neighbours);
         causes.zip(&self.lines).map(|(cause, &line)| AvoidanceReason::Permits(cause, line)).collect()

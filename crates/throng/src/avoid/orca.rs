@@ -12,11 +12,13 @@ use super::{
     orca_simd, turning,
 };
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 use std::any::Any;
 
 /// The velocity from which an agent's half-planes are built: the velocity that other agents assume for the agent while
 /// they choose (the paper's optimisation velocity, section 4.2).
+#[parameters]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BuiltFrom {
     /// The present velocity: the compromise of the paper and of RVO2.
@@ -28,30 +30,26 @@ pub enum BuiltFrom {
     Zero,
 }
 
-/// Optimal reciprocal collision avoidance.
+/// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011).
 ///
 /// ```
 /// use throng::avoid::Orca;
 /// let careful = Orca { time_horizon: 4.0, ..Orca::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orca {
-    /// Seconds ahead for which a velocity must be safe from other agents. A longer horizon reacts earlier and permits
-    /// fewer velocities in a crowd. Limit: > 0; 1 to 3 for pedestrians.
+    /// Seconds ahead for which a velocity must be safe from other agents.
+    #[parameter(default = 1.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0; 0.5 to 1 for pedestrians.
+    /// Seconds ahead for which a velocity must be safe from obstacles.
+    #[parameter(default = 0.7, unit = "s", above = 0)]
     pub time_horizon_obstacles: f32,
-    /// How much cheaper it is to turn than to change speed: above 1 agents prefer to turn, below 1 they prefer to brake
-    /// (Curtis, Manocha, Pedestrian simulation using geometric reasoning in velocity space, 2014). Limit: 0.1 to 10.
+    /// Cost of a change of speed relative to a turn: above 1 agents prefer to turn, below 1 they prefer to brake.
+    #[parameter(default = 1.0, least = 0.1, most = 10)]
     pub turning_bias: f32,
-    /// The velocity that the half-planes are built from.
+    /// The velocity from which half-planes are built.
     pub built_from: BuiltFrom,
-}
-
-impl Default for Orca {
-    fn default() -> Self {
-        Self { time_horizon: 1.0, time_horizon_obstacles: 0.7, turning_bias: 1.0, built_from: BuiltFrom::default() }
-    }
 }
 
 /// Seconds over which an overlap, or a margin that is used up, is restored. A shorter time pushes abruptly.
@@ -98,10 +96,7 @@ impl LocalModel for Orca {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
-        let bias = self.turning_bias;
-        Error::unless((0.1..=10.0).contains(&bias), "turning bias", bias, "from 0.1 to 10")
+        self.check_limits()
     }
 }
 
@@ -124,7 +119,7 @@ impl Orca {
         let lines = &mut workspace.lines;
         lines.extend(view.neighbours.iter().map(|n| {
             let other = AvoidanceNeighbour { velocity: of(n.velocity, n.preferred), ..*n };
-            line(velocity, &other, self.time_horizon, view.step)
+            other.half_plane(velocity, self.time_horizon, view.step)
         }));
         hard
     }
@@ -143,35 +138,38 @@ pub(super) fn optimum(
         .unwrap_or_else(|failed| least_violation(lines, hard, speed, failed, fallback))
 }
 
-/// Returns the half-plane that one neighbour permits to an agent of the given velocity.
-pub(super) fn line(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32, step: f32) -> HalfPlane {
-    let AvoidanceNeighbour { offset, radii, .. } = *other;
-    let relative = velocity - other.velocity;
-    let distance_squared = offset.length_squared();
-    let (change, normal) = if !other.outline.is_point() {
-        other.change(relative, horizon, step.max(RECOVERY))
-    } else if distance_squared > radii * radii {
-        let w = relative - offset / horizon;
-        let along = w.dot(offset);
-        if along < 0.0 && along * along > radii * radii * w.length_squared() {
-            // nearest on the rounded tip
-            let length = w.length();
-            let normal = w / length;
-            (normal * (radii / horizon - length), normal)
+impl AvoidanceNeighbour {
+    /// Returns the half-plane of ORCA: the velocities that this neighbour permits to an agent of the given velocity, for
+    /// `horizon` seconds. If the bodies touch already, the overlap ends within the step, or a quarter of a second.
+    pub fn half_plane(&self, velocity: Vec2, horizon: f32, step: f32) -> HalfPlane {
+        let AvoidanceNeighbour { offset, radii, .. } = *self;
+        let relative = velocity - self.velocity;
+        let distance_squared = offset.length_squared();
+        let (change, normal) = if !self.outline.is_point() {
+            self.change(relative, horizon, step.max(RECOVERY))
+        } else if distance_squared > radii * radii {
+            let w = relative - offset / horizon;
+            let along = w.dot(offset);
+            if along < 0.0 && along * along > radii * radii * w.length_squared() {
+                // nearest on the rounded tip
+                let length = w.length();
+                let normal = w / length;
+                (normal * (radii / horizon - length), normal)
+            } else {
+                // nearest on a leg
+                let (left, right) = obstacle_lines::tangents(offset, radii);
+                let direction = if offset.perp_dot(w) > 0.0 { left } else { -right };
+                (direction * relative.dot(direction) - relative, direction.perp())
+            }
         } else {
-            // nearest on a leg
-            let (left, right) = obstacle_lines::tangents(offset, radii);
-            let direction = if offset.perp_dot(w) > 0.0 { left } else { -right };
-            (direction * relative.dot(direction) - relative, direction.perp())
-        }
-    } else {
-        // too close: move apart within the recovery time
-        let time = step.max(RECOVERY);
-        let w = relative - offset / time;
-        let length = w.length();
-        let normal = if length > 1e-6 { w / length } else { other.aside };
-        (normal * (radii / time - length), normal)
-    };
-    let part = if change.dot(normal) > 0.0 { other.share } else { other.room };
-    HalfPlane { point: velocity + change * part, direction: Vec2::new(normal.y, -normal.x) }
+            // too close: move apart within the recovery time
+            let time = step.max(RECOVERY);
+            let w = relative - offset / time;
+            let length = w.length();
+            let normal = if length > 1e-6 { w / length } else { self.aside };
+            (normal * (radii / time - length), normal)
+        };
+        let part = if change.dot(normal) > 0.0 { self.share } else { self.room };
+        HalfPlane { point: velocity + change * part, direction: Vec2::new(normal.y, -normal.x) }
+    }
 }

@@ -8,29 +8,27 @@
 use super::half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
 use super::{AvoidanceInput, AvoidanceNeighbour, LocalModel, Workspace};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::{Vec2, Vec3};
 
-/// Optimal reciprocal collision avoidance for agents that fly.
+/// Optimal reciprocal collision avoidance in space, for agents that fly.
 ///
 /// ```
 /// use throng::avoid::Orca3d;
 /// let drones = Orca3d { vertical_scale: 2.0, ..Orca3d::default() };
 /// ```
+#[parameters(name = "orca_3d")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orca3d {
-    /// Seconds ahead for which a velocity must be safe from other agents. Limit: > 0.
+    /// Seconds ahead for which a velocity must be safe from other agents.
+    #[parameter(default = 2.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. Limit: > 0.
+    /// Seconds ahead for which a velocity must be safe from obstacles.
+    #[parameter(default = 0.7, unit = "s", above = 0)]
     pub time_horizon_obstacles: f32,
-    /// Factor by which bodies are stretched vertically: above 1 agents prefer to avoid sideways rather than up and
-    /// down, as birds and drones do. Limit: 1 to 10.
+    /// Factor by which bodies are taken to be taller than they are: above 1 agents prefer to avoid sideways.
+    #[parameter(default = 1.0, least = 1, most = 10)]
     pub vertical_scale: f32,
-}
-
-impl Default for Orca3d {
-    fn default() -> Self {
-        Self { time_horizon: 2.0, time_horizon_obstacles: 0.7, vertical_scale: 1.0 }
-    }
 }
 
 impl LocalModel for Orca3d {
@@ -75,10 +73,7 @@ impl LocalModel for Orca3d {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles)?;
-        let scale = self.vertical_scale;
-        Error::unless((1.0..=10.0).contains(&scale), "vertical scale", scale, "from 1 to 10")
+        self.check_limits()
     }
 }
 

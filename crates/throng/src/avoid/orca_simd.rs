@@ -87,7 +87,7 @@ fn choose<S: Simd, const N: usize>(simd: S, orca: &Orca, input: &mut SimdInput, 
     velocity.store(&mut input.chosen);
 }
 
-/// Returns the half-plane of one neighbour per agent, as [`line`](super::orca::line), and the agents that are at the
+/// Returns the half-plane of one neighbour per agent, as [`half_plane`](super::AvoidanceNeighbour::half_plane), and the agents that are at the
 /// same place as this neighbour.
 #[inline(always)]
 fn line<S: Simd>(simd: S, orca: &Orca, own: &SimdAgents<S>, others: &SimdNeighbour, step: f32) -> (Lines<S>, u64) {

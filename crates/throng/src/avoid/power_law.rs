@@ -21,34 +21,34 @@
 use super::imminence::{LEAST_GAP, of_disc, of_segment};
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace, descent};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// The power law with an implicit step.
+/// The power law of human interaction with an implicit step (Karamouzas, Skinner, Guy, 2014; Karamouzas, Sohre, Narain,
+/// Guy, 2017): accelerations by the time to a collision.
 ///
 /// ```
 /// use throng::avoid::PowerLaw;
 /// let shy = PowerLaw { strength: 3.0, ..PowerLaw::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLaw {
-    /// Strength of the interaction, m^2, the paper's k over the mass. Limit: >= 0.
+    /// Strength of the interaction, m^2 (the paper's k over the mass).
+    #[parameter(default = 1.5, unit = "m²", least = 0)]
     pub strength: f32,
-    /// Time, seconds, beyond which collisions are screened off, the paper's t0. The neighbour range must cover the
-    /// distance that both agents walk in that time. Limit: > 0.
+    /// Seconds beyond which collisions are screened off (the paper's tau0).
+    #[parameter(default = 3.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-    /// Time constant of the approach to the preferred velocity, seconds, the paper's xi. Limit: > 0.
+    /// Seconds to reach the preferred velocity (the paper's xi).
+    #[parameter(default = 0.54, unit = "s", above = 0)]
     pub relaxation_time: f32,
-    /// Fraction of the radii within which a collision counts as grazing, the epsilon of 2017. Limit: 0.01 to 0.9.
+    /// The part of the radii within which a collision counts as grazing (epsilon).
+    #[parameter(default = 0.2, least = 0.01, most = 0.9)]
     pub grazing: f32,
-    /// Strength of the repulsion at contact, m^3/s^3, the eta of 2017. Limit: >= 0.
+    /// Strength of the repulsion at contact, m^3/s^3 (eta).
+    #[parameter(default = 0.01, unit = "m³/s³", least = 0)]
     pub contact: f32,
-}
-
-impl Default for PowerLaw {
-    /// The values of the papers.
-    fn default() -> Self {
-        Self { strength: 1.5, time_horizon: 3.0, relaxation_time: 0.54, grazing: 0.2, contact: 0.01 }
-    }
 }
 
 /// Greatest inverse time to collision for which the power law is used, 1/s.
@@ -71,6 +71,11 @@ impl LocalModel for PowerLaw {
         true
     }
 
+    /// Returns 10: the distance that two agents walk towards each other within the time horizon.
+    fn neighbour_distance(&self) -> f32 {
+        10.0
+    }
+
     fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {
         let chosen = self.velocity(view, workspace);
         let pushes = self.interactions(view, chosen).map(|(cause, (_, gradient))| (cause, -gradient));
@@ -82,12 +87,7 @@ impl LocalModel for PowerLaw {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_not_negative("strength", self.strength)?;
-        Error::unless_positive("time horizon", self.time_horizon)?;
-        Error::unless_positive("relaxation time", self.relaxation_time)?;
-        let grazing = self.grazing;
-        Error::unless((0.01..=0.9).contains(&grazing), "grazing", grazing, "from 0.01 to 0.9")?;
-        Error::unless_not_negative("contact", self.contact)
+        self.check_limits()
     }
 }
 

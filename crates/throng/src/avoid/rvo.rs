@@ -6,50 +6,43 @@
 //! The velocity of least penalty is chosen: weight / time to collision + distance from the preferred velocity (section
 //! V), so that there is one in any crowd. Walls do not avoid: all of the avoidance falls on the agent.
 
-use super::sampling::{self, SamplePattern};
-use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace};
+use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace, sampling};
 use crate::Error;
+use crate::parameters::{Parameters, parameters};
 use glam::Vec2;
 
-/// Reciprocal velocity obstacles.
+/// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).
 ///
 /// ```
-/// use throng::avoid::{Rvo, SamplePattern};
+/// use throng::avoid::Rvo;
 /// let shy = Rvo { weight: 2.0, ..Rvo::default() };
 /// // the search of the authors' library
-/// let drawn = Rvo { search: SamplePattern::Random { candidates: 250 }, time_horizon_obstacles: None, ..Rvo::default() };
+/// let drawn = Rvo { candidates: 250, braking: true, ..Rvo::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rvo {
-    /// Weight of the time to collision relative to the distance from the preferred velocity, metres: small is
-    /// aggressive, large is shy. Limit: > 0.
+    /// Weight of the time to a collision against the distance from the preferred velocity, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
     pub weight: f32,
-    /// Share of the avoidance if both agents have the same right of way, the paper's alpha. The shares of a pair should
-    /// add up to 1. Limit: 0.1 to 1.
+    /// The part of the avoidance that an agent does if both agents have the same right of way (the paper's alpha).
+    #[parameter(default = 0.5, least = 0.1, most = 1)]
     pub responsibility: f32,
-    /// Collisions farther ahead than this, seconds, are ignored; infinite in the paper. Limit: > 0.
+    /// Seconds ahead beyond which collisions with other agents do not count.
+    #[parameter(default = 5.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-    /// Seconds ahead for which a velocity must be safe from walls. `None`: a wall counts only if the body could not
-    /// brake in time, as in the authors' library. Limit: > 0.
-    pub time_horizon_obstacles: Option<f32>,
-    /// Whether only velocities are tried that the body can reach within a step, as in the paper. Otherwise the best
-    /// velocity is sought, and the body changes towards it as fast as it can, as in the authors' library.
+    /// Seconds ahead beyond which collisions with obstacles do not count.
+    #[parameter(default = 0.7, unit = "s", above = 0)]
+    pub time_horizon_obstacles: f32,
+    /// Obstacles count only if braking does not suffice, as in the authors' library; `time_horizon_obstacles` has no
+    /// effect then.
+    pub braking: bool,
+    /// Only velocities that can be reached within a step are candidates, as in the paper.
     pub kinodynamic: bool,
-    /// The velocities that are tried.
-    pub search: SamplePattern,
-}
-
-impl Default for Rvo {
-    fn default() -> Self {
-        Self {
-            weight: 1.0,
-            responsibility: 0.5,
-            time_horizon: 5.0,
-            time_horizon_obstacles: Some(0.7),
-            kinodynamic: false,
-            search: SamplePattern::Adaptive,
-        }
-    }
+    /// Number of random candidate velocities in each step, as in the authors' library (250). 0: a pattern that is
+    /// refined replaces them.
+    #[parameter(most = 100000)]
+    pub candidates: u32,
 }
 
 /// The least share: with a share of 0 an agent would not see the neighbour.
@@ -78,17 +71,12 @@ impl LocalModel for Rvo {
     fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
         // the braking distance depends on the acceleration, which is not known here: this covers bodies that brake
         // slowly
-        self.time_horizon_obstacles.unwrap_or(BRAKING_TIME) * max_speed + radius
+        let seconds = if self.braking { BRAKING_TIME } else { self.time_horizon_obstacles };
+        seconds * max_speed + radius
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("weight", self.weight)?;
-        let alpha = self.responsibility;
-        Error::unless((LEAST_SHARE..=1.0).contains(&alpha), "responsibility", alpha, "from 0.1 to 1")?;
-        let horizon = self.time_horizon;
-        Error::unless(horizon > 0.0, "time horizon", horizon, "greater than 0")?;
-        Error::unless_positive("time horizon of obstacles", self.time_horizon_obstacles.unwrap_or(1.0))?;
-        self.search.check()
+        self.check_limits()
     }
 }
 
@@ -108,7 +96,7 @@ impl Rvo {
             v.clamp_length_max(view.max_speed)
         };
         let overlaps = view.neighbours.iter().any(|n| is_overlap(view, n));
-        sampling::cheapest(self.search, view, |chosen, best| {
+        sampling::cheapest(self.candidates, view, |chosen, best| {
             let velocity = reachable(chosen);
             let enough = if tried.is_some() { f32::INFINITY } else { best };
             let cost = if overlaps { self.leaving(view, velocity) } else { self.penalty(view, velocity, enough) };
@@ -131,10 +119,12 @@ impl Rvo {
             return distance;
         }
         let penalty = |time: f32, horizon: f32| if time < horizon { self.weight / time.max(1e-3) } else { 0.0 };
-        let wall_horizon = self.time_horizon_obstacles.unwrap_or_else(|| {
+        let wall_horizon = if self.braking {
             // a wall counts only if the body would reach it before it could stop
             view.step.max(v.length() / view.max_acceleration)
-        });
+        } else {
+            self.time_horizon_obstacles
+        };
         let mut most = penalty(view.time_to_walls(v, view.radius), wall_horizon);
         for other in view.neighbours {
             if distance + most >= enough {

@@ -11,6 +11,7 @@
 use super::{
     AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace, time_to_segment,
 };
+use crate::parameters::parameters;
 use glam::Vec2;
 
 /// Number of directions tried, and the angle between two of them, radians.
@@ -21,18 +22,24 @@ const SPEEDS: usize = 5;
 /// Range within which walls are considered, metres.
 const WALL_RANGE: f32 = 5.0;
 
-/// Reciprocal velocity obstacles as in the lab reports. Meant for groups without the guard.
+/// Reciprocal velocity obstacles as in two students' lab reports, with their faults, for comparison.
 ///
 /// ```
 /// use throng::{Group, avoid::RvoLab};
 /// let group = Group { model: std::sync::Arc::new(RvoLab), look_ahead: false, keep_right: 0.0, ..Group::default() };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RvoLab;
 
 impl LocalModel for RvoLab {
     fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         choose(view, &mut workspace.forbidden, |_, _| ())
+    }
+
+    /// Returns false: the faults of the reports are to be seen.
+    fn wants_guard(&self) -> bool {
+        false
     }
 
     fn explain(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec<AvoidanceReason> {

@@ -1,48 +1,26 @@
 //! Search for the cheapest of the velocities that a body can have.
 
 use super::AvoidanceInput;
-use crate::Error;
 use crate::random::Purpose;
 use glam::Vec2;
 use std::f32::consts::TAU;
-
-/// The velocities that a search tries. The preferred one is always the first. Of equal costs the first wins.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SamplePattern {
-    /// The present velocity, zero, and a pattern over all velocities, aligned with the preferred one, that is refined
-    /// about the best so far (as in the DetourCrowd library of Recast Navigation). It needs no random numbers, so
-    /// agents tremble little.
-    #[default]
-    Adaptive,
-    /// Velocities drawn uniformly from the disc of speeds, anew in every step, as the authors of RVO do. Agents
-    /// tremble.
-    Random {
-        /// Number of velocities. Limit: 1 to 100,000.
-        candidates: u32,
-    },
-}
 
 /// Number of points of the pattern on each of its two rings.
 const ANGLES: usize = 16;
 /// Number of refinements of the pattern. Each halves it.
 const DEPTH: usize = 6;
 
-impl SamplePattern {
-    pub(super) fn check(self) -> Result<(), Error> {
-        match self {
-            Self::Adaptive => Ok(()),
-            Self::Random { candidates } => {
-                let right = (1..=100_000).contains(&candidates);
-                Error::unless(right, "candidates", candidates as f32, "from 1 to 100,000")
-            }
-        }
-    }
-}
-
-/// Returns the cheapest velocity that the search finds. `cost` gets a candidate and the least cost so far. It returns
+/// Returns the cheapest velocity of those tried. The preferred one is always the first; of equal costs the first wins.
+///
+/// Without `candidates`, the search tries the present velocity, zero, and a pattern over all velocities, aligned with the
+/// preferred one, that is refined about the best so far (as in the DetourCrowd library of Recast Navigation). It needs no
+/// random numbers, so agents tremble little. Otherwise it tries so many velocities, drawn uniformly from the disc of
+/// speeds anew in every step, as the authors of RVO do. Agents tremble.
+///
+/// `cost` gets a candidate and the least cost so far. It returns
 /// the nearest possible velocity and its cost, which need not be exact if it is not less than the least so far.
 pub(super) fn cheapest(
-    search: SamplePattern,
+    candidates: u32,
     view: &AvoidanceInput<'_>,
     mut cost: impl FnMut(Vec2, f32) -> (Vec2, f32),
 ) -> Vec2 {
@@ -55,9 +33,9 @@ pub(super) fn cheapest(
         best.0
     };
     let center = candidate(view.preferred);
-    match search {
-        SamplePattern::Adaptive => adaptive(view, candidate),
-        SamplePattern::Random { candidates } => (0..candidates).fold(center, |_, k| {
+    match candidates {
+        0 => adaptive(view, candidate),
+        _ => (0..candidates).fold(center, |_, k| {
             let (sin, cos) = libm::sincosf(view.rng.nth(k, Purpose::CandidateAcross) * TAU);
             // uniform over the disc
             let speed = view.rng.nth(k, Purpose::CandidateAlong).sqrt() * view.max_speed;

@@ -17,49 +17,42 @@ use super::collision_free_speed::RANGES;
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
+use crate::parameters::{Angle, Parameters, parameters};
 use glam::Vec2;
-use std::f32::consts::TAU;
 
-/// The social force model of 1995. [`Moussaid2009`](super::Moussaid2009) is the variant fitted to experiments.
+/// The social force model (Helbing, Molnar, 1995). Distances are between centres.
 ///
 /// ```
 /// use throng::avoid::SocialForce;
 /// let all_round = SocialForce { out_of_view: 1.0, ..SocialForce::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SocialForce {
-    /// Time constant of the approach to the preferred velocity, seconds, the paper's tau. Limit: > 0.
+    /// Seconds to reach the preferred velocity (the paper's tau).
+    #[parameter(default = 0.5, unit = "s", above = 0)]
     pub relaxation_time: f32,
-    /// Strength of the potential of a neighbour, m^2/s^2, the paper's V0. Limit: >= 0.
+    /// Strength of the potential of a neighbour, m^2/s^2 (V0).
+    #[parameter(default = 2.1, unit = "m²/s²", least = 0)]
     pub strength: f32,
-    /// Range of that potential, metres, the paper's sigma. Limit: > 0.
+    /// Range of that potential, metres (sigma).
+    #[parameter(default = 0.3, unit = "m", above = 0)]
     pub range: f32,
-    /// How far ahead a neighbour claims space for its path, seconds, the paper's Delta t. Limit: >= 0.
+    /// How far ahead a neighbour needs room for its step, seconds (Delta t).
+    #[parameter(default = 2.0, unit = "s", least = 0)]
     pub anticipation_time: f32,
-    /// Strength of the potential of a wall, m^2/s^2, the paper's U0. Limit: >= 0.
+    /// Strength of the potential of an obstacle, m^2/s^2 (U0).
+    #[parameter(default = 10.0, unit = "m²/s²", least = 0)]
     pub strength_obstacles: f32,
-    /// Range of that potential, metres, the paper's R. Limit: > 0.
+    /// Range of that potential, metres (R).
+    #[parameter(default = 0.2, unit = "m", above = 0)]
     pub range_obstacles: f32,
-    /// Angle of view, radians, the paper's 2 phi. Limit: 0 to 2 pi.
-    pub view_angle: f32,
-    /// Weight of neighbours outside the angle of view, the paper's c. Limit: 0 to 1.
+    /// Angle of view, degrees (2 phi).
+    #[parameter(default = Angle::degrees(200.0), unit = "°", least = 0, most = 360)]
+    pub view_angle: Angle,
+    /// Weight of neighbours outside the angle of view (c).
+    #[parameter(default = 0.5, least = 0, most = 1)]
     pub out_of_view: f32,
-}
-
-impl Default for SocialForce {
-    /// The values of the paper.
-    fn default() -> Self {
-        Self {
-            relaxation_time: 0.5,
-            strength: 2.1,
-            range: 0.3,
-            anticipation_time: 2.0,
-            strength_obstacles: 10.0,
-            range_obstacles: 0.2,
-            view_angle: 200.0 / 360.0 * TAU,
-            out_of_view: 0.5,
-        }
-    }
 }
 
 /// Least semi-minor axis, metres. It is zero on the path of a neighbour.
@@ -87,16 +80,7 @@ impl LocalModel for SocialForce {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("relaxation time", self.relaxation_time)?;
-        Error::unless_not_negative("strength", self.strength)?;
-        Error::unless_positive("range", self.range)?;
-        Error::unless_not_negative("anticipation time", self.anticipation_time)?;
-        Error::unless_not_negative("strength of obstacles", self.strength_obstacles)?;
-        Error::unless_positive("range of obstacles", self.range_obstacles)?;
-        let angle = self.view_angle;
-        Error::unless((0.0..=TAU).contains(&angle), "angle of view", angle, "from 0 to 2 pi")?;
-        let weight = self.out_of_view;
-        Error::unless((0.0..=1.0).contains(&weight), "weight out of view", weight, "from 0 to 1")
+        self.check_limits()
     }
 }
 
@@ -104,7 +88,7 @@ impl SocialForce {
     /// Returns the acceleration by each neighbour and each wall.
     fn pushes(&self, view: &AvoidanceInput<'_>) -> impl Iterator<Item = (Cause, Vec2)> {
         let ahead = view.preferred.normalize_or_zero();
-        let least_cosine = libm::cosf(0.5 * self.view_angle);
+        let least_cosine = libm::cosf(0.5 * self.view_angle.radians());
         let neighbours = view.others().map(move |(cause, other)| {
             let push = self.repulsion(&other);
             let seen = ahead.dot(-push) >= push.length() * least_cosine;

@@ -68,7 +68,7 @@ fn check_wrap_around(path: &Path, group: &Group) -> Result<(), Problem> {
     check(&path.key("radius"), radius, Limit::UpTo(HIGHEST))?;
     let flies = vehicle(group).locomotion != Locomotion::Ground;
     check(&path.key("center").index(2), z, Limit::Between(if flies { radius } else { 0.0 }, HIGHEST))?;
-    if group.is_guarded() {
+    if group.guard == Some(true) {
         let message = "agents that wrap around cannot be guarded: the guard does not see the other side";
         return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `guard`"));
     }

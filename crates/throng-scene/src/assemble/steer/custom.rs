@@ -2,17 +2,17 @@
 
 use super::super::limits::{Limit, check};
 use super::{BehaviourContext, BuildBehaviour};
-use crate::error::{Error, Kind};
-use crate::file::{Path, Problem, explain, unknown_key};
+use crate::error::Kind;
+use crate::file::{Path, Problem};
 use crate::games;
-use crate::scene::Unmade;
+use crate::registry::Unmade;
 use crate::scene::steer::Custom;
 use serde_json::Value;
 use throng::steer::BoxedBehaviour;
 
 impl BuildBehaviour for Custom {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let own = &making.scene.behaviours;
+        let own = &making.scene.plugins.behaviours;
         let games = games::behaviours();
         let Some(behaviours) = [own, &games].into_iter().find(|all| all.names().any(|name| name == self.name)) else {
             return Err(unknown(self, at, &own.names().collect::<Vec<_>>()));
@@ -24,28 +24,20 @@ impl BuildBehaviour for Custom {
             None => return Err(without(self, at)),
         }
         let made = behaviours.make(&self.name, &self.parameters, making.cast);
-        made.ok_or_else(|| unknown(self, at, &[]))?.map_err(|unmade| match unmade {
-            Unmade::Parameters(error) => misread(self, &error, &inside),
-            Unmade::Refused(throng::Error::Limit { what, value, limit }) => {
-                super::refused(&inside, &throng::Error::Limit { what, value, limit })
-            }
-            Unmade::Refused(error) => Problem::new(at, Kind::World, format!("behaviour `{}`: {error}", self.name)),
-            Unmade::Panicked(says) => {
-                Problem::new(at, Kind::Panic, format!("a plug-in panicked: behaviour `{}`: {says}", self.name))
-            }
-        })
+        let what = format!("behaviour `{}`", self.name);
+        made.ok_or_else(|| unknown(self, at, &[]))?.map_err(|unmade| unmade.at(at, &inside, &what))
     }
 }
 
 impl Custom {
     /// Checks that the behaviour has the given parameters, and that they are within their limits.
-    fn check(&self, schema: &Value, at: &Path) -> Result<(), Problem> {
+    fn check(&self, schema: &Value, at_all: &Path) -> Result<(), Problem> {
         let Some(known) = schema["properties"].as_object() else { return Ok(()) };
         for (key, said) in &self.parameters {
-            let at = at.name(key);
+            let at = at_all.name(key);
             let Some(property) = known.get(key) else {
-                let keys: Vec<String> = known.keys().cloned().collect();
-                return Err(placed(unknown_key(key, &keys), &at));
+                let keys = known.keys().cloned().collect();
+                return Err(Unmade::Unknown(key.clone(), keys).at(&at, at_all, ""));
             };
             let number = said.as_float().or_else(|| said.as_integer().map(|whole| whole as f64));
             let limit = match (property["minimum"].as_f64(), property["maximum"].as_f64()) {
@@ -63,7 +55,7 @@ impl Custom {
 /// Returns the error for an unknown behaviour.
 fn unknown(said: &Custom, at: &Path, known: &[&str]) -> Problem {
     let hint = match known {
-        [] => "programs add behaviours to a scene by `Scene::behaviours`; this one has added none".to_owned(),
+        [] => "programs add behaviours to a scene by `Scene::plugins`; this one has added none".to_owned(),
         _ => format!("this program has added: {}", known.join(", ")),
     };
     Problem::new(at, Kind::UnknownKey, format!("there is no behaviour `{}`", said.name)).hint(hint)
@@ -74,21 +66,4 @@ fn without(said: &Custom, at: &Path) -> Problem {
     let Custom { name, .. } = said;
     let problem = Problem::new(at, Kind::UnknownKey, format!("the behaviour `{name}` has no parameters"));
     problem.hint(format!("leave them out: custom = \"{name}\""))
-}
-
-/// Returns the error for parameters that cannot be read, with the position that the reader reports.
-fn misread(said: &Custom, error: &toml::de::Error, at: &Path) -> Problem {
-    let shown = error.to_string();
-    let inside = shown.split_once("\nin `").and_then(|(_, rest)| rest.split_once('`'));
-    let at = inside.map_or_else(|| at.clone(), |(keys, _)| at.key(keys));
-    let mut problem = placed(explain(error.message()), &at);
-    problem.message = format!("behaviour `{}`: {}", said.name, problem.message);
-    problem
-}
-
-/// Converts an error to a problem at a path.
-fn placed(error: Error, at: &Path) -> Problem {
-    let mut problem = Problem::new(at, error.kind, error.message);
-    problem.hint = error.hint;
-    problem
 }

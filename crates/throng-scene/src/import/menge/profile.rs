@@ -2,8 +2,10 @@
 
 use super::xml::{Xml, children};
 use crate::error::{Error, Kind};
-use crate::scene::{Avoid, Body, Group, Number, Orca, Speed};
+use crate::registry::Avoid;
+use crate::scene::{Body, Group, Number, Speed};
 use roxmltree::Node;
+use throng::avoid::Orca;
 
 /// The properties of a profile's agents.
 #[derive(Clone, Debug)]
@@ -15,7 +17,7 @@ pub(super) struct Profile {
     acceleration: Number,
     neighbours: u32,
     neighbour_distance: f64,
-    horizons: [f64; 2],
+    horizons: [f32; 2],
     priority: f64,
     /// The classes of obstacles that the agents avoid, one bit each.
     pub obstacles: u64,
@@ -60,7 +62,8 @@ pub(super) fn all(xml: &Xml) -> Result<Vec<Profile>, Error> {
         }
         for node in children(node, "ORCA") {
             for (horizon, name) in profile.horizons.iter_mut().zip(["tau", "tauObst"]) {
-                *horizon = xml.number(node, name)?.filter(|horizon| *horizon > 0.0).unwrap_or(*horizon);
+                let said = xml.number(node, name)?.filter(|horizon| *horizon > 0.0);
+                *horizon = said.map_or(*horizon, |seconds| seconds as f32);
             }
         }
         profiles.push(profile);
@@ -107,18 +110,14 @@ impl Profile {
 
     /// Returns a group of agents with this profile.
     pub fn group(&self) -> Group {
+        let [time_horizon, time_horizon_obstacles] = self.horizons;
+        let avoid = Avoid::of(&Orca { time_horizon, time_horizon_obstacles, ..Orca::default() });
         Group {
             body: Body::Radius(self.radius),
             speed: Speed { preferred: self.preferred, max: Some(self.max) },
             acceleration: Some(self.acceleration),
             priority: self.priority,
-            avoid: Some(Avoid::Orca(Orca {
-                time_horizon: self.horizons[0],
-                time_horizon_obstacles: self.horizons[1],
-                neighbours: self.neighbours,
-                neighbour_distance: self.neighbour_distance,
-                ..Orca::default()
-            })),
+            avoid: Some(avoid.with("neighbours", self.neighbours).with("neighbour_distance", self.neighbour_distance)),
             ..Group::default()
         }
     }

@@ -4,7 +4,7 @@ use crate::avoid::common::{choose, grid, other, vector};
 use glam::Vec2;
 use proptest::prelude::*;
 use std::sync::Arc;
-use throng::avoid::{Avo, Hrvo, LocalModel, NoAvoidance, Orca, Rvo, Vo, time_to_disc};
+use throng::avoid::{Avo, ClearPath, Hrvo, LocalModel, NoAvoidance, Orca, Rvo, Vo, time_to_disc};
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, SubSteps, World};
 
 proptest! {
@@ -38,7 +38,7 @@ proptest! {
     #[test]
     fn without_neighbours_there_is_no_avoidance(velocity in vector(1.5), preferred in vector(1.05)) {
         let models: [&dyn LocalModel; 6] = [
-            &Vo::default(), &Rvo::default(), &Hrvo::default(), &Vo::clear_path(), &Orca::default(), &NoAvoidance,
+            &Vo::default(), &Rvo::default(), &Hrvo::default(), &ClearPath::default(), &Orca::default(), &NoAvoidance,
         ];
         for model in models {
             prop_assert_eq!(choose(model, velocity, preferred, &[]), preferred, "{:?}", model);

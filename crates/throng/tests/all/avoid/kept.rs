@@ -8,22 +8,21 @@ use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::Obstacle;
 use throng::avoid::{
-    AnticipationVelocity, Avo, AvoidanceInput, AvoidanceNeighbour, BuiltFrom, CollisionFreeSpeed, Hrvo, LocalModel,
-    Moussaid2009, NearDisc, NearEdge, NoAvoidance, Orca, Orca3d, Outline, PowerLaw, Rng, Rvo, RvoLab, SamplePattern,
+    AnticipationVelocity, Avo, AvoidanceInput, AvoidanceNeighbour, BuiltFrom, ClearPath, CollisionFreeSpeed, Hrvo,
+    LocalModel, Moussaid2009, NearDisc, NearEdge, NoAvoidance, Orca, Orca3d, Outline, PowerLaw, Rng, Rvo, RvoLab,
     SocialForce, Vo, Workspace,
 };
 use throng::space::{Core, Disc};
 
 fn models() -> Vec<(&'static str, Arc<dyn LocalModel>)> {
     let kinodynamic = Rvo { kinodynamic: true, weight: 2.0, responsibility: 0.7, ..Rvo::default() };
-    let lab_rvo =
-        Rvo { search: SamplePattern::Random { candidates: 60 }, time_horizon_obstacles: None, ..Rvo::default() };
+    let lab_rvo = Rvo { candidates: 60, braking: true, ..Rvo::default() };
     let long = Orca { time_horizon: 4.0, time_horizon_obstacles: 3.0, ..Orca::default() };
     vec![
         ("anticipation velocity", Arc::new(AnticipationVelocity::default())),
         ("avo", Arc::new(Avo::default())),
         ("avo, slow", Arc::new(Avo { delay: 1.1, time_horizon: 4.0, ..Avo::default() })),
-        ("clearpath", Arc::new(Vo::clear_path())),
+        ("clearpath", Arc::new(ClearPath::default())),
         ("collision-free speed", Arc::new(CollisionFreeSpeed::default())),
         ("hrvo", Arc::new(Hrvo::default())),
         ("moussaid", Arc::new(Moussaid2009::default())),

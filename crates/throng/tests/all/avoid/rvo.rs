@@ -5,19 +5,14 @@ use glam::Vec2;
 use proptest::prelude::*;
 use std::f32::consts::TAU;
 use throng::avoid::{
-    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, LocalModel, NearDisc, Outline, Rng, Rvo, SamplePattern,
-    Workspace, time_to_disc,
+    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, LocalModel, NearDisc, Outline, Rng, Rvo, Workspace,
+    time_to_disc,
 };
 use throng::space::Disc;
 
 /// The search of the authors' library.
 fn drawn() -> Rvo {
-    Rvo {
-        time_horizon: f32::INFINITY,
-        time_horizon_obstacles: None,
-        search: SamplePattern::Random { candidates: 250 },
-        ..Rvo::default()
-    }
+    Rvo { time_horizon: f32::INFINITY, braking: true, candidates: 250, ..Rvo::default() }
 }
 
 /// The time at which two discs touch, by small steps.
@@ -71,7 +66,7 @@ proptest! {
     fn all_directions_are_tried(offset in vector(4.0), velocity in vector(1.2), preferred in vector(1.2)) {
         prop_assume!(offset.length() > 0.5);
         let seen = [other(offset, Vec2::ZERO, 0.4, 0.5)];
-        let model = Rvo { search: SamplePattern::Adaptive, kinodynamic: false, ..Rvo::default() };
+        let model = Rvo { candidates: 0, kinodynamic: false, ..Rvo::default() };
         let tried = candidates(&model, &view(velocity, preferred, 1.5, &seen));
         let mut angles: Vec<f32> = tried.iter().filter(|c| c.0.length() > 1.4999).map(|c| c.0.to_angle()).collect();
         angles.sort_by(f32::total_cmp);
@@ -84,8 +79,8 @@ proptest! {
     fn what_cannot_be_reached_is_not_tried(a in vector(1.0), b in vector(1.2), preferred in vector(1.4)) {
         let seen = [other(Vec2::new(1.5, 0.3), b, 0.4, 0.5)];
         let view = AvoidanceInput { max_acceleration: 4.0, step: 0.1, ..view(a, preferred, 1.5, &seen) };
-        for search in [SamplePattern::Adaptive, SamplePattern::Random { candidates: 100 }] {
-            let model = Rvo { kinodynamic: true, search, ..Rvo::default() };
+        for candidates in [0, 100] {
+            let model = Rvo { kinodynamic: true, candidates, ..Rvo::default() };
             let tried = candidates(&model, &view);
             let nearest = a + (preferred - a).clamp_length_max(0.4);
             prop_assert!(tried[0].0.distance(nearest) < 1e-5, "{} instead of {nearest}", tried[0].0);
@@ -123,7 +118,7 @@ fn the_adaptive_search_is_mostly_near_the_best() {
 
 #[test]
 fn draws_fill_the_disc_evenly_and_differ_from_step_to_step() {
-    let model = Rvo { search: SamplePattern::Random { candidates: 4000 }, ..drawn() };
+    let model = Rvo { candidates: 4000, ..drawn() };
     let draw = |step| {
         candidates(
             &model,
@@ -183,10 +178,8 @@ fn overlapping_agents_leave_by_the_fastest_way() {
 
 #[test]
 fn a_search_has_from_one_to_100_000_candidates() {
-    let check = |candidates| Rvo { search: SamplePattern::Random { candidates }, ..Rvo::default() }.check();
-    for wrong in [0, 100_001] {
-        let told = check(wrong).unwrap_err().to_string();
-        assert!(told.contains("candidates") && told.contains("from 1 to 100,000"), "{told}");
-    }
-    assert!([1, 100_000].into_iter().all(|right| check(right).is_ok()));
+    let check = |candidates| Rvo { candidates, ..Rvo::default() }.check();
+    let told = check(100_001).unwrap_err().to_string();
+    assert!(told.contains("candidates") && told.contains("at most 100,000"), "{told}");
+    assert!([0, 1, 100_000].into_iter().all(|right| check(right).is_ok()));
 }

@@ -4,7 +4,7 @@ use crate::avoid::repulsion::{edges_of, models};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::Obstacle;
-use throng::avoid::{Avo, AvoidanceInput, Hrvo, LocalModel, Orca, Orca3d, Vo, Workspace};
+use throng::avoid::{Avo, AvoidanceInput, ClearPath, Hrvo, LocalModel, Orca, Orca3d, Vo, Workspace};
 
 /// The chosen velocity of an agent with a radius of 0.2 m that walks at 1.5 m/s along x towards a wall across its way,
 /// with that velocity preferred.
@@ -31,7 +31,7 @@ fn walls_count_up_to_the_range_of_the_model_and_no_farther() {
     let horizons: [Arc<dyn LocalModel>; 6] = [
         Arc::new(Vo::default()),
         Arc::new(Hrvo::default()),
-        Arc::new(Vo::clear_path()),
+        Arc::new(ClearPath::default()),
         Arc::new(Orca::default()),
         Arc::new(Orca3d::default()),
         Arc::new(Avo::default()),

@@ -5,8 +5,8 @@ use crate::world::scenes::{Kind, clutter, packed, populate};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::avoid::{
-    AnticipationVelocity, Avo, AvoidanceReason, Cause, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance,
-    Orca, PowerLaw, Rvo, RvoLab, SocialForce, Vo,
+    AnticipationVelocity, Avo, AvoidanceReason, Cause, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009,
+    NoAvoidance, Orca, PowerLaw, Rvo, RvoLab, SocialForce, Vo,
 };
 use throng::{Agent, AgentId, Group, Settings, SubSteps, World};
 
@@ -18,7 +18,7 @@ fn models() -> [Arc<dyn LocalModel>; 13] {
     [
         Arc::new(Orca::default()),
         Arc::new(Avo::default()),
-        Arc::new(Vo::clear_path()),
+        Arc::new(ClearPath::default()),
         Arc::new(RvoLab),
         Arc::new(CollisionFreeSpeed::default()),
         Arc::new(AnticipationVelocity::default()),

@@ -3,8 +3,8 @@
 use glam::DVec2;
 use std::sync::Arc;
 use throng::avoid::{
-    AnticipationVelocity, Avo, BuiltFrom, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance, Orca,
-    Orca3d, PowerLaw, Rvo, SamplePattern, SocialForce, Vo,
+    AnticipationVelocity, Avo, BuiltFrom, ClearPath, CollisionFreeSpeed, Hrvo, LocalModel, Moussaid2009, NoAvoidance,
+    Orca, Orca3d, PowerLaw, Rvo, SocialForce, Vo,
 };
 use throng::{Agent, Goal, Group, Journey, Obstacle, Settings, Stop, World};
 
@@ -17,15 +17,11 @@ fn models() -> Vec<Arc<dyn LocalModel>> {
         Arc::new(Orca3d::default()),
         Arc::new(Avo::default()),
         Arc::new(Hrvo::default()),
-        Arc::new(Vo::clear_path()),
+        Arc::new(ClearPath::default()),
         Arc::new(Vo::default()),
         Arc::new(Rvo::default()),
         Arc::new(Rvo { kinodynamic: true, ..Rvo::default() }),
-        Arc::new(Rvo {
-            search: SamplePattern::Random { candidates: 100 },
-            time_horizon_obstacles: None,
-            ..Rvo::default()
-        }),
+        Arc::new(Rvo { candidates: 100, braking: true, ..Rvo::default() }),
         Arc::new(PowerLaw::default()),
         Arc::new(Moussaid2009::default()),
         Arc::new(SocialForce::default()),

@@ -1,7 +1,7 @@
 //! Rules that scene files refer to by name.
 
-use super::SceneNames;
 use crate::caught::{caught, named};
+use crate::scene::SceneNames;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -36,7 +36,7 @@ use throng::{Error, Rules, World};
 ///     figure = [{ of = "ticks", at_least = 10 }]
 /// "#
 /// .parse()?;
-/// scene.rulebook.add("clock", |_| Ok(Clock));
+/// scene.plugins.rules.add("clock", |_| Ok(Clock));
 /// let (mut world, _) = scene.build()?;
 /// (0..10).for_each(|_| world.step());
 /// assert_eq!(world.figure("ticks"), Some(10.0));
@@ -118,13 +118,6 @@ impl<R: Rules> Rules for NamedRules<R> {
 
     fn standing(&self, world: &World, figures: &[f64]) -> String {
         named("rules", &self.name, || self.rules.standing(world, figures))
-    }
-}
-
-impl PartialEq for Rulebook {
-    /// Returns true: plug-ins are not part of a scene's content.
-    fn eq(&self, _: &Self) -> bool {
-        true
     }
 }
 

@@ -1,20 +1,26 @@
-//! Plug-ins: behaviours, rules and scenes that a program registers by name.
+//! The local models, behaviours, rules and scenes of a program, by name.
 
+use super::{Behaviours, Models, Rulebook};
 use crate::error::Error;
 use crate::gallery;
-use crate::scene::{Behaviours, Rulebook, Scene, SceneNames};
-use schemars::JsonSchema;
+use crate::scene::{Scene, SceneNames};
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::path::Path;
+use std::sync::Arc;
+use throng::avoid::LocalModel;
+use throng::parameters::Declared;
 use throng::steer::Behaviour;
 use throng::{Error as Refused, Rules};
 
 /// The group of the program's own scenes in its gallery.
 const GROUP: &str = "plug-ins";
 
-/// The plug-ins of a program: behaviours and rules that scene files can name, and scenes besides those of the gallery.
-/// The studio takes them, and so can every program that opens scenes.
+/// What a program knows by name: local models, behaviours and rules that scene files can name, and scenes besides those
+/// of the gallery. At first it holds those of throng, which are registered like those of a plug-in. The studio takes it,
+/// and so can every program that opens scenes.
 ///
 /// ```
 /// use schemars::JsonSchema;
@@ -60,16 +66,27 @@ const GROUP: &str = "plug-ins";
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Plugins {
-    behaviours: Behaviours,
-    rulebook: Rulebook,
+    /// The local models, for `avoid`.
+    pub models: Models,
+    /// The behaviours that a program adds, for `steer.custom`.
+    pub behaviours: Behaviours,
+    /// The rules of games, for `rules`.
+    pub rules: Rulebook,
     /// Names and texts, in the order in which they were added.
-    scenes: Vec<(String, String)>,
+    scenes: Arc<Vec<(String, String)>>,
 }
 
 impl Plugins {
-    /// Returns an empty set of plug-ins.
+    /// Returns what throng itself has.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Adds a local model, or replaces the model with the same name. The fields of its type are its parameters
+    /// ([`throng::parameters`]), and its name in `avoid.NAME` is [`NAME`](throng::parameters::Parameters::NAME).
+    pub fn model<M: LocalModel + Declared>(mut self) -> Self {
+        self.models.add_plugin::<M>();
+        self
     }
 
     /// Adds a behaviour. The fields of its type are its parameters: see [`Behaviours::add_with`].
@@ -93,15 +110,16 @@ impl Plugins {
         name: impl Into<String>,
         make: impl Fn(&SceneNames<'_>) -> Result<R, Refused> + Send + Sync + 'static,
     ) -> Self {
-        self.rulebook.add(name, make);
+        self.rules.add(name, make);
         self
     }
 
     /// Adds a scene: its name, and the text of its file. It replaces a scene with the same name.
     pub fn scene(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
         let (name, text) = (name.into(), text.into());
-        self.scenes.retain(|(known, _)| *known != name);
-        self.scenes.push((name, text));
+        let scenes = Arc::make_mut(&mut self.scenes);
+        scenes.retain(|(known, _)| *known != name);
+        scenes.push((name, text));
         self
     }
 
@@ -112,9 +130,9 @@ impl Plugins {
         self.scene(name, text)
     }
 
-    /// Gives a scene the behaviours and rules.
+    /// Gives a scene the models, behaviours and rules.
     pub fn equip(&self, scene: &mut Scene) {
-        (scene.behaviours, scene.rulebook) = (self.behaviours.clone(), self.rulebook.clone());
+        scene.plugins.clone_from(self);
     }
 
     /// Returns the groups of the gallery, after the group of the program's own scenes: the name of each, and the names
@@ -145,7 +163,7 @@ impl Plugins {
     }
 
     /// Opens a scene of the program by its name, or anything that [`open`](crate::open) accepts, and gives it the
-    /// behaviours and rules.
+    /// models, behaviours and rules.
     ///
     /// # Errors
     /// Those of [`open`](crate::open).
@@ -160,8 +178,8 @@ impl Plugins {
         Ok(scene)
     }
 
-    /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with the behaviours and their
-    /// parameters.
+    /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with the added models and behaviours
+    /// and their parameters.
     pub fn schema(&self) -> Value {
         let mut names = Vec::new();
         let mut tables = Vec::new();
@@ -175,10 +193,25 @@ impl Plugins {
             }
         }
         let mut root = crate::schema();
+        let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
+        let models = self.models.schemas(&mut SchemaGenerator::new(settings));
+        if let Some(known) = root["$defs"]["Avoid"]["oneOf"].as_array_mut() {
+            // the models of throng are there, with references
+            let is_new = |model: &Value| known.iter().all(|known| known["required"] != model["required"]);
+            let new: Vec<Value> = models.into_iter().filter(is_new).collect();
+            known.extend(new);
+        }
         if !names.is_empty() {
             let name = json!({ "type": "string", "enum": names });
             root["$defs"]["Custom"]["anyOf"] = std::iter::once(name).chain(tables).collect();
         }
         root
+    }
+}
+
+impl PartialEq for Plugins {
+    /// Returns true: what a program knows is not part of a scene's content.
+    fn eq(&self, _: &Self) -> bool {
+        true
     }
 }

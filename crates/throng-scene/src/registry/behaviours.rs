@@ -1,7 +1,8 @@
 //! Behaviours that a program adds to those of scene files.
 
-use super::SceneNames;
+use super::read::Unmade;
 use crate::caught::{caught, named};
+use crate::scene::SceneNames;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -41,7 +42,7 @@ use toml::Table;
 ///     steer.priority = [{ custom = "vertical_velocity" }, { wander = {} }]
 /// "#
 /// .parse()?;
-/// scene.behaviours.add("vertical_velocity", |_| Ok(Climb { height: 3.0 }.into()));
+/// scene.plugins.behaviours.add("vertical_velocity", |_| Ok(Climb { height: 3.0 }.into()));
 /// let (mut world, _) = scene.build()?;
 /// (0..100).for_each(|_| world.step());
 /// assert!(world.relative_columns().altitude[0] > 2.9);
@@ -60,16 +61,6 @@ struct Maker {
 
 /// Makes a behaviour for a scene, with the given parameters.
 type MakeBehaviour = Arc<dyn Fn(&Table, &SceneNames<'_>) -> Result<BoxedBehaviour, Unmade> + Send + Sync>;
-
-/// Why a behaviour was not made.
-pub(crate) enum Unmade {
-    /// The given parameters do not fit the behaviour.
-    Parameters(toml::de::Error),
-    /// The behaviour refused the scene.
-    Refused(Error),
-    /// The code panicked with this message.
-    Panicked(String),
-}
 
 impl Behaviours {
     /// Adds a behaviour, or replaces the behaviour with the same name. `make` gets the names in the scene, and returns
@@ -104,7 +95,7 @@ impl Behaviours {
     /// let mut behaviours = Behaviours::default();
     /// behaviours.add_with("stroll", |Stroll { strength }, _| Ok(Wander { strength, rate: 1.0 }.into()));
     /// let mut scene: Scene = "[[group]]\nplace.point = [5, 0]\nsteer.custom.stroll = { strength = 1.5 }".parse()?;
-    /// scene.behaviours = behaviours;
+    /// scene.plugins.behaviours = behaviours;
     /// let says = scene.build().unwrap_err().to_string();
     /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
     /// # Ok::<(), throng_scene::Error>(())
@@ -115,7 +106,7 @@ impl Behaviours {
         make: impl Fn(P, &SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
         let make: MakeBehaviour = Arc::new(move |said, cast| {
-            let parameters = P::deserialize(said.clone()).map_err(Unmade::Parameters)?;
+            let parameters = P::deserialize(said.clone()).map_err(Unmade::Misread)?;
             make(parameters, cast).map_err(Unmade::Refused)
         });
         self.0.insert(name.into(), Maker { make, schema: Some(|generator| generator.subschema_for::<P>()) });
@@ -192,13 +183,6 @@ impl Behaviour for NamedBehaviour {
 
     fn check(&self) -> Result<(), Error> {
         named("behaviour", &self.name, || self.branch.check())
-    }
-}
-
-impl PartialEq for Behaviours {
-    /// Returns true: plug-ins are not part of a scene's content.
-    fn eq(&self, _: &Self) -> bool {
-        true
     }
 }
 

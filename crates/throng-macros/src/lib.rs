@@ -1,0 +1,48 @@
+//! The attribute `#[parameters]`: it declares each parameter of a model, a behaviour or a field once, with its unit, its
+//! limit, its default and its doc line. Scene files, options, sliders, the JSON schema, checks and reference pages read
+//! that declaration. The crate `throng` documents it as `throng::parameters`.
+
+mod declaration;
+mod limit;
+
+use proc_macro::TokenStream;
+use syn::{Item, parse_macro_input};
+
+/// Declares the parameters of a type, or the names of a choice.
+///
+/// On a struct: implements `Default` and `throng::parameters::Parameters`. Each field is a parameter. Its doc comment is
+/// its doc line, and its attribute gives what there is of:
+///
+/// | key | meaning |
+/// |---|---|
+/// | `default = 1.0` | the default. Without it, that of the field's type |
+/// | `unit = "s"` | the unit |
+/// | `above = 0` | the limit: greater than this |
+/// | `least = 0`, `most = 10` | the limit: at least, and at most this |
+///
+/// The name in scene files is that of the type in snake case, or `name` of `#[parameters(name = "orca_3d")]`.
+///
+/// On an enum without fields: its variants are names that a parameter can have, in snake case.
+///
+/// With the feature `schema`, both can be read, written, and have a JSON schema.
+///
+/// ```ignore
+/// /// Stops in front of walls.
+/// #[parameters]
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// pub struct Brake {
+///     /// The distance at which it begins to brake, metres.
+///     #[parameter(default = 2.0, unit = "m", above = 0)]
+///     pub distance: f32,
+/// }
+/// ```
+#[proc_macro_attribute]
+pub fn parameters(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let name = parse_macro_input!(attribute as declaration::Name);
+    let declared = match parse_macro_input!(item as Item) {
+        Item::Struct(item) => declaration::of_struct(name, item),
+        Item::Enum(item) => Ok(declaration::of_enum(&item)),
+        other => Err(syn::Error::new_spanned(other, "parameters are the fields of a struct, or the names of an enum")),
+    };
+    declared.unwrap_or_else(|error| error.to_compile_error()).into()
+}

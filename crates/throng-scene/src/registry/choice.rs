@@ -1,0 +1,154 @@
+//! What a scene chooses by name from the registry, with the values that it gives.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::{self, Deserializer, MapAccess};
+use serde::ser::{SerializeMap, Serializer};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+use throng::parameters::{Declared, shortest};
+use toml::{Table, Value};
+
+/// A part of the registry that scenes choose from.
+pub trait Catalogue {
+    /// The name of the choice in the JSON schema.
+    const NAME: &'static str;
+    /// An example of a choice, for messages.
+    const EXAMPLE: &'static str;
+
+    /// Returns the schema of all choices that throng itself has.
+    fn schema(generator: &mut SchemaGenerator) -> Schema;
+}
+
+/// A choice by name, with the given parameters. The parameters that it leaves out have their defaults. In files `NAME =
+/// { its parameters }`.
+///
+/// ```
+/// use throng::avoid::Orca;
+/// use throng_scene::Avoid;
+///
+/// let in_code = Avoid::of(&Orca { time_horizon: 2.0, ..Orca::default() }).with("neighbours", 20);
+/// let in_a_file: Avoid = toml::from_str("orca = { time_horizon = 2, neighbours = 20 }")?;
+/// assert_eq!(in_code, in_a_file);
+/// # Ok::<(), toml::de::Error>(())
+/// ```
+pub struct Choice<C> {
+    /// The name.
+    pub name: String,
+    /// The given parameters.
+    pub parameters: Table,
+    catalogue: PhantomData<fn() -> C>,
+}
+
+impl<C> Choice<C> {
+    /// Returns the choice with this name, without parameters.
+    pub fn named(name: impl Into<String>) -> Self {
+        Self::new(name.into(), Table::new())
+    }
+
+    /// Returns the choice of a type, with the parameters that differ from their defaults.
+    pub fn of<P: Declared>(chosen: &P) -> Self {
+        let usual = written(&P::default());
+        let given = written(chosen).into_iter().filter(|(key, value)| usual.get(key) != Some(value));
+        Self::new(P::NAME.to_owned(), given.collect())
+    }
+
+    /// Returns the choice with one more parameter, or another value of it.
+    pub fn with(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
+        self.parameters.insert(key.into(), value.into());
+        self
+    }
+
+    pub(crate) fn new(name: String, parameters: Table) -> Self {
+        Self { name, parameters, catalogue: PhantomData }
+    }
+}
+
+/// Returns parameters as files write them.
+pub(super) fn written<P: Declared>(parameters: &P) -> Table {
+    let mut table = Table::try_from(parameters).unwrap_or_default();
+    table.iter_mut().for_each(|(_, value)| shorten(value));
+    table
+}
+
+/// Gives each number that was in single precision the digits that it was written with.
+fn shorten(value: &mut Value) {
+    match value {
+        Value::Float(x) if f64::from(*x as f32) == *x => *x = shortest(*x as f32),
+        Value::Array(items) => items.iter_mut().for_each(shorten),
+        Value::Table(items) => items.iter_mut().for_each(|(_, item)| shorten(item)),
+        _ => {}
+    }
+}
+
+/// Whether two values are the same: 2 is 2.0.
+fn is_same(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Integer(a), Value::Float(b)) | (Value::Float(b), Value::Integer(a)) => *a as f64 == *b,
+        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b)),
+        (Value::Table(a), Value::Table(b)) => is_same_table(a, b),
+        (a, b) => a == b,
+    }
+}
+
+fn is_same_table(a: &Table, b: &Table) -> bool {
+    a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| is_same(a, b)))
+}
+
+impl<C> Clone for Choice<C> {
+    fn clone(&self) -> Self {
+        Self::new(self.name.clone(), self.parameters.clone())
+    }
+}
+
+impl<C> fmt::Debug for Choice<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_map().entry(&self.name, &self.parameters).finish()
+    }
+}
+
+impl<C> PartialEq for Choice<C> {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && is_same_table(&self.parameters, &other.parameters)
+    }
+}
+
+impl<C> Serialize for Choice<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(1))?;
+        map.serialize_entry(&self.name, &self.parameters)?;
+        map.end()
+    }
+}
+
+impl<'de, C: Catalogue> Deserialize<'de> for Choice<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor<C>(PhantomData<C>);
+        impl<'de, C: Catalogue> de::Visitor<'de> for Visitor<C> {
+            type Value = Choice<C>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                write!(f, "a choice, as in `{}`", C::EXAMPLE)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Choice<C>, A::Error> {
+                let found = map.next_entry()?;
+                match (found, map.next_key::<String>()?) {
+                    (Some((name, parameters)), None) => Ok(Choice::new(name, parameters)),
+                    (None, _) => Err(de::Error::custom("wanted exactly 1 element")),
+                    (Some(_), Some(_)) => Err(de::Error::custom("wanted exactly 1 element, more than 1 element")),
+                }
+            }
+        }
+        deserializer.deserialize_map(Visitor(PhantomData))
+    }
+}
+
+impl<C: Catalogue> JsonSchema for Choice<C> {
+    fn schema_name() -> Cow<'static, str> {
+        C::NAME.into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        C::schema(generator)
+    }
+}

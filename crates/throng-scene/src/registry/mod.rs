@@ -1,0 +1,19 @@
+//! What scenes can name: local models, behaviours, rules, and scenes. throng registers its own through the same type as
+//! a plug-in.
+
+mod behaviours;
+mod choice;
+mod model;
+mod models;
+mod plugins;
+mod read;
+mod rulebook;
+
+pub use behaviours::Behaviours;
+pub use choice::{Catalogue, Choice};
+pub use model::Model;
+pub(crate) use models::ChosenModel;
+pub use models::{Avoid, Models};
+pub use plugins::Plugins;
+pub(crate) use read::Unmade;
+pub use rulebook::Rulebook;
