@@ -2,7 +2,7 @@
 
 use crate::limit::{Limit, Number};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Field, Fields, Ident, ItemEnum, ItemStruct, Lit, LitStr, Meta, Token, Type};
@@ -28,6 +28,7 @@ impl Parse for Name {
 struct Declared {
     field: Field,
     default: Option<Expr>,
+    is_required: bool,
     unit: Option<String>,
     limit: Limit,
 }
@@ -38,9 +39,13 @@ impl Declared {
         let (own, kept): (Vec<_>, Vec<_>) =
             field.attrs.into_iter().partition(|attribute| attribute.path().is_ident("parameter"));
         field.attrs = kept;
-        let mut declared = Self { field, default: None, unit: None, limit: Limit::default() };
+        let mut declared = Self { field, default: None, is_required: false, unit: None, limit: Limit::default() };
         for attribute in own {
             attribute.parse_nested_meta(|meta| {
+                if meta.path.is_ident("required") {
+                    declared.is_required = true;
+                    return Ok(());
+                }
                 let value: Expr = meta.value()?.parse()?;
                 let number = || Number::of(&value).map(Some);
                 match meta.path.require_ident()?.to_string().as_str() {
@@ -49,7 +54,7 @@ impl Declared {
                     "above" => declared.limit.above = number()?,
                     "least" => declared.limit.least = number()?,
                     "most" => declared.limit.most = number()?,
-                    _ => return Err(meta.error("a parameter has: default, unit, above, least, most")),
+                    _ => return Err(meta.error("a parameter has: required, default, unit, above, least, most")),
                 }
                 Ok(())
             })?;
@@ -70,9 +75,28 @@ impl Declared {
         is_float || !self.limit.is_empty()
     }
 
-    /// Returns the field with the attributes of the schema, and with its limit in its doc line.
-    fn written(&self) -> TokenStream {
+    /// Returns the default.
+    fn default(&self) -> TokenStream {
+        match &self.default {
+            Some(value) => quote!(#value),
+            None => quote!(::core::default::Default::default()),
+        }
+    }
+
+    /// Returns the function that returns the default, and its name, for a type of which another field is required.
+    fn default_function(&self, of: &Ident) -> Option<(TokenStream, String)> {
+        let Field { ident, ty, .. } = &self.field;
+        let name = format_ident!("default_of_{}", ident.as_ref()?);
+        let default = self.default();
+        let function = quote!(fn #name() -> #ty { #default });
+        (!self.is_required).then(|| (function, format!("{of}::{name}")))
+    }
+
+    /// Returns the field with the attributes of the schema, and with its limit in its doc line. `default` is the path of
+    /// the function that returns its default.
+    fn written(&self, default: Option<&str>) -> TokenStream {
         let Self { field, unit, limit, .. } = self;
+        let default = default.filter(|_| cfg!(feature = "schema")).map(|path| quote!(#[serde(default = #path)]));
         let sentence = (!limit.is_empty()).then(|| limit.sentence()).map(|sentence| quote!(#[doc = #sentence]));
         let mut keys = limit.schema();
         keys.extend(unit.as_ref().map(|unit| quote!("unit" = #unit)));
@@ -80,7 +104,7 @@ impl Declared {
         let extended = (!keys.is_empty()).then(|| quote!(, extend(#(#keys),*)));
         let schema = cfg!(feature = "schema").then(|| quote!(#[schemars(description = #about #extended)]));
         let Field { attrs, vis, ident, ty, .. } = field;
-        quote!(#(#attrs)* #sentence #schema #vis #ident: #ty)
+        quote!(#(#attrs)* #sentence #default #schema #vis #ident: #ty)
     }
 
     /// Returns the doc line, with the limit.
@@ -112,20 +136,32 @@ pub fn of_struct(Name(name): Name, item: ItemStruct) -> syn::Result<TokenStream>
     let declared = fields.into_iter().map(Declared::of).collect::<syn::Result<Vec<_>>>()?;
     let name = name.unwrap_or_else(|| snake_case(&ident.to_string()));
     let about = first_paragraph(&attrs);
-    let written = declared.iter().map(Declared::written);
+    let is_required = declared.iter().any(|declared| declared.is_required);
+    let functions: Vec<_> =
+        declared.iter().map(|field| field.default_function(&ident).filter(|_| is_required)).collect();
+    let paths = functions.iter().map(|function| function.as_ref().map(|(_, path)| path.as_str()));
+    let written = declared.iter().zip(paths).map(|(declared, path)| declared.written(path));
     let described = declared.iter().map(Declared::described);
-    let defaults = declared.iter().map(|Declared { field, default, .. }| {
-        let ident = &field.ident;
-        match default {
-            Some(value) => quote!(#ident: #value),
-            None => quote!(#ident: ::core::default::Default::default()),
-        }
+    let defaults = declared.iter().map(|declared| {
+        let (ident, value) = (&declared.field.ident, declared.default());
+        quote!(#ident: #value)
     });
+    let default = if is_required {
+        let functions = functions.iter().flatten().map(|(function, _)| function);
+        cfg!(feature = "schema").then(|| quote!(impl #ident { #(#functions)* }))
+    } else {
+        Some(quote!(impl ::core::default::Default for #ident {
+            fn default() -> Self {
+                Self { #(#defaults,)* }
+            }
+        }))
+    };
     let checks = declared.iter().enumerate().filter(|(_, declared)| declared.is_number()).map(|(k, declared)| {
         let ident = &declared.field.ident;
         quote!(Self::PARAMETERS[#k].check(&self.#ident)?;)
     });
-    let readable = readable(&about, &quote!(default, deny_unknown_fields));
+    let keys = if is_required { quote!(deny_unknown_fields) } else { quote!(default, deny_unknown_fields) };
+    let readable = readable(&about, &keys);
     let item = if is_unit {
         let read_as_table = readable.map(|readable| as_empty_table(&ident, &readable));
         quote!(#(#attrs)* #vis struct #ident; #read_as_table)
@@ -135,11 +171,7 @@ pub fn of_struct(Name(name): Name, item: ItemStruct) -> syn::Result<TokenStream>
     Ok(quote! {
         #item
 
-        impl ::core::default::Default for #ident {
-            fn default() -> Self {
-                Self { #(#defaults,)* }
-            }
-        }
+        #default
 
         impl ::throng::parameters::Parameters for #ident {
             const NAME: &'static str = #name;

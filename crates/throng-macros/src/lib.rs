@@ -16,6 +16,7 @@ use syn::{Item, parse_macro_input};
 /// | key | meaning |
 /// |---|---|
 /// | `default = 1.0` | the default. Without it, that of the field's type |
+/// | `required` | there is no default: files must give a value. Then the type has no `Default` |
 /// | `unit = "s"` | the unit |
 /// | `above = 0` | the limit: greater than this |
 /// | `least = 0`, `most = 10` | the limit: at least, and at most this |

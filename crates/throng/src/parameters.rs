@@ -29,7 +29,7 @@ pub use throng_macros::parameters;
 pub use {schemars, serde};
 
 /// A type whose fields are parameters. [`parameters`] implements it.
-pub trait Parameters: Default {
+pub trait Parameters: Sized {
     /// The name in scene files.
     const NAME: &'static str;
     /// What it does: the first paragraph of the type's doc comment.

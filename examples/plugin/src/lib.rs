@@ -1,8 +1,10 @@
-//! A plug-in for the studio of throng: a behaviour, and two scenes that use it.
+//! A plug-in for the studio of throng: a local model, a behaviour, and scenes that use them.
 
+mod brake;
 mod sunflower;
 mod weave;
 
+pub use brake::Brake;
 pub use weave::Weave;
 
 use throng_studio::Plugins;
@@ -10,7 +12,9 @@ use throng_studio::Plugins;
 /// Returns the content of this plug-in.
 pub fn plugins() -> Plugins {
     Plugins::new()
-        .behaviour::<Weave>("weave")
+        .model::<Brake>()
+        .behaviour::<Weave>()
+        .scene("crossroads", include_str!("crossroads.toml"))
         .scene("skaters", include_str!("skaters.toml"))
         .scene_in_code("sunflower", &sunflower::scene())
 }

@@ -1,28 +1,21 @@
 //! The behaviour `weave`.
 
 use glam::Vec3;
-use schemars::JsonSchema;
-use serde::Deserialize;
 use std::f32::consts::TAU;
 use throng::motion::Steering;
+use throng::parameters::{Angle, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
 /// Swings from side to side while moving ahead, like a skater.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(default)]
+#[parameters]
+#[derive(Clone, Debug)]
 pub struct Weave {
     /// Largest angle to a side, degrees.
-    #[schemars(range(min = 0, max = 80))]
-    pub angle: f32,
+    #[parameter(default = Angle::degrees(40.0), unit = "°", least = 0, most = 80)]
+    pub angle: Angle,
     /// Period of a full swing, seconds.
-    #[schemars(range(min = 0.2, max = 20))]
+    #[parameter(default = 3.0, unit = "s", least = 0.2, most = 20)]
     pub period: f32,
-}
-
-impl Default for Weave {
-    fn default() -> Self {
-        Self { angle: 40.0, period: 3.0 }
-    }
 }
 
 impl Behaviour for Weave {
@@ -37,7 +30,7 @@ impl Behaviour for Weave {
             memory[0] = view.rng.draw(0);
         }
         memory[0] += view.seconds / self.period;
-        let lean = self.angle.to_radians() * libm::sinf(TAU * memory[0]);
+        let lean = self.angle.radians() * libm::sinf(TAU * memory[0]);
         let ahead = Vec3::new(libm::cosf(lean), libm::sinf(lean), 0.0);
         let ahead = view.motion.basis.to_world(ahead);
         why.note(|| SteeringReason::Aim(view.position() + ahead));

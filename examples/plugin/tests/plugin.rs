@@ -1,12 +1,13 @@
 //! Tests of the plug-in without a window.
 
 use my_plugin::{Weave, plugins};
+use throng::parameters::Angle;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 use throng_scene::Expectations;
 
 #[test]
 fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
-    let weave = Weave { angle: 30.0, period: 2.0 };
+    let weave = Weave { angle: Angle::degrees(30.0), period: 2.0 };
     let view = SteeringInput { seconds: 0.05, ..SteeringInput::default() };
     let mut memory = [0.25];
     let sides: Vec<f32> = (0..40)
@@ -19,7 +20,7 @@ fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
 
 #[test]
 fn the_scenes_show_what_they_should() {
-    for name in ["skaters", "sunflower"] {
+    for name in ["crossroads", "skaters", "sunflower"] {
         let scene = plugins().open(name).unwrap();
         let (mut world, built) = scene.build().unwrap();
         let mut watch = Expectations::new(&scene.expect, &world, &built);
@@ -38,6 +39,7 @@ fn the_page_shows_this_plug_in() {
     for file in [
         include_str!("../src/main.rs"),
         include_str!("../src/lib.rs"),
+        include_str!("../src/brake.rs"),
         include_str!("../src/weave.rs"),
         include_str!("../Cargo.toml"),
     ] {

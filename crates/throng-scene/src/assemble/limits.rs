@@ -21,10 +21,6 @@ pub(super) enum Limit {
     Between(f64, f64),
     /// More than 0, and at most this.
     UpTo(f64),
-    /// This or more.
-    AtLeast(f64),
-    /// This or less.
-    AtMost(f64),
 }
 
 impl Limit {
@@ -36,8 +32,6 @@ impl Limit {
                 Self::NotNegative => x >= 0.0,
                 Self::Between(low, high) => (low..=high).contains(&x),
                 Self::UpTo(high) => x > 0.0 && x <= high,
-                Self::AtLeast(low) => x >= low,
-                Self::AtMost(high) => x <= high,
             }
     }
 
@@ -48,8 +42,6 @@ impl Limit {
             Self::NotNegative => "0 or more".into(),
             Self::Between(low, high) => format!("from {low} to {high}"),
             Self::UpTo(high) => format!("more than 0 and at most {high}"),
-            Self::AtLeast(low) => format!("{low} or more"),
-            Self::AtMost(high) => format!("at most {high}"),
         }
     }
 }

@@ -1,16 +1,16 @@
 //! Behaviours that a program adds to those of scene files.
 
-use super::read::Unmade;
+use super::read::{Unmade, read};
 use crate::caught::{caught, named};
 use crate::scene::SceneNames;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::DeserializeOwned;
+use schemars::{Schema, SchemaGenerator};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::Declared;
 use throng::steer::{Behaviour, BoxedBehaviour, FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
 use toml::Table;
 
@@ -75,20 +75,18 @@ impl Behaviours {
     }
 
     /// Adds a behaviour with parameters, as [`add`](Self::add) does. Files set the parameters by
-    /// `steer.custom.NAME = { .. }`, which is deserialised as `P`. The [schema](crate::Plugins::schema) has their doc
-    /// lines, units, limits (`#[schemars(range(min = 0, max = 1))]`, which are enforced for files) and defaults
-    /// (`#[serde(default)]`).
+    /// `steer.custom.NAME = { .. }`, which is read as `P`.
     ///
     /// ```
-    /// use schemars::JsonSchema;
-    /// use serde::Deserialize;
+    /// use throng::parameters::parameters;
     /// use throng::steer::Wander;
     /// use throng_scene::{Behaviours, Scene};
     ///
-    /// #[derive(Deserialize, JsonSchema)]
+    /// /// Walks at ease.
+    /// #[parameters]
     /// struct Stroll {
-    ///     /// Strength of the wandering. Limit: 0 to 1.
-    ///     #[schemars(range(min = 0, max = 1))]
+    ///     /// Strength of the wandering.
+    ///     #[parameter(required, least = 0, most = 1)]
     ///     strength: f32,
     /// }
     ///
@@ -100,13 +98,13 @@ impl Behaviours {
     /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
     /// # Ok::<(), throng_scene::Error>(())
     /// ```
-    pub fn add_with<P: DeserializeOwned + JsonSchema>(
+    pub fn add_with<P: Declared>(
         &mut self,
         name: impl Into<String>,
         make: impl Fn(P, &SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
-        let make: MakeBehaviour = Arc::new(move |said, cast| {
-            let parameters = P::deserialize(said.clone()).map_err(Unmade::Misread)?;
+        let make: MakeBehaviour = Arc::new(move |given, cast| {
+            let parameters = read(given.clone(), &[])?;
             make(parameters, cast).map_err(Unmade::Refused)
         });
         self.0.insert(name.into(), Maker { make, schema: Some(|generator| generator.subschema_for::<P>()) });

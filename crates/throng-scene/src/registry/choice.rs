@@ -48,7 +48,7 @@ impl<C> Choice<C> {
     }
 
     /// Returns the choice of a type, with the parameters that differ from their defaults.
-    pub fn of<P: Declared>(chosen: &P) -> Self {
+    pub fn of<P: Declared + Default>(chosen: &P) -> Self {
         let usual = written(&P::default());
         let given = written(chosen).into_iter().filter(|(key, value)| usual.get(key) != Some(value));
         Self::new(P::NAME.to_owned(), given.collect())

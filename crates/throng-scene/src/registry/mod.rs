@@ -15,5 +15,4 @@ pub use model::Model;
 pub(crate) use models::ChosenModel;
 pub use models::{Avoid, Models};
 pub use plugins::Plugins;
-pub(crate) use read::Unmade;
 pub use rulebook::Rulebook;

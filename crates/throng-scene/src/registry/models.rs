@@ -53,7 +53,7 @@ impl Models {
     }
 
     /// Adds a model of a plug-in, or replaces the model with the same name. A panic in it names it.
-    pub(super) fn add_plugin<M: LocalModel + Declared>(&mut self) {
+    pub(super) fn add_plugin<M: LocalModel + Declared + Default>(&mut self) {
         let read = |given: &Table| {
             let (model, neighbours, neighbour_distance) = caught(|| read::<M>(given)).map_err(Unmade::Panicked)??;
             Ok(ChosenModel { model: Arc::new(PluginModel(model)), neighbours, neighbour_distance })
@@ -109,7 +109,7 @@ impl Default for Models {
 }
 
 impl Register for Models {
-    fn add<M: LocalModel + Declared>(&mut self) {
+    fn add<M: LocalModel + Declared + Default>(&mut self) {
         self.0.push(Entry::of::<M>());
     }
 }
@@ -124,7 +124,7 @@ impl Catalogue for Models {
 }
 
 impl Entry {
-    fn of<M: LocalModel + Declared>() -> Self {
+    fn of<M: LocalModel + Declared + Default>() -> Self {
         Self {
             name: M::NAME,
             about: M::ABOUT,
@@ -188,7 +188,7 @@ struct OrAll {
 }
 
 /// Reads a model, the number of neighbours and the reach of the neighbour search.
-fn read<M: LocalModel + Declared>(given: &Table) -> Result<(M, Neighbours, f64), Unmade> {
+fn read<M: LocalModel + Declared + Default>(given: &Table) -> Result<(M, Neighbours, f64), Unmade> {
     let mut own = given.clone();
     let sight: Table = SIGHT.iter().filter_map(|key| own.remove_entry(*key)).collect();
     let model = read::read::<M>(own, &SIGHT)?;
@@ -211,7 +211,7 @@ fn read<M: LocalModel + Declared>(given: &Table) -> Result<(M, Neighbours, f64),
 /// The schema of the parameters of a model and of its neighbour search.
 struct WithSight<M>(PhantomData<M>);
 
-impl<M: LocalModel + Declared> JsonSchema for WithSight<M> {
+impl<M: LocalModel + Declared + Default> JsonSchema for WithSight<M> {
     fn schema_name() -> Cow<'static, str> {
         M::schema_name()
     }
@@ -225,13 +225,14 @@ impl<M: LocalModel + Declared> JsonSchema for WithSight<M> {
         let distance = f64::json_schema(generator);
         let mut schema = M::json_schema(generator);
         let properties = schema.ensure_object().entry("properties").or_insert_with(|| json!({}));
-        let more =
-            [(COUNT, count, json!(NEIGHBOURS)), (DISTANCE, distance, json!(shortest(model.neighbour_distance())))];
-        for (parameter, of_type, default) in more {
-            let mut property = of_type;
-            property.insert("description".into(), parameter.about.into());
+        let more = [
+            (COUNT.name, about, count, json!(NEIGHBOURS)),
+            (DISTANCE.name, DISTANCE.about, distance, json!(shortest(model.neighbour_distance()))),
+        ];
+        for (name, about, mut property, default) in more {
+            property.insert("description".into(), about.into());
             property.insert("default".into(), default);
-            properties[parameter.name] = property.to_value();
+            properties[name] = property.to_value();
         }
         for (_, property) in properties.as_object_mut().into_iter().flatten() {
             in_double_precision(property);
@@ -252,13 +253,13 @@ fn in_double_precision(property: &mut Json) {
 #[derive(Debug)]
 struct PluginModel<M>(M);
 
-impl<M: LocalModel + Declared> PluginModel<M> {
+impl<M: LocalModel + Declared + Default> PluginModel<M> {
     fn named<T>(&self, code: impl FnOnce(&M) -> T) -> T {
         named("model", M::NAME, || code(&self.0))
     }
 }
 
-impl<M: LocalModel + Declared> LocalModel for PluginModel<M> {
+impl<M: LocalModel + Declared + Default> LocalModel for PluginModel<M> {
     fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         self.named(|model| model.velocity(view, workspace))
     }

@@ -4,9 +4,8 @@ use super::{Behaviours, Models, Rulebook};
 use crate::error::Error;
 use crate::gallery;
 use crate::scene::{Scene, SceneNames};
+use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
-use schemars::{JsonSchema, SchemaGenerator};
-use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 use std::sync::Arc;
@@ -23,25 +22,18 @@ const GROUP: &str = "plug-ins";
 /// and so can every program that opens scenes.
 ///
 /// ```
-/// use schemars::JsonSchema;
-/// use serde::Deserialize;
 /// use throng::motion::Steering;
+/// use throng::parameters::parameters;
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_scene::Plugins;
 ///
 /// /// Rises to a height.
-/// #[derive(Debug, Deserialize, JsonSchema)]
-/// #[serde(default)]
+/// #[parameters]
+/// #[derive(Debug)]
 /// struct Climb {
 ///     /// The height, metres.
-///     #[schemars(range(min = 0, max = 100))]
+///     #[parameter(default = 3.0, unit = "m", least = 0, most = 100)]
 ///     height: f32,
-/// }
-///
-/// impl Default for Climb {
-///     fn default() -> Self {
-///         Self { height: 3.0 }
-///     }
 /// }
 ///
 /// impl Behaviour for Climb {
@@ -55,10 +47,10 @@ const GROUP: &str = "plug-ins";
 ///     [[group]]
 ///     place.point = [5, 0]
 ///     vehicle = { kind = "level", max_speed = 2.0 }
-///     steer.custom.vertical_velocity = { height = 4 }
+///     steer.custom.climb = { height = 4 }
 /// "#;
 ///
-/// let plugins = Plugins::new().behaviour::<Climb>("vertical_velocity").scene("lift", LIFT);
+/// let plugins = Plugins::new().behaviour::<Climb>().scene("lift", LIFT);
 /// let (mut world, _) = plugins.open("lift")?.build()?;
 /// (0..200).for_each(|_| world.step());
 /// assert!(world.relative_columns().altitude[0] > 3.9);
@@ -84,17 +76,16 @@ impl Plugins {
 
     /// Adds a local model, or replaces the model with the same name. The fields of its type are its parameters
     /// ([`throng::parameters`]), and its name in `avoid.NAME` is [`NAME`](throng::parameters::Parameters::NAME).
-    pub fn model<M: LocalModel + Declared>(mut self) -> Self {
+    pub fn model<M: LocalModel + Declared + Default>(mut self) -> Self {
         self.models.add_plugin::<M>();
         self
     }
 
-    /// Adds a behaviour. The fields of its type are its parameters: see [`Behaviours::add_with`].
-    pub fn behaviour<B: Behaviour + DeserializeOwned + JsonSchema + 'static>(
-        mut self,
-        name: impl Into<String>,
-    ) -> Self {
-        self.behaviours.add_with(name, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
+    /// Adds a behaviour, or replaces the behaviour with the same name. The fields of its type are its parameters
+    /// ([`throng::parameters`]), and its name in `steer.custom.NAME` is
+    /// [`NAME`](throng::parameters::Parameters::NAME).
+    pub fn behaviour<B: Behaviour + Declared>(mut self) -> Self {
+        self.behaviours.add_with(B::NAME, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
         self
     }
 

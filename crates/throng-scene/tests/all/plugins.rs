@@ -1,30 +1,23 @@
 //! Behaviours, rules and scenes of plug-ins.
 
 use glam::Vec3;
-use schemars::JsonSchema;
-use serde::Deserialize;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 use throng::{Rules, World};
 use throng_scene::steer::Custom;
 use throng_scene::{Kind, Plugins, Scene, Steer, caught, gallery};
 
 /// Rises to a height.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(default)]
+#[parameters]
+#[derive(Debug)]
 struct Climb {
     /// The height, metres.
-    #[schemars(range(min = 0, max = 100))]
+    #[parameter(default = 3.0, unit = "m", least = 0, most = 100)]
     height: f32,
     /// The height at which it panics, metres.
-    #[schemars(range(min = 0))]
+    #[parameter(unit = "m", least = 0)]
     end: Option<f32>,
-}
-
-impl Default for Climb {
-    fn default() -> Self {
-        Self { height: 3.0, end: None }
-    }
 }
 
 impl Behaviour for Climb {
@@ -55,11 +48,7 @@ impl Rules for Fuse {
 
 fn plugins() -> Plugins {
     let rules = |_: &throng_scene::SceneNames<'_>| Ok(Fuse(0.5));
-    Plugins::new()
-        .behaviour::<Climb>("climb")
-        .rules("fuse", rules)
-        .scene("lift", lift("\"climb\""))
-        .scene("box", "# mine\n")
+    Plugins::new().behaviour::<Climb>().rules("fuse", rules).scene("lift", lift("\"climb\"")).scene("box", "# mine\n")
 }
 
 fn lift(custom: &str) -> String {

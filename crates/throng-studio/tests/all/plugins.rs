@@ -4,10 +4,10 @@ use eframe::egui::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::Vec3;
-use serde::Deserialize;
 use std::sync::Arc;
 use std::time::Duration;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 use throng_studio::Plugins;
 use throng_studio::document::Document;
@@ -16,20 +16,15 @@ use throng_studio::play::{Command, Engine, RunMoment, Trouble};
 use throng_studio::tune::{ParameterKind, Section, Tunable};
 
 /// Rises to a height.
-#[derive(Debug, Deserialize, schemars::JsonSchema)]
-#[serde(default)]
+#[parameters]
+#[derive(Debug)]
 struct Climb {
     /// Target height, metres.
-    #[schemars(range(min = 0, max = 100))]
+    #[parameter(default = 3.3, unit = "m", least = 0, most = 100)]
     height: f32,
     /// Height at which it panics, metres.
+    #[parameter(default = 1e6, unit = "m")]
     end: f32,
-}
-
-impl Default for Climb {
-    fn default() -> Self {
-        Self { height: 3.3, end: 1e6 }
-    }
 }
 
 impl Behaviour for Climb {
@@ -43,7 +38,7 @@ const LIFT: &str = "title = \"A lift\"\ntime = { until = \"limit\" }\n[[group]]\
                     vehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.custom = \"climb\"  # up\n";
 
 fn plugins() -> Arc<Plugins> {
-    Arc::new(Plugins::new().behaviour::<Climb>("climb").scene("lift", LIFT))
+    Arc::new(Plugins::new().behaviour::<Climb>().scene("lift", LIFT))
 }
 
 fn settle(engine: &mut Engine) -> Arc<RunMoment> {
@@ -160,8 +155,9 @@ fn a_panic_is_told_with_its_name_and_the_studio_goes_on() {
 }
 
 /// A behaviour that panics when it is created.
-#[derive(Debug, Deserialize, schemars::JsonSchema)]
-struct Still {}
+#[parameters]
+#[derive(Debug)]
+struct Still;
 
 impl Behaviour for Still {
     fn memory(&self) -> usize {
@@ -174,7 +170,7 @@ impl Behaviour for Still {
 
 #[test]
 fn a_panic_while_it_is_made_leaves_the_scene_before() {
-    let plugins = Arc::new(Plugins::new().behaviour::<Still>("still").scene("still", LIFT.replace("climb", "still")));
+    let plugins = Arc::new(Plugins::new().behaviour::<Still>().scene("still", LIFT.replace("climb", "still")));
     let mut engine = Engine::default();
     let circle = Document::gallery("circle").unwrap();
     engine.command(Command::Load { name: "circle".into(), scene: circle.scene().unwrap().clone(), run: false });

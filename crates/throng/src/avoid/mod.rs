@@ -304,7 +304,7 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
 #[cfg(feature = "schema")]
 pub trait Models {
     /// Adds a model. Its name is [`Parameters::NAME`](crate::parameters::Parameters::NAME).
-    fn add<M: LocalModel + crate::parameters::Declared>(&mut self);
+    fn add<M: LocalModel + crate::parameters::Declared + Default>(&mut self);
 }
 
 /// Adds the models of the engine to a collection.

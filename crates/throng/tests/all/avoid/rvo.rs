@@ -79,8 +79,8 @@ proptest! {
     fn what_cannot_be_reached_is_not_tried(a in vector(1.0), b in vector(1.2), preferred in vector(1.4)) {
         let seen = [other(Vec2::new(1.5, 0.3), b, 0.4, 0.5)];
         let view = AvoidanceInput { max_acceleration: 4.0, step: 0.1, ..view(a, preferred, 1.5, &seen) };
-        for candidates in [0, 100] {
-            let model = Rvo { kinodynamic: true, candidates, ..Rvo::default() };
+        for count in [0, 100] {
+            let model = Rvo { kinodynamic: true, candidates: count, ..Rvo::default() };
             let tried = candidates(&model, &view);
             let nearest = a + (preferred - a).clamp_length_max(0.4);
             prop_assert!(tried[0].0.distance(nearest) < 1e-5, "{} instead of {nearest}", tried[0].0);
