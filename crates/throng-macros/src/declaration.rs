@@ -224,7 +224,7 @@ fn as_empty_table(ident: &Ident, readable: &TokenStream) -> TokenStream {
     }
 }
 
-/// Returns an enum whose variants are names in files.
+/// Returns an enum of names in files.
 pub fn of_enum(item: &ItemEnum) -> TokenStream {
     let readable = readable(&first_paragraph(&item.attrs), &quote!(rename_all = "snake_case"));
     quote!(#readable #item)

@@ -11,7 +11,7 @@ use syn::{Item, parse_macro_input};
 /// Declares the parameters of a type, or the names of a choice.
 ///
 /// On a struct: implements `Default` and `throng::parameters::Parameters`. Each field is a parameter. Its doc comment is
-/// its doc line, and its attribute gives what there is of:
+/// its doc line. Its attribute `#[parameter(..)]` has some of these keys:
 ///
 /// | key | meaning |
 /// |---|---|

@@ -28,7 +28,7 @@ pub use throng_macros::parameters;
 #[doc(hidden)]
 pub use {schemars, serde};
 
-/// A type whose fields are parameters. [`parameters`] implements it.
+/// A type with parameters as its fields. [`parameters`] implements it.
 pub trait Parameters: Sized {
     /// The name in scene files.
     const NAME: &'static str;
@@ -173,10 +173,11 @@ impl Angle {
         self.0
     }
 
-    /// Returns the degrees with the fewest digits that are this angle.
+    /// Returns the degrees with the fewest decimals that are this angle.
     pub fn to_degrees(self) -> f64 {
-        let near = shortest((f64::from(self.0)).to_degrees() as f32);
-        if Self::degrees(near) == self { near } else { f64::from(self.0).to_degrees() }
+        let degrees = f64::from(self.0).to_degrees();
+        let rounded = (0..10).filter_map(|decimals| format!("{degrees:.decimals$}").parse().ok());
+        rounded.into_iter().find(|rounded| Self::degrees(*rounded) == self).unwrap_or(degrees)
     }
 }
 

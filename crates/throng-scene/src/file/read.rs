@@ -1,6 +1,7 @@
 //! Reading and writing scene files.
 
 use super::document::Document;
+use super::path::Path as Place;
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
 use std::io::{ErrorKind, Read};
@@ -30,7 +31,18 @@ impl Scene {
         let document = Document::new(Some(name.to_owned()), text.into());
         let mut scene: Self = document.read()?;
         scene.origin.document = Some(Arc::new(document));
+        scene.check_keys()?;
         Ok(scene)
+    }
+
+    /// Checks that what the scene chooses from the registry has the given parameters, as far as it is known.
+    pub(super) fn check_keys(&self) -> Result<(), Error> {
+        let chosen = self.groups.iter().enumerate().filter_map(|(i, group)| Some((i, group.avoid.as_ref()?)));
+        for (i, avoid) in chosen {
+            let path = Place::of("group").index(i).key("avoid");
+            self.plugins.models.check_keys(avoid, &path).map_err(|problem| self.explain(problem))?;
+        }
+        Ok(())
     }
 
     /// Returns the text of a scene file. Reading it gives the same scene.

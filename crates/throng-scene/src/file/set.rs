@@ -48,6 +48,7 @@ impl Scene {
         changed.origin.folder.clone_from(&self.origin.folder);
         changed.plugins.clone_from(&self.plugins);
         changed.origin.document = Some(Arc::new(document));
+        changed.check_keys()?;
         *self = changed;
         Ok(())
     }

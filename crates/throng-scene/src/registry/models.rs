@@ -78,6 +78,17 @@ impl Models {
         (entry.read)(&avoid.parameters).map_err(|unmade| unmade.at(at, &at.name(entry.name), &what(entry.name)))
     }
 
+    /// Checks that the model of a choice, if it is known, has the given parameters and can read them. Their limits are
+    /// checked when the model is made.
+    pub(crate) fn check_keys(&self, avoid: &Avoid, at: &Path) -> Result<(), Problem> {
+        match self.find(&avoid.name).map(|entry| (entry.read)(&avoid.parameters)) {
+            Some(Err(unread @ (Unmade::Unknown(..) | Unmade::Misread(_)))) => {
+                Err(unread.at(at, &at.name(&avoid.name), &what(&avoid.name)))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Returns a choice with the defaults of all parameters that it leaves out; or as it is, if it cannot be made.
     pub(crate) fn complete(&self, avoid: &Avoid) -> Avoid {
         let complete = self.find(&avoid.name).and_then(|entry| (entry.complete)(&avoid.parameters).ok());

@@ -31,8 +31,8 @@ pub(super) fn read<P: Declared>(given: Table, more: &[&str]) -> Result<P, Unmade
 }
 
 impl Unmade {
-    /// Returns the problem of a choice at the path `at`, whose parameters are at `inside`. `what` is its kind and name,
-    /// for messages of parts that are not throng's own.
+    /// Returns the problem of a choice at the path `at` with its parameters at `inside`. `what` is the kind and the name
+    /// of the choice, for messages about plug-ins.
     pub(crate) fn at(self, at: &Path, inside: &Path, what: &str) -> Problem {
         match self {
             Self::Unknown(key, known) => placed(unknown_key(&key, &known), &inside.name(&key)),

@@ -93,7 +93,7 @@ impl Tuning {
                     let mut now = pending.unwrap_or(*value);
                     ui.spacing_mut().slider_width = 110.0;
                     let mut slider = Slider::new(&mut now, *low..=*high).clamping(SliderClamping::Never);
-                    if let Some(unit) = about.unit {
+                    if let Some(unit) = &about.unit {
                         slider = slider.suffix(format!(" {unit}"));
                     }
                     if *whole {

@@ -6,7 +6,7 @@ pub struct About {
     /// The whole text.
     pub text: String,
     /// The abbreviated unit.
-    pub unit: Option<&'static str>,
+    pub unit: Option<String>,
     /// The minimum, if there is one.
     pub low: Option<f64>,
     /// The maximum, if there is one.
@@ -38,7 +38,7 @@ impl About {
         let unit = UNITS.iter().filter_map(first).min_by_key(|&(at, length, _)| (at, std::cmp::Reverse(length)));
         let (low, high) = text.split_once("Limit: ").map_or((None, None), |(_, limit)| limits(limit));
         let without = text.split_once("Without it, ").and_then(|(_, rest)| number(rest));
-        Self { unit: unit.map(|(_, _, unit)| unit), low, high, without, text }
+        Self { unit: unit.map(|(_, _, unit)| unit.to_owned()), low, high, without, text }
     }
 }
 
@@ -82,7 +82,11 @@ mod tests {
             ("How much of it.", None, None, None, None),
         ] {
             let about = About::new(text);
-            assert_eq!((about.unit, about.low, about.high, about.without), (unit, low, high, without), "{text}");
+            assert_eq!(
+                (about.unit.as_deref(), about.low, about.high, about.without),
+                (unit, low, high, without),
+                "{text}"
+            );
         }
     }
 }

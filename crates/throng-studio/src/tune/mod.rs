@@ -83,7 +83,7 @@ mod tests {
         let of =
             |path: &str| *found.iter().find(|parameter| parameter.path == path).unwrap_or_else(|| panic!("{path}"));
         let horizon = of("group.0.avoid.orca.time_horizon");
-        assert_eq!(horizon.about.unit, Some("s"));
+        assert_eq!(horizon.about.unit.as_deref(), Some("s"));
         assert!(matches!(horizon.kind, ParameterKind::Number { value: 2.0, whole: false, .. }), "{horizon:?}");
         let time_gap = of("group.0.time_gap");
         assert!(matches!(time_gap.kind, ParameterKind::Number { low: 0.05, high: 10.0, .. }), "{time_gap:?}");

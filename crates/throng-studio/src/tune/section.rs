@@ -99,7 +99,8 @@ fn fill(
         let own = line(property);
         let about = About::new(if own.is_empty() { line_of_all } else { &own });
         let about = About {
-            low: about.low.or(property["minimum"].as_f64()),
+            unit: property["unit"].as_str().map(str::to_owned).or(about.unit),
+            low: about.low.or(property["minimum"].as_f64()).or(property["exclusiveMinimum"].as_f64()),
             high: about.high.or(property["maximum"].as_f64()),
             without: about.without.or(property["default"].as_f64().map(written)),
             ..about

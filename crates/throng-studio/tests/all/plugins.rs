@@ -76,7 +76,7 @@ fn its_parameters_are_there_before_they_are_said() {
     let sections = Tunable::new(&plugins).groups(&document);
     let height = find(&sections[0], "group.0.steer.custom.climb.height").unwrap();
     assert_eq!(height.kind, ParameterKind::Number { value: 3.3, low: 0.0, high: 100.0, whole: false });
-    assert_eq!((height.about.unit, height.given), (Some("m"), false));
+    assert_eq!((height.about.unit.as_deref(), height.given), (Some("m"), false));
     assert_eq!(height.about.text, "Target height, metres.");
 }
 

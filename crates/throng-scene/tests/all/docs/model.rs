@@ -2,22 +2,24 @@
 
 use glam::Vec2;
 use std::sync::Arc;
-use throng::avoid::{AvoidanceInput, LocalModel, Workspace, time_to_disc};
+use throng::avoid::{AvoidanceInput, LocalModel, Workspace};
+use throng::parameters::{Parameters, parameters};
 use throng::{Agent, Error, Group, Settings, World};
 
-/// Brakes so that the first collision on the preferred path is at least `horizon` seconds away.
-#[derive(Debug)]
+/// Keeps its direction, and brakes for the first agent that it would meet.
+#[parameters]
+#[derive(Clone, Copy, Debug)]
 struct Brake {
-    /// Seconds. Limit: > 0.
+    /// Seconds ahead within which it brakes.
+    #[parameter(default = 2.0, unit = "s", above = 0)]
     horizon: f32,
 }
 
 impl LocalModel for Brake {
     fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
         let preferred = view.preferred.clamp_length_max(view.max_speed);
-        let meets = |n: &throng::avoid::AvoidanceNeighbour| time_to_disc(n.offset, preferred - n.velocity, n.radii);
-        let first = view.neighbours.iter().map(meets).fold(f32::INFINITY, f32::min);
-        preferred * (first / self.horizon).min(1.0)
+        let seconds = view.neighbours.iter().map(|other| other.time_to_collision(preferred - other.velocity));
+        preferred * (seconds.fold(f32::INFINITY, f32::min) / self.horizon).min(1.0)
     }
 
     fn wall_range(&self, radius: f32, _: f32) -> f32 {
@@ -25,10 +27,7 @@ impl LocalModel for Brake {
     }
 
     fn check(&self) -> Result<(), Error> {
-        match self.horizon > 0.0 {
-            true => Ok(()),
-            false => Err(Error::Limit { what: "horizon", value: f64::from(self.horizon), limit: "> 0 s" }),
-        }
+        self.check_limits()
     }
 }
 
@@ -36,7 +35,7 @@ impl LocalModel for Brake {
 fn the_model_of_the_page_runs() -> Result<(), Error> {
     // two agents cross; the guard keeps them apart if the model does not
     let mut world = World::new(Settings { step: 0.04, ..Settings::default() })?;
-    let group = world.add_group(Group { model: Arc::new(Brake { horizon: 2.0 }), ..Group::default() })?;
+    let group = world.add_group(Group { model: Arc::new(Brake { horizon: 1.5 }), ..Group::default() })?;
     for (from, to) in [([-5.0, 0.0], [5.0, 0.0]), ([0.0, -4.0], [0.0, 6.0])] {
         world.add_agent(Agent::at(from).goal(to).group(group))?;
     }
@@ -48,12 +47,30 @@ fn the_model_of_the_page_runs() -> Result<(), Error> {
 }
 
 #[test]
+fn the_scene_of_the_page_runs() -> Result<(), throng_scene::Error> {
+    let mut scene: throng_scene::Scene = r#"
+        [[group]]
+        count = 12
+        place.ring = { radius = 5 }
+        goal.opposite = {}
+        avoid.brake = { horizon = 1.5 }
+    "#
+    .parse()?;
+    throng_scene::Plugins::new().model::<Brake>().equip(&mut scene);
+    let (mut world, _) = scene.build()?;
+    (0..500).for_each(|_| world.step());
+    assert_eq!(world.summary().overlaps, 0);
+    Ok(())
+}
+
+#[test]
 fn the_page_shows_this_model() {
     let page = include_str!("../../../../../docs/write-a-model.md");
-    let code = page.split("```rust\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the page has the code");
+    let blocks: Vec<&str> = page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(blocks.len(), 2, "the model, and a scene with it");
     let file = include_str!("model.rs");
     let lines: Vec<&str> = file.lines().map(str::trim).collect();
-    for line in code.lines().map(str::trim) {
+    for line in blocks.iter().flat_map(|code| code.lines()).map(str::trim) {
         assert!(lines.contains(&line), "docs/write-a-model.md has a line that is not in this file: {line}");
     }
 }

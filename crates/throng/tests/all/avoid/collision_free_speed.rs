@@ -86,7 +86,7 @@ fn parameters_out_of_their_limits_are_named() {
     };
     let right = CollisionFreeSpeed::default();
     assert_eq!(wrong(right), "nothing");
-    assert_eq!(wrong(CollisionFreeSpeed { time_gap: 0.0, ..right }), "time gap");
+    assert_eq!(wrong(CollisionFreeSpeed { time_gap: 0.0, ..right }), "time_gap");
     assert_eq!(wrong(CollisionFreeSpeed { strength: -1.0, ..right }), "strength");
     assert_eq!(wrong(CollisionFreeSpeed { range: 0.0, ..right }), "range");
     assert_eq!(wrong(CollisionFreeSpeed { strength_obstacles: f32::NAN, ..right }), "strength of obstacles");

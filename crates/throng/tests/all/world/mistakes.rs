@@ -133,7 +133,7 @@ fn goals_journeys_and_groups_out_of_range() {
     for distance in [0.0, f32::NAN, f32::INFINITY] {
         assert_names(world.add_group(Group { neighbour_distance: distance, ..group() }), &["neighbour distance"]);
         let orca = Orca { time_horizon: distance, ..Orca::default() };
-        assert_names(world.add_group(Group { model: std::sync::Arc::new(orca), ..group() }), &["time horizon"]);
+        assert_names(world.add_group(Group { model: std::sync::Arc::new(orca), ..group() }), &["time_horizon"]);
     }
     assert_names(world.add_group(Group { neighbours: 0, ..group() }), &["neighbours"]);
     assert_names(world.add_group(Group { keep_right: f32::NAN, ..group() }), &["keep right"]);
