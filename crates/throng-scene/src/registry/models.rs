@@ -31,6 +31,7 @@ pub struct Models(Vec<Entry>);
 struct Entry {
     name: &'static str,
     about: &'static str,
+    is_plugin: bool,
     read: fn(&Table) -> Result<ChosenModel, Unmade>,
     /// Adds the defaults of the parameters that are not given.
     complete: fn(&Table) -> Result<Table, Unmade>,
@@ -59,7 +60,7 @@ impl Models {
             Ok(ChosenModel { model: Arc::new(PluginModel(model)), neighbours, neighbour_distance })
         };
         self.0.retain(|entry| entry.name != M::NAME);
-        self.0.push(Entry { read, ..Entry::of::<M>() });
+        self.0.push(Entry { is_plugin: true, read, ..Entry::of::<M>() });
     }
 
     fn find(&self, name: &str) -> Option<&Entry> {
@@ -95,18 +96,10 @@ impl Models {
         complete.map_or_else(|| avoid.clone(), |parameters| Avoid::new(avoid.name.clone(), parameters))
     }
 
-    /// Returns the schema of the choice of each model, in the form of the schema's `oneOf`.
-    pub(super) fn schemas(&self, generator: &mut SchemaGenerator) -> Vec<Json> {
-        let one = |entry: &Entry| {
-            json!({
-                "description": entry.about,
-                "type": "object",
-                "properties": { entry.name: (entry.schema)(generator) },
-                "required": [entry.name],
-                "additionalProperties": false
-            })
-        };
-        self.0.iter().map(one).collect()
+    /// Returns the name of each model of a plug-in, and the schema of its choice.
+    pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&'static str, Json)> {
+        let plugins = self.0.iter().filter(|entry| entry.is_plugin);
+        plugins.map(|entry| (entry.name, entry.choice(generator))).collect()
     }
 }
 
@@ -130,7 +123,8 @@ impl Catalogue for Models {
     const EXAMPLE: &'static str = "avoid.orca = { .. }";
 
     fn schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "description": "The local model of a group.", "oneOf": Self::default().schemas(generator) })
+        let choices: Vec<Json> = Self::default().0.iter().map(|entry| entry.choice(generator)).collect();
+        json_schema!({ "description": "The local model of a group.", "oneOf": choices })
     }
 }
 
@@ -139,6 +133,7 @@ impl Entry {
         Self {
             name: M::NAME,
             about: M::ABOUT,
+            is_plugin: false,
             read: |given| {
                 let (model, neighbours, neighbour_distance) = read::<M>(given)?;
                 Ok(ChosenModel { model: Arc::new(model), neighbours, neighbour_distance })
@@ -156,6 +151,17 @@ impl Entry {
             },
             schema: |generator| generator.subschema_for::<WithSight<M>>(),
         }
+    }
+
+    /// Returns the schema of the choice of this model.
+    fn choice(&self, generator: &mut SchemaGenerator) -> Json {
+        json!({
+            "description": self.about,
+            "type": "object",
+            "properties": { self.name: (self.schema)(generator) },
+            "required": [self.name],
+            "additionalProperties": false
+        })
     }
 }
 
@@ -203,6 +209,7 @@ fn read<M: LocalModel + Declared + Default>(given: &Table) -> Result<(M, Neighbo
     let mut own = given.clone();
     let sight: Table = SIGHT.iter().filter_map(|key| own.remove_entry(*key)).collect();
     let model = read::read::<M>(own, &SIGHT)?;
+    model.check().map_err(Unmade::Refused)?;
     let (neighbours, distance) = if model.avoids() {
         let Nearest { neighbours, neighbour_distance } = sight.try_into().map_err(Unmade::Misread)?;
         (neighbours.map(Neighbours::Nearest), neighbour_distance)

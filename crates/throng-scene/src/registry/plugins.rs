@@ -185,12 +185,10 @@ impl Plugins {
         }
         let mut root = crate::schema();
         let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
-        let models = self.models.schemas(&mut SchemaGenerator::new(settings));
+        let models = self.models.plugin_schemas(&mut SchemaGenerator::new(settings));
         if let Some(known) = root["$defs"]["Avoid"]["oneOf"].as_array_mut() {
-            // the models of throng are there, with references
-            let is_new = |model: &Value| known.iter().all(|known| known["required"] != model["required"]);
-            let new: Vec<Value> = models.into_iter().filter(is_new).collect();
-            known.extend(new);
+            known.retain(|choice| models.iter().all(|(name, _)| choice["properties"].get(name).is_none()));
+            known.extend(models.into_iter().map(|(_, choice)| choice));
         }
         if !names.is_empty() {
             let name = json!({ "type": "string", "enum": names });
