@@ -5,8 +5,9 @@
 
 use glam::Vec3;
 use throng::motion::Steering;
-use throng::steer::{Behaviour, Priority, SteeringInput, Target, TraceRecorder, Wander};
+use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 use throng::{Agent, Group, Settings, World};
+use throng_steer::{Priority, Wander};
 
 /// Circles around a place, counter-clockwise, at a distance.
 #[derive(Debug)]

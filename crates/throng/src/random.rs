@@ -7,14 +7,23 @@ use glam::DVec2;
 
 /// The purpose of a random number. Two purposes never share a number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Purpose {
+#[non_exhaustive]
+pub enum Purpose {
+    /// The choices of an agent.
     Whim = 1,
+    /// The direction in which two agents at the same position part.
     Coincident = 4,
+    /// Candidate velocities, across.
     CandidateAcross,
+    /// Candidate velocities, along.
     CandidateAlong,
+    /// The draws of a behaviour: [`Rng::draw`].
     Behaviour,
+    /// Noise along time.
     Noise,
+    /// The draws of rules.
     Rules,
+    /// Noise in space: the seeds of a field.
     Eddies,
 }
 
@@ -77,7 +86,7 @@ impl SplitMix64 {
 }
 
 /// Returns 64 random bits.
-pub(crate) fn bits(seed: u64, number: u32, step: u64, purpose: Purpose) -> u64 {
+pub fn bits(seed: u64, number: u32, step: u64, purpose: Purpose) -> u64 {
     mix(mix(mix(seed ^ 0x7468_726f_6e67).wrapping_add(step)).wrapping_add((u64::from(number) << 8) | purpose as u64))
 }
 
@@ -122,7 +131,7 @@ impl Rng {
     }
 
     /// Returns the `k`-th number in [0, 1) for a purpose.
-    pub(crate) fn nth(self, k: u32, purpose: Purpose) -> f32 {
+    pub fn nth(self, k: u32, purpose: Purpose) -> f32 {
         let seed = mix(self.seed.wrapping_add(u64::from(k) << 32));
         unit(seed, self.number, self.step, purpose)
     }

@@ -91,7 +91,7 @@ impl Behaviours {
     /// ```
     /// use schemars::JsonSchema;
     /// use serde::Deserialize;
-    /// use throng::steer::Wander;
+    /// use throng_steer::Wander;
     /// use throng_scene::{Behaviours, Scene};
     ///
     /// #[derive(Deserialize, JsonSchema)]

@@ -144,7 +144,7 @@ impl Group {
     ///
     /// ```
     /// use throng::motion::Vehicle;
-    /// use throng::steer::Wander;
+    /// use throng_steer::Wander;
     /// use throng::{Group, Settings, World};
     /// let cars = Group { name: "cars".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
     /// World::new(Settings::default())?.add_group(cars)?;

@@ -20,7 +20,7 @@ const CELLS: f32 = 4.0;
 /// range per row of cells. Within a cell points are sorted by coordinates, then by number. So the *place* of a point
 /// does not depend on its row, and a traversal in ascending places has an order that depends on the positions only.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct CellLattice {
+pub struct CellLattice {
     low: Vec3,
     /// Cells per metre.
     inverse: Vec3,
@@ -161,7 +161,7 @@ impl CellLattice {
     }
 
     /// Records that the rows have been sorted into the order of places.
-    pub fn rows_are_in_order(&mut self) {
+    pub(crate) fn rows_are_in_order(&mut self) {
         self.order[..self.len].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
         self.places.iter_mut().zip(0..).for_each(|(place, row)| *place = row);
     }

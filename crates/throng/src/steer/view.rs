@@ -72,7 +72,7 @@ pub struct SteeringInput<'a> {
     pub radius: f32,
     /// Index of the agent's group.
     pub group: usize,
-    /// Slot in the [formation](super::KeepFormation) of the agent's group.
+    /// Slot in the formation of the agent's group.
     pub slot: usize,
     /// The next point of the agent's own journey.
     pub goal: Option<Vec3>,
@@ -177,7 +177,7 @@ impl SteeringInput<'_> {
     /// Returns a steering with the whole force to a side, of any length. It turns the velocity by the angle that this
     /// force gives in the step and keeps the speed, however long the step is. An agent that hardly moves is pushed
     /// sideways. `None` if the length of the side is 0.
-    pub(super) fn veer(&self, side: Vec3) -> Option<Steering> {
+    pub fn veer(&self, side: Vec3) -> Option<Steering> {
         let side = self.passable(side).try_normalize()?;
         let (force, mass) = (self.vehicle.max_force, self.vehicle.mass);
         let (speed, change) = (self.motion.speed(), force * self.seconds / mass);
@@ -195,13 +195,13 @@ impl SteeringInput<'_> {
     }
 
     /// Steers towards a place at the top speed.
-    pub(super) fn seek(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+    pub fn seek(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
         why.note(|| super::SteeringReason::Aim(place));
         self.go(self.to(place))
     }
 
     /// Steers away from a place at the top speed; forward if the agent is exactly there.
-    pub(super) fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+    pub fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
         why.note(|| super::SteeringReason::Expects(place));
         let away = -self.to(place);
         self.go(if away == Vec3::ZERO { self.forward() } else { away })

@@ -12,7 +12,7 @@ mod step;
 mod step_simd;
 
 pub use basis::Basis;
-pub(crate) use basis::{angle_between, turned, turned_towards};
+pub use basis::{angle_between, turned, turned_towards};
 pub use state::{Attitude, Motion};
 pub use steering::Steering;
 pub(crate) use step_simd::{Attitudes, Motions, Stepping};
