@@ -36,8 +36,9 @@
 //! | keep a run | [`save`](World::save), [`load`](World::load), [`state_hash`](World::state_hash) |
 //!
 //! A program of its own extends the engine at four traits: [`LocalModel`](avoid::LocalModel),
-//! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The parts of the stages that tests and
-//! benchmarks reach are documented with the feature `internals` only.
+//! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The crates `throng-steer` and `throng-field`
+//! are such extensions: they use nothing that a program cannot use, such as the helpers in [parallel], [simd] and
+//! [random]. The parts of the stages that tests and benchmarks reach are documented with the feature `internals` only.
 
 pub mod agent;
 pub mod avoid;

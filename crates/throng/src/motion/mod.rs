@@ -15,7 +15,8 @@ pub(crate) use heading::Turning;
 pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
-pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
+pub use vehicle::{
+    Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle, angle_between, turned, turned_towards,
+};
 pub(crate) use vehicle::{Attitudes, Motions, Stepping, part_in};
-pub use vehicle::{angle_between, turned, turned_towards};
 pub use wrap_around::WrapAround;

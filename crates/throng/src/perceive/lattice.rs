@@ -141,21 +141,25 @@ impl CellLattice {
     }
 
     /// Returns the cell of a point, or the nearest cell. Each component is monotonic in the coordinate.
+    #[inline]
     fn cell(&self, point: Vec3) -> UVec3 {
         // `as` saturates
         ((point - self.low) * self.inverse).as_uvec3().min(self.cells - 1)
     }
 
+    #[inline]
     fn start_of(&self, cell: UVec3) -> usize {
         ((cell.z * self.cells.y + cell.y) * self.cells.x + cell.x) as usize
     }
 
     /// Returns the row of each place.
+    #[inline]
     pub fn order(&self) -> &[u32] {
         &self.order[..self.len]
     }
 
     /// Returns the place of each row.
+    #[inline]
     pub fn places(&self) -> &[u32] {
         &self.places[..self.len]
     }
@@ -167,16 +171,19 @@ impl CellLattice {
     }
 
     /// Returns the coordinates by place, padded by the length of a SIMD vector.
+    #[inline]
     pub fn coordinates(&self) -> [&[f32]; 3] {
         [&self.x, &self.y, &self.z]
     }
 
     /// Returns the height of cells, metres.
+    #[inline]
     pub fn height(&self) -> f32 {
         1.0 / self.inverse.y
     }
 
     /// Returns the place after the last point of the row of cells that holds the point at a place.
+    #[inline]
     pub fn end_of_row(&self, place: usize) -> usize {
         let cell = self.cell(Vec3::new(self.x[place], self.y[place], self.z[place]));
         self.starts[self.start_of(cell.with_x(0)) + self.cells.x as usize] as usize

@@ -99,6 +99,7 @@ impl<'a> TraceRecorder<'a> {
     }
 
     /// Whether a trace is requested.
+    #[inline]
     pub fn is_requested(&self) -> bool {
         self.entries.is_some()
     }

@@ -114,42 +114,50 @@ impl Default for SteeringInput<'_> {
 
 impl SteeringInput<'_> {
     /// Returns the position of the agent.
+    #[inline]
     pub fn position(&self) -> Vec3 {
         self.motion.position
     }
 
     /// Returns the velocity of the agent.
+    #[inline]
     pub fn velocity(&self) -> Vec3 {
         self.motion.velocity
     }
 
     /// Returns the forward direction of the agent.
+    #[inline]
     pub fn forward(&self) -> Vec3 {
         self.motion.basis.forward
     }
 
     /// Whether the agent moves in the plane.
+    #[inline]
     pub fn is_on_ground(&self) -> bool {
         self.vehicle.locomotion == Locomotion::Ground
     }
 
     /// Returns the part of a vector along which the agent can move: the horizontal part if the agent moves in the
     /// plane.
+    #[inline]
     pub fn passable(&self, vector: Vec3) -> Vec3 {
         if self.is_on_ground() { vector.with_z(0.0) } else { vector }
     }
 
     /// Returns the offset to a place, horizontal if the agent moves in the plane.
+    #[inline]
     pub fn to(&self, place: Vec3) -> Vec3 {
         self.passable(place - self.position())
     }
 
     /// Returns the steering to a velocity: "desired velocity - velocity", in newtons.
+    #[inline]
     pub fn reach(&self, velocity: Vec3) -> Steering {
         self.vehicle.force_towards(&self.motion, velocity, self.seconds).into()
     }
 
     /// Returns the steering to the top speed in a direction of any length; `None` if the length is 0.
+    #[inline]
     pub fn go(&self, direction: Vec3) -> Option<Steering> {
         Some(self.reach(direction.try_normalize()? * self.vehicle.max_speed))
     }
@@ -168,6 +176,7 @@ impl SteeringInput<'_> {
 
     /// Returns a steering in a direction. The length of the direction scales the force: `full` or more gives the whole
     /// force. `None` if the length is 0.
+    #[inline]
     pub fn urge(&self, direction: Vec3, full: f32) -> Option<Steering> {
         let direction = self.passable(direction);
         let length = direction.length();

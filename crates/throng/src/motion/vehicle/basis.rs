@@ -51,16 +51,19 @@ impl Basis {
     }
 
     /// Returns the components of a vector ahead, to the left, and up.
+    #[inline]
     pub fn to_local(&self, vector: Vec3) -> Vec3 {
         Vec3::new(vector.dot(self.forward), vector.dot(self.side), vector.dot(self.up))
     }
 
     /// Returns the vector with these components ahead, to the left, and up.
+    #[inline]
     pub fn to_world(&self, local: Vec3) -> Vec3 {
         self.forward * local.x + self.side * local.y + self.up * local.z
     }
 
     /// Returns the part of a vector orthogonal to forward.
+    #[inline]
     pub fn lateral(&self, vector: Vec3) -> Vec3 {
         vector.reject_from_normalized(self.forward)
     }

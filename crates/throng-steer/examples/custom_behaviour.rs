@@ -1,4 +1,4 @@
-//! A steering behaviour of your own: `cargo run -p throng --example custom_behaviour`.
+//! A steering behaviour of your own: `cargo run -p throng-steer --example custom_behaviour`.
 //!
 //! A [`Behaviour`] returns a steering force for a vehicle. It can be combined with the behaviours of the library.
 #![allow(clippy::print_stdout)]
