@@ -49,5 +49,5 @@ pub use zones::Zones;
 
 /// `docs/swarms.md`, compiled and run.
 #[cfg(doctest)]
-#[doc = include_str!("../../../../../docs/swarms.md")]
+#[doc = include_str!("../../../../docs/swarms.md")]
 struct SwarmsPage;
