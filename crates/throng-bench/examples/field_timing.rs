@@ -7,7 +7,7 @@ mod median;
 use glam::DVec2;
 use median::median;
 use std::hint::black_box;
-use throng::field::{Anchor, Anchors, Sampled, Sketch};
+use throng_field::{Anchor, Anchors, Sampled, Sketch};
 
 /// Anchors at random in a square of 100 m, each with a random velocity.
 fn anchors(count: usize) -> Vec<Anchor> {

@@ -9,8 +9,9 @@ use median::median;
 use std::hint::black_box;
 use std::sync::Arc;
 use throng::Obstacle;
-use throng::field::{Density, Destination, Field, Terrain, TerrainSettings, ToGoal};
+use throng::field::Field;
 use throng::space::Place;
+use throng_field::{Density, Destination, Terrain, TerrainSettings, ToGoal};
 
 /// Returns milliseconds.
 fn time(work: impl FnMut()) -> f64 {

@@ -8,8 +8,9 @@ use glam::Vec3;
 use median::median;
 use std::hint::black_box;
 use throng::Error;
-use throng::field::{CurlNoise, Field, NoiseWall, Octave, Potential};
+use throng::field::Field;
 use throng::space::surface::{Cylinder, Sphere};
+use throng_field::{CurlNoise, NoiseWall, Octave, Potential};
 
 /// Random places in a cube of 10 m.
 fn places(count: usize) -> Vec<Vec3> {

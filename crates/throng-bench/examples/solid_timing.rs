@@ -6,8 +6,9 @@ use std::sync::Arc;
 use std::time::Instant;
 use throng::motion::{Locomotion, Vehicle};
 use throng::space::surface::{Capsule, SeenFrom, Sphere, Surface, Union};
-use throng::steer::{Barriers, Wander};
+use throng::steer::Barriers;
 use throng::{Agent, Group, Settings, SubSteps, World};
+use throng_steer::Wander;
 
 const SIZE: f64 = 40.0;
 

@@ -3,8 +3,8 @@
 use crate::Dice;
 use glam::{DVec2, DVec3};
 use throng::motion::{Locomotion, Vehicle};
-use throng::steer::Flocking;
 use throng::{Agent, Error, Group, Settings, SubSteps, World};
+use throng_steer::Flocking;
 
 /// A bird of a [`Flock`].
 #[derive(Clone, Copy, Debug, PartialEq)]

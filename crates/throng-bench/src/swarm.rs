@@ -3,8 +3,8 @@
 use crate::Dice;
 use glam::{DVec3, Vec3};
 use throng::steer::Target;
-use throng::steer::swarm::{Aggregate, Swarm, SwarmSpacing, midge};
 use throng::{Agent, Error, Group, Settings, SubSteps, World};
+use throng_steer::swarm::{Aggregate, Swarm, SwarmSpacing, midge};
 
 /// The insects of a work: midges with independent noise, attracted to the middle of the swarm.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,9 +7,10 @@ use clock::{now, report};
 use glam::{DVec2, Vec3};
 use std::path::PathBuf;
 use std::sync::Arc;
-use throng::field::{Anchor, Anchors, Critical, Field, Sampled, Sketch, Stamp, Stroke};
+use throng::field::Field;
 use throng::{Goal, Obstacle, Walkable};
 use throng_draw::{FlowLayer, FlowStyle, Painter, Style, Theme, WorldBox, sink::write_png};
+use throng_field::{Anchor, Anchors, Critical, Sampled, Sketch, Stamp, Stroke};
 use throng_record::{Flow, Frame, Setting};
 
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;

@@ -4,10 +4,11 @@ use glam::{DVec2, DVec3, Vec3};
 use std::sync::Arc;
 use throng::avoid::Orca;
 use throng::motion::{Locomotion, Vehicle};
-use throng::steer::{Evade, Flocking, Pursue, Seek, Separation, Target, UnalignedAvoidance, Wander, WeightedSum};
+use throng::steer::Target;
 use throng::{Agent, Error, Group, GroupId, Obstacle, Settings, SubSteps, World};
 use throng_draw::{Annotation, Film, Projection, Still, Style, Theme, Viewpoint};
 use throng_record::{Frame, Setting};
+use throng_steer::{Evade, Flocking, Pursue, Seek, Separation, UnalignedAvoidance, Wander, WeightedSum};
 
 const STEP: f64 = 1.0 / 30.0;
 

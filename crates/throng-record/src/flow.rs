@@ -2,8 +2,9 @@
 
 use std::fmt;
 use std::sync::Arc;
-use throng::field::{Anchor, Field};
+use throng::field::Field;
 use throng::{Group, World};
+use throng_field::Anchor;
 
 /// A field that guides groups, with its anchors.
 ///

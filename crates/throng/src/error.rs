@@ -66,20 +66,35 @@ pub enum Error {
 }
 
 impl Error {
-    pub(crate) fn unless(
-        holds: bool,
-        what: &'static str,
-        value: impl Into<f64>,
-        limit: &'static str,
-    ) -> Result<(), Self> {
+    /// Returns [`Error::Limit`] unless a condition holds.
+    ///
+    /// # Errors
+    /// The condition does not hold.
+    pub fn unless(holds: bool, what: &'static str, value: impl Into<f64>, limit: &'static str) -> Result<(), Self> {
         if holds { Ok(()) } else { Err(Self::Limit { what, value: value.into(), limit }) }
     }
 
-    pub(crate) fn unless_positive(what: &'static str, value: f32) -> Result<(), Self> {
+    /// Returns [`Error::Limit`] unless a number is greater than 0 and finite.
+    ///
+    /// # Errors
+    /// The number is not greater than 0 and finite.
+    pub fn unless_positive(what: &'static str, value: f32) -> Result<(), Self> {
         Self::unless(value > 0.0 && value.is_finite(), what, value, "greater than 0 and finite")
     }
 
-    pub(crate) fn unless_finite(what: &'static str, value: f64) -> Result<(), Self> {
+    /// Returns [`Error::Limit`] unless a number is at least 0 and finite.
+    ///
+    /// # Errors
+    /// The number is not at least 0 and finite.
+    pub fn unless_not_negative(what: &'static str, value: f32) -> Result<(), Self> {
+        Self::unless(value >= 0.0 && value.is_finite(), what, value, "at least 0 and finite")
+    }
+
+    /// Returns [`Error::Limit`] unless a number is finite.
+    ///
+    /// # Errors
+    /// The number is not finite.
+    pub fn unless_finite(what: &'static str, value: f64) -> Result<(), Self> {
         Self::unless(value.is_finite(), what, value, "finite")
     }
 }

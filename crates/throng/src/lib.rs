@@ -36,8 +36,9 @@
 //! | keep a run | [`save`](World::save), [`load`](World::load), [`state_hash`](World::state_hash) |
 //!
 //! A program of its own extends the engine at four traits: [`LocalModel`](avoid::LocalModel),
-//! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The parts of the stages that tests and
-//! benchmarks reach are documented with the feature `internals` only.
+//! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The crates `throng-steer` and `throng-field`
+//! are such extensions: they use nothing that a program cannot use, such as the helpers in [parallel], [simd] and
+//! [random]. The parts of the stages that tests and benchmarks reach are documented with the feature `internals` only.
 
 // the code that `#[parameters]` writes names this crate
 extern crate self as throng;
@@ -51,13 +52,13 @@ mod intend;
 pub mod motion;
 mod moving;
 pub mod navigate;
-mod parallel;
+pub mod parallel;
 pub mod parameters;
 pub mod perceive;
 mod position;
 pub mod random;
 mod rules;
-mod simd;
+pub mod simd;
 mod sleep;
 pub mod space;
 pub mod steer;

@@ -14,7 +14,7 @@ const COSTLY_CHUNK: usize = 64;
 const PARTS: usize = 8;
 
 /// Columns of equal length that are divided at the same rows.
-pub(crate) trait Parts: Send + Sized {
+pub trait Parts: Send + Sized {
     /// Returns the number of rows.
     fn rows(&self) -> usize;
     /// Returns the columns before a row, and the columns from that row on.
@@ -84,13 +84,13 @@ tuple!(A: 0, B: 1);
 tuple!(A: 0, B: 1, C: 2);
 
 /// Calls `work(rows, part)` for ranges of rows that together cover all rows, each with its part of the columns.
-pub(crate) fn ranges<P: Parts>(all: P, work: impl Fn(Range<usize>, P) + Sync) {
+pub fn ranges<P: Parts>(all: P, work: impl Fn(Range<usize>, P) + Sync) {
     ranges_with(all, &mut Vec::<()>::new(), |(), rows, part| work(rows, part));
 }
 
 /// Calls `work(scratch, rows, part)`: as [`ranges`], with scratch memory that is kept between calls, one for each
 /// range.
-pub(crate) fn ranges_with<P: Parts, S: Default + Send>(
+pub fn ranges_with<P: Parts, S: Default + Send>(
     all: P,
     scratch: &mut Vec<S>,
     work: impl Fn(&mut S, Range<usize>, P) + Sync,
@@ -172,7 +172,7 @@ fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
 }
 
 /// Calls `work(scratch, row, out)` for every row of a column.
-pub(crate) fn rows<T: Send, S: Default + Send>(all: &mut [T], work: impl Fn(&mut S, usize, &mut T) + Sync) {
+pub fn rows<T: Send, S: Default + Send>(all: &mut [T], work: impl Fn(&mut S, usize, &mut T) + Sync) {
     ranges_with(all, &mut Vec::new(), |scratch, rows, part| {
         for (row, out) in rows.zip(part) {
             work(scratch, row, out);

@@ -7,14 +7,23 @@ use glam::DVec2;
 
 /// The purpose of a random number. Two purposes never share a number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Purpose {
+#[non_exhaustive]
+pub enum Purpose {
+    /// The choices of an agent.
     Whim = 1,
+    /// The direction in which two agents at the same position part.
     Coincident = 4,
+    /// Candidate velocities, across.
     CandidateAcross,
+    /// Candidate velocities, along.
     CandidateAlong,
+    /// The draws of a behaviour: [`Rng::draw`].
     Behaviour,
+    /// Noise along time.
     Noise,
+    /// The draws of rules.
     Rules,
+    /// Noise in space: the seeds of a field.
     Eddies,
 }
 
@@ -26,6 +35,7 @@ const GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
 /// ```
 /// assert_eq!(throng::random::mix(0), 0xe220_a839_7b1d_cdaf);
 /// ```
+#[inline]
 pub fn mix(z: u64) -> u64 {
     let z = z.wrapping_add(GAMMA);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -76,12 +86,14 @@ impl SplitMix64 {
     }
 }
 
-/// Returns 64 random bits.
-pub(crate) fn bits(seed: u64, number: u32, step: u64, purpose: Purpose) -> u64 {
+/// Returns the 64 random bits of a key: seed, agent's number, step, purpose.
+#[inline]
+pub fn bits(seed: u64, number: u32, step: u64, purpose: Purpose) -> u64 {
     mix(mix(mix(seed ^ 0x7468_726f_6e67).wrapping_add(step)).wrapping_add((u64::from(number) << 8) | purpose as u64))
 }
 
 /// Returns a number in [0, 1).
+#[inline]
 pub(crate) fn unit(seed: u64, number: u32, step: u64, purpose: Purpose) -> f32 {
     (bits(seed, number, step, purpose) >> 40) as f32 * (1.0 / 16_777_216.0)
 }
@@ -99,6 +111,7 @@ pub struct Rng {
 
 impl Rng {
     /// Returns the `k`-th number in [0, 1) of a [behaviour](crate::steer) in this step.
+    #[inline]
     pub fn draw(self, k: u32) -> f32 {
         self.nth(k, Purpose::Behaviour)
     }
@@ -112,17 +125,20 @@ impl Rng {
 
     /// Returns the generator of the `index`-th part of a composite behaviour: its numbers are independent of the
     /// numbers of other parts.
+    #[inline]
     pub fn branch(self, index: usize) -> Self {
         Self { seed: mix(self.seed.wrapping_add(1 + index as u64)), ..self }
     }
 
     /// Returns the generator of another step.
+    #[inline]
     pub fn at(self, step: u64) -> Self {
         Self { step, ..self }
     }
 
     /// Returns the `k`-th number in [0, 1) for a purpose.
-    pub(crate) fn nth(self, k: u32, purpose: Purpose) -> f32 {
+    #[inline]
+    pub fn nth(self, k: u32, purpose: Purpose) -> f32 {
         let seed = mix(self.seed.wrapping_add(u64::from(k) << 32));
         unit(seed, self.number, self.step, purpose)
     }

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use std::ops::{Add, Mul, Sub};
 
 /// Largest SIMD width: elements of a vector.
-pub(crate) const LANES: usize = 16;
+pub const LANES: usize = 16;
 
 /// A 2D vector in every element.
 #[derive(Clone, Copy)]
@@ -146,9 +146,12 @@ impl<S: Simd> Mul<S::f32s> for Vec2s<S> {
 
 /// A 3D vector in every element.
 #[derive(Clone, Copy)]
-pub(crate) struct Vec3s<S: Simd> {
+pub struct Vec3s<S: Simd> {
+    /// The components along x.
     pub x: S::f32s,
+    /// The components along y.
     pub y: S::f32s,
+    /// The components along z.
     pub z: S::f32s,
 }
 
@@ -159,6 +162,7 @@ impl<S: Simd> Vec3s<S> {
         Self { x: S::f32s::splat(simd, v.x), y: S::f32s::splat(simd, v.y), z: S::f32s::splat(simd, v.z) }
     }
 
+    /// Loads a SIMD vector from the start of arrays, one array per component.
     #[inline(always)]
     pub fn load(simd: S, all: &[[f32; LANES]; 3]) -> Self {
         Self { x: load(simd, &all[0]), y: load(simd, &all[1]), z: load(simd, &all[2]) }
@@ -172,6 +176,7 @@ impl<S: Simd> Vec3s<S> {
         self.z.store_slice(&mut all[2][..S::f32s::LEN]);
     }
 
+    /// As `Vec3::dot`.
     #[inline(always)]
     pub fn dot(self, other: Self) -> S::f32s {
         self.x * other.x + self.y * other.y + self.z * other.z
@@ -179,15 +184,17 @@ impl<S: Simd> Vec3s<S> {
 
     /// Returns the components along the ground.
     #[inline(always)]
-    pub fn truncate(self) -> Vec2s<S> {
+    pub(crate) fn truncate(self) -> Vec2s<S> {
         Vec2s { x: self.x, y: self.y }
     }
 
+    /// As `Vec3::length`.
     #[inline(always)]
     pub fn length(self) -> S::f32s {
         self.dot(self).sqrt()
     }
 
+    /// As `Vec3::cross`.
     #[inline(always)]
     pub fn cross(self, other: Self) -> Self {
         Self {
@@ -215,6 +222,7 @@ impl<S: Simd> Vec3s<S> {
         Self { x: self.x / by, y: self.y / by, z: self.z / by }
     }
 
+    /// Returns `yes` in the elements of the mask, and `no` in the other elements.
     #[inline(always)]
     pub fn select(mask: S::mask32s, yes: Self, no: Self) -> Self {
         Self { x: mask.select(yes.x, no.x), y: mask.select(yes.y, no.y), z: mask.select(yes.z, no.z) }
@@ -266,7 +274,7 @@ impl<S: Simd> Mul<S::f32s> for Vec3s<S> {
 
 /// Loads a SIMD vector from the start of an array.
 #[inline(always)]
-pub(crate) fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
+pub fn load<S: Simd>(simd: S, all: &[f32; LANES]) -> S::f32s {
     load_from(simd, all, 0)
 }
 
@@ -349,7 +357,7 @@ pub(crate) fn set(all: &mut [[f32; LANES]; 2], lane: usize, v: Vec2) {
 
 /// Stores a 3D vector at index `lane` of the arrays.
 #[inline(always)]
-pub(crate) fn set3(all: &mut [[f32; LANES]; 3], lane: usize, v: Vec3) {
+pub fn set3(all: &mut [[f32; LANES]; 3], lane: usize, v: Vec3) {
     (all[0][lane], all[1][lane], all[2][lane]) = (v.x, v.y, v.z);
 }
 
@@ -361,13 +369,13 @@ pub(crate) fn get(all: &[[f32; LANES]; 2], lane: usize) -> Vec2 {
 
 /// Returns the 3D vector at index `lane` of the arrays.
 #[inline(always)]
-pub(crate) fn get3(all: &[[f32; LANES]; 3], lane: usize) -> Vec3 {
+pub fn get3(all: &[[f32; LANES]; 3], lane: usize) -> Vec3 {
     Vec3::new(all[0][lane], all[1][lane], all[2][lane])
 }
 
 /// Returns the positions of the set bits of a word, lowest first.
 #[inline]
-pub(crate) fn ones(mut word: u64) -> impl Iterator<Item = usize> {
+pub fn ones(mut word: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let place = word.trailing_zeros();
         word &= word.wrapping_sub(1);

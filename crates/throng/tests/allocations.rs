@@ -11,9 +11,9 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use throng::perceive::SimdLevel;
 use throng::space::surface::{SeenFrom, Sphere};
-use throng::steer::swarm::{Aggregate, Align, Swarm, SwarmSpacing, midge};
 use throng::steer::{Barriers, Target};
 use throng::{Agent, Group, Settings, SubSteps, World};
+use throng_steer::swarm::{Aggregate, Align, Swarm, SwarmSpacing, midge};
 
 #[global_allocator]
 static MEMORY: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;

@@ -4,7 +4,7 @@ use super::blade::arrow;
 use super::{Lay, Vec2};
 use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
-use throng::field::Anchor;
+use throng_field::Anchor;
 
 /// The colour of anchors, which nothing else in a field has.
 pub(super) const ACCENT: Color = Color::rgb(0xd9741a);

@@ -6,7 +6,7 @@ use super::{Lay, Vec2};
 use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
 use std::f32::consts::{FRAC_PI_2, TAU};
-use throng::field::Critical;
+use throng_field::Critical;
 
 /// The radius of a symbol, in units of the layout.
 pub(super) const RADIUS: f32 = 8.5;

@@ -2,7 +2,7 @@
 
 use super::{Canvas, Lay};
 use glam::{DVec2, Vec2};
-use throng::field::Sampled;
+use throng_field::Sampled;
 use throng_record::Flow;
 
 /// The width of the sampling cells, in units of the layout.

@@ -168,7 +168,7 @@ mod tests {
     use crate::{Painter, WorldBox};
     use glam::{DVec2, Vec3};
     use std::sync::Arc;
-    use throng::field::Anchor;
+    use throng_field::Anchor;
     use throng_record::Frame;
 
     #[test]

@@ -5,8 +5,9 @@ use glam::{DVec2, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
 use throng::Walkable;
-use throng::field::{Anchor, Field};
+use throng::field::Field;
 use throng_draw::{Color, FlowLayer, FlowStyle, Image, Painter, Projection, Style};
+use throng_field::Anchor;
 use throng_record::{Flow, Frame, Setting};
 
 fn place(field: impl Field + 'static) -> Setting {

@@ -5,12 +5,13 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::sync::Arc;
 use throng::avoid::NoAvoidance;
 use throng::motion::{Basis, Locomotion, Vehicle};
-use throng::steer::{Seek, Target};
+use throng::steer::Target;
 use throng::{Agent, Goal, Group, Obstacle, Settings, World};
 use throng_draw::{
     Chase, Color, ColorBy, Following, Image, Look, Painter, Projection, Style, Theme, Viewpoint, palette, ramp,
 };
 use throng_record::{Body, Frame, Setting};
+use throng_steer::Seek;
 
 fn setting() -> Setting {
     Setting { in_space: true, obstacles: Vec::new(), goals: Vec::new(), ..crate::common::setting() }

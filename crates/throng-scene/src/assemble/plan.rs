@@ -19,9 +19,10 @@ use crate::scene::{Group, Mover, Scene, SceneNames};
 use std::cell::{OnceCell, RefCell};
 use std::fmt;
 use std::sync::Arc;
-use throng::field::{Anchor, Field};
+use throng::field::Field;
 use throng::space::surface::{Barrier, Surface};
 use throng::space::{Pathway, Place};
+use throng_field::Anchor;
 
 /// Everything that a scene puts into a world: [`Scene::build`] adds it in this order.
 #[derive(Clone, Debug)]

@@ -4,10 +4,9 @@ use super::{on_ring, touch};
 use crate::scene::SceneNames;
 use glam::{DVec2, Vec2, Vec3};
 use throng::motion::Steering;
-use throng::steer::{
-    AvoidObstacles, Behaviour, BoxedBehaviour, Prediction, Pursue, SlipThrough, SteeringInput, Target, TraceRecorder,
-};
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, Target, TraceRecorder};
 use throng::{Agent, AgentRef, Error, Rules, World};
+use throng_steer::{AvoidObstacles, Prediction, Pursue, SlipThrough};
 
 /// The only agent of the group `seeker` runs for the base at the origin. A defender of the group `defenders` that
 /// touches it has tagged it. Beyond the field the seeker is out. Some seconds after the end of a run all agents start

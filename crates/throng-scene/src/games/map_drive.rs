@@ -6,8 +6,9 @@ use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::Steering;
 use throng::space::{PathDirection, Pathway, Raster};
-use throng::steer::{AvoidMap, Behaviour, BoxedBehaviour, FollowPath, SteeringInput, TraceRecorder};
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
 use throng::{Agent, AgentRef, Error, Rules, World};
+use throng_steer::{AvoidMap, FollowPath};
 
 /// Counts the laps of the group `car` on the path `route`, and puts stuck cars back on it.
 #[derive(Clone, Debug)]

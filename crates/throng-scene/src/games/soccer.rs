@@ -3,8 +3,9 @@
 use crate::scene::SceneNames;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use throng::motion::Steering;
-use throng::steer::{Arrive, Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use throng::{Agent, AgentId, AgentRef, Error, Rules, World};
+use throng_steer::Arrive;
 
 /// Players of the groups `red` and `blue` kick the only agent of the group `ball` by touching it. The ball bounces off
 /// the lines, except in the goals at both ends: red scores on the left, at negative x, and blue on the right. After a

@@ -79,7 +79,7 @@ impl Behaviours {
     ///
     /// ```
     /// use throng::parameters::parameters;
-    /// use throng::steer::Wander;
+    /// use throng_steer::Wander;
     /// use throng_scene::{Behaviours, Scene};
     ///
     /// /// Walks at ease.

@@ -89,7 +89,7 @@ fn every_item_exists() {
     assert!(items().count() > 150);
     let missing: Vec<&str> = items().filter(|item| !exists(item)).collect();
     assert!(missing.is_empty(), "{missing:?}");
-    let wrong = ["throng::steer::Sekk", "throng::motion::Seek", "throng::steer::Seek::prey", "throng::nowhere::Seek"];
+    let wrong = ["throng_steer::Sekk", "throng::motion::Seek", "throng_steer::Seek::prey", "throng::nowhere::Seek"];
     assert!(wrong.iter().all(|wrong| !exists(wrong)));
 }
 

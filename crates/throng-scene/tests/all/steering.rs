@@ -3,8 +3,9 @@
 use glam::{DVec2, Vec3};
 use throng::motion::{Forces, Integrator, Locomotion, Vehicle};
 use throng::space::surface::Surface;
-use throng::steer::{self, BoxedBehaviour, GroupFilter, Neighbourhood, Pattern, Target};
+use throng::steer::{BoxedBehaviour, GroupFilter, Target};
 use throng_scene::{Kind, Plan, Scene};
+use throng_steer::{Neighbourhood, Pattern};
 
 /// Returns a scene of two groups around [100, 50], with the steering of the wolf.
 fn scene(steer: &str) -> Scene {
@@ -38,33 +39,36 @@ const PLACE: Vec3 = Vec3::new(3.0, -1.0, 0.0);
 fn what_is_not_said_is_the_librarys_default() {
     let goal = Target::Goal;
     assert_eq!(plan(&scene("wander = {}")).settings.origin, DVec2::new(100.0, 55.0));
-    assert_steers("seek = { target = \"goal\" }", steer::Seek { target: goal });
-    assert_steers("flee = { target = \"goal\" }", steer::Flee::from(goal));
-    assert_steers("arrive = { target = \"goal\" }", steer::Arrive::from(goal));
-    assert_steers("pursue = { quarry = \"goal\" }", steer::Pursue::from(goal));
-    assert_steers("evade = { menace = \"goal\" }", steer::Evade::from(goal));
-    assert_steers("wander = {}", steer::Wander::default());
-    assert_steers("fractal_wander = {}", steer::FractalWander::default());
-    assert_steers("look_where_you_go = {}", steer::LookWhereYouGo);
-    assert_steers("separation = {}", steer::Separation::default());
-    assert_steers("alignment = {}", steer::Alignment::default());
-    assert_steers("cohesion = {}", steer::Cohesion::default());
-    assert_steers("match_velocity = {}", steer::MatchVelocity::default());
-    assert_steers("flocking = {}", steer::Flocking::default());
-    assert_steers("boids = {}", steer::Boids::default());
-    assert_steers("avoid_neighbours = {}", steer::AvoidNeighbours::default());
-    assert_steers("close_avoidance = {}", steer::CloseAvoidance::default());
-    assert_steers("unaligned_avoidance = {}", steer::UnalignedAvoidance::default());
-    assert_steers("follow_leader = { leader = \"goal\" }", steer::FollowLeader::from(goal));
-    assert_steers("queue = { of.wander = {} }", steer::Queue::new(steer::Wander::default()));
-    assert_steers("stop_and_wait = { of.wander = {} }", steer::StopAndWait::new(steer::Wander::default()));
+    assert_steers("seek = { target = \"goal\" }", throng_steer::Seek { target: goal });
+    assert_steers("flee = { target = \"goal\" }", throng_steer::Flee::from(goal));
+    assert_steers("arrive = { target = \"goal\" }", throng_steer::Arrive::from(goal));
+    assert_steers("pursue = { quarry = \"goal\" }", throng_steer::Pursue::from(goal));
+    assert_steers("evade = { menace = \"goal\" }", throng_steer::Evade::from(goal));
+    assert_steers("wander = {}", throng_steer::Wander::default());
+    assert_steers("fractal_wander = {}", throng_steer::FractalWander::default());
+    assert_steers("look_where_you_go = {}", throng_steer::LookWhereYouGo);
+    assert_steers("separation = {}", throng_steer::Separation::default());
+    assert_steers("alignment = {}", throng_steer::Alignment::default());
+    assert_steers("cohesion = {}", throng_steer::Cohesion::default());
+    assert_steers("match_velocity = {}", throng_steer::MatchVelocity::default());
+    assert_steers("flocking = {}", throng_steer::Flocking::default());
+    assert_steers("boids = {}", throng_steer::Boids::default());
+    assert_steers("avoid_neighbours = {}", throng_steer::AvoidNeighbours::default());
+    assert_steers("close_avoidance = {}", throng_steer::CloseAvoidance::default());
+    assert_steers("unaligned_avoidance = {}", throng_steer::UnalignedAvoidance::default());
+    assert_steers("follow_leader = { leader = \"goal\" }", throng_steer::FollowLeader::from(goal));
+    assert_steers("queue = { of.wander = {} }", throng_steer::Queue::new(throng_steer::Wander::default()));
+    assert_steers(
+        "stop_and_wait = { of.wander = {} }",
+        throng_steer::StopAndWait::new(throng_steer::Wander::default()),
+    );
     let plain = Scene { groups: vec![throng_scene::Group::default()], ..Scene::default() };
     assert_eq!(plan(&plain).groups[0].vehicle, Vehicle::default());
 }
 
 #[test]
 fn places_agents_and_groups_are_the_worlds() {
-    let seek = |target| steer::Seek { target };
+    let seek = |target| throng_steer::Seek { target };
     assert_steers("seek = { target = [103, 54] }", seek(Target::Point(PLACE)));
     assert_steers("seek = { target = [103, 54, 7.5] }", seek(Target::Point(PLACE.with_z(7.5))));
     assert_steers("seek = { target = { group = \"sheep\" } }", seek(Target::Agent(0)));
@@ -99,36 +103,40 @@ fn what_is_said_is_so() {
     let goal = Target::Goal;
     assert_steers(
         "arrive = { target = \"goal\", slowing_distance = 2, tolerance = 0.25 }",
-        steer::Arrive { target: goal, slowing_distance: 2.0, tolerance: 0.25 },
+        throng_steer::Arrive { target: goal, slowing_distance: 2.0, tolerance: 0.25 },
     );
     assert_steers(
         "flee = { target = \"goal\", panic_distance = 3 }",
-        steer::Flee { target: goal, panic_distance: 3.0 },
+        throng_steer::Flee { target: goal, panic_distance: 3.0 },
     );
     assert_steers(
         "pursue = { quarry = \"goal\", prediction.constant = 2 }",
-        steer::Pursue { quarry: goal, prediction: steer::Prediction::Constant(2.0) },
+        throng_steer::Pursue { quarry: goal, prediction: throng_steer::Prediction::Constant(2.0) },
     );
     assert_steers(
         "evade = { menace = \"goal\", prediction.distance = { per_metre = 0.5, most = 4 }, panic_distance = 3 }",
-        steer::Evade {
+        throng_steer::Evade {
             menace: goal,
-            prediction: steer::Prediction::Distance { per_metre: 0.5, most: 4.0 },
+            prediction: throng_steer::Prediction::Distance { per_metre: 0.5, most: 4.0 },
             panic_distance: 3.0,
         },
     );
     assert_steers(
         "offset_pursuit = { quarry = \"goal\", prediction.cases = { most = 5 }, distance = 2 }",
-        steer::OffsetPursuit { quarry: goal, prediction: steer::Prediction::Cases { most: 5.0 }, distance: 2.0 },
+        throng_steer::OffsetPursuit {
+            quarry: goal,
+            prediction: throng_steer::Prediction::Cases { most: 5.0 },
+            distance: 2.0,
+        },
     );
-    assert_steers("head_for = { heading = 0, full = 0.5 }", steer::HeadFor { direction: Vec3::X, full: 0.5 });
-    assert_steers("constant_force = [1, -2]", steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
-    let all = steer::EvadeAll { groups: GroupFilter::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
+    assert_steers("head_for = { heading = 0, full = 0.5 }", throng_steer::HeadFor { direction: Vec3::X, full: 0.5 });
+    assert_steers("constant_force = [1, -2]", throng_steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
+    let all = throng_steer::EvadeAll { groups: GroupFilter::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
     assert_steers("evade_all = { ahead = 0.25, near = 3, behind = 0.125 }", all);
     assert_steers(
         "slip_through = { target = \"goal\", evade = { groups = \"own\" }, ahead = 0.5, width = 4, turn = 90 }",
-        steer::SlipThrough {
-            evade: steer::EvadeAll { groups: GroupFilter::OwnGroup, ..steer::EvadeAll::default() },
+        throng_steer::SlipThrough {
+            evade: throng_steer::EvadeAll { groups: GroupFilter::OwnGroup, ..throng_steer::EvadeAll::default() },
             ahead: 0.5,
             width: 4.0,
             turn: std::f32::consts::FRAC_PI_2,
@@ -137,42 +145,45 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "shadow = { quarry = \"goal\", distance = 2 }",
-        steer::Shadow { quarry: goal, distance: 2.0, slowing_distance: 1.0 },
+        throng_steer::Shadow { quarry: goal, distance: 2.0, slowing_distance: 1.0 },
     );
     assert_steers(
         "interpose = { from = \"goal\", to = [103, 54] }",
-        steer::Interpose { between: [goal, Target::Point(PLACE)], ratio: 0.5, slowing_distance: 1.0 },
+        throng_steer::Interpose { between: [goal, Target::Point(PLACE)], ratio: 0.5, slowing_distance: 1.0 },
     );
     assert_steers(
         "keep_station = { leader = \"goal\", offset = [-2, 1], slowing_distance = 4 }",
-        steer::KeepStation { leader: goal, offset: Vec3::new(-2.0, 1.0, 0.0), slowing_distance: 4.0 },
+        throng_steer::KeepStation { leader: goal, offset: Vec3::new(-2.0, 1.0, 0.0), slowing_distance: 4.0 },
     );
     assert_steers(
         "dock = { place = [103, 54], heading = 0, pitch = 0, time = 5 }",
-        steer::Dock { place: PLACE, direction: Vec3::X, speed: 0.0, time: Some(5.0) },
+        throng_steer::Dock { place: PLACE, direction: Vec3::X, speed: 0.0, time: Some(5.0) },
     );
     assert_steers(
         "wander = { strength = 0.5, rate = 180 }",
-        steer::Wander { strength: 0.5, rate: std::f32::consts::PI },
+        throng_steer::Wander { strength: 0.5, rate: std::f32::consts::PI },
     );
     assert_steers(
         "explore = { min = [99, 50], max = [103, 54], columns = 4, rows = 2 }",
-        steer::Explore { low: Vec3::new(-1.0, -5.0, 0.0), high: PLACE, cells: glam::USizeVec3::new(4, 2, 1) },
+        throng_steer::Explore { low: Vec3::new(-1.0, -5.0, 0.0), high: PLACE, cells: glam::USizeVec3::new(4, 2, 1) },
     );
     assert_steers(
         "forage = { food = \"goal\", range = 5 }",
-        steer::Forage { food: goal, range: 5.0, wander: steer::Wander::default().into() },
+        throng_steer::Forage { food: goal, range: 5.0, wander: throng_steer::Wander::default().into() },
     );
-    assert_steers("face = { target = \"goal\" }", steer::Face { target: goal });
-    assert_steers("match_orientation = { with = \"goal\" }", steer::MatchOrientation { with: goal });
+    assert_steers("face = { target = \"goal\" }", throng_steer::Face { target: goal });
+    assert_steers("match_orientation = { with = \"goal\" }", throng_steer::MatchOrientation { with: goal });
     assert_steers(
         "takeoff = { from = [103, 54], to = [104.5, 54], rise = 5, gravity = 10 }",
-        steer::Dock { place: PLACE, direction: Vec3::X * 1.5, speed: 1.5, time: None },
+        throng_steer::Dock { place: PLACE, direction: Vec3::X * 1.5, speed: 1.5, time: None },
     );
-    assert_steers("fear = { range = 9, fades = 4 }", steer::Fear { range: 9.0, fades: 4.0 });
-    assert_steers("move_forward = { part = 0.5 }", steer::MoveForward { part: 0.5 });
-    assert_steers("target_speed = { speed = 0.5 }", steer::TargetSpeed { speed: 0.5 });
-    assert_steers("tether = { to = [103, 54], length = 9 }", steer::Tether { to: Target::Point(PLACE), length: 9.0 });
+    assert_steers("fear = { range = 9, fades = 4 }", throng_steer::Fear { range: 9.0, fades: 4.0 });
+    assert_steers("move_forward = { part = 0.5 }", throng_steer::MoveForward { part: 0.5 });
+    assert_steers("target_speed = { speed = 0.5 }", throng_steer::TargetSpeed { speed: 0.5 });
+    assert_steers(
+        "tether = { to = [103, 54], length = 9 }",
+        throng_steer::Tether { to: Target::Point(PLACE), length: 9.0 },
+    );
     let near = Neighbourhood {
         distance: 3.0,
         angle: std::f32::consts::FRAC_PI_2,
@@ -182,21 +193,25 @@ fn what_is_said_is_so() {
     };
     assert_steers(
         "cohesion = { near = { distance = 3, angle = 90, always = 2, most = 7, groups = \"own\" }, full = 3 }",
-        steer::Cohesion { near, full: 3.0 },
+        throng_steer::Cohesion { near, full: 3.0 },
     );
-    let flock = steer::Flocking::default();
+    let flock = throng_steer::Flocking::default();
     assert_steers(
         "flocking = { cohesion = { weight = 0.5 }, groups = \"all\" }",
-        steer::Flocking { cohesion: steer::Rule { weight: 0.5, ..flock.cohesion }, groups: GroupFilter::All, ..flock },
+        throng_steer::Flocking {
+            cohesion: throng_steer::Rule { weight: 0.5, ..flock.cohesion },
+            groups: GroupFilter::All,
+            ..flock
+        },
     );
-    let boids = steer::Boids::default();
+    let boids = throng_steer::Boids::default();
     assert_steers(
         "boids = { strengths = { matching = 0.5, migrate = 0 }, migration = \"goal\" }",
-        steer::Boids { strengths: [1.0, 0.5, 0.5, 0.0], migration: Some(goal), ..boids },
+        throng_steer::Boids { strengths: [1.0, 0.5, 0.5, 0.0], migration: Some(goal), ..boids },
     );
     assert_steers(
         "keep_formation = { leader = { group = \"sheep\" }, pattern = \"wedge\", spacing = 1.5 }",
-        steer::KeepFormation {
+        throng_steer::KeepFormation {
             leader: Target::Agent(0),
             pattern: Pattern::Wedge,
             count: 1,
@@ -208,46 +223,46 @@ fn what_is_said_is_so() {
 
 #[test]
 fn combinations_nest() {
-    let wander = || BoxedBehaviour::from(steer::Wander::default());
-    let seek = || BoxedBehaviour::from(steer::Seek { target: Target::Goal });
+    let wander = || BoxedBehaviour::from(throng_steer::Wander::default());
+    let seek = || BoxedBehaviour::from(throng_steer::Seek { target: Target::Goal });
     assert_steers(
         "weighted_sum = [{ weight = 2, of.wander = {} }, { of.seek = { target = \"goal\" } }]",
-        steer::WeightedSum(vec![(2.0, wander()), (1.0, seek())]),
+        throng_steer::WeightedSum(vec![(2.0, wander()), (1.0, seek())]),
     );
-    assert_steers("running_sum = [{ of.wander = {} }]", steer::RunningSum(vec![(1.0, wander())]));
-    let shy = steer::Priority { epsilon: 0.0, parts: vec![seek(), wander()] };
+    assert_steers("running_sum = [{ of.wander = {} }]", throng_steer::RunningSum(vec![(1.0, wander())]));
+    let shy = throng_steer::Priority { epsilon: 0.0, parts: vec![seek(), wander()] };
     assert_steers("priority = [{ seek = { target = \"goal\" } }, { wander = {} }]", shy.clone());
     assert_steers(
         "priority = { epsilon = 0.5, of = [{ priority = [{ seek = { target = \"goal\" } }, { wander = {} }] }] }",
-        steer::Priority { epsilon: 0.5, parts: vec![shy.into()] },
+        throng_steer::Priority { epsilon: 0.5, parts: vec![shy.into()] },
     );
     assert_steers(
         "dithering = { of = [{ probability = 0.9, of.wander = {} }, { of.wander = {} }] }",
-        steer::Dithering { every: 0.1, parts: vec![(0.9, wander()), (1.0, wander())] },
+        throng_steer::Dithering { every: 0.1, parts: vec![(0.9, wander()), (1.0, wander())] },
     );
     assert_steers(
         "allocation = { budget = 0.9, of = [{ wander = {} }] }",
-        steer::Allocation { budget: 0.9, parts: vec![wander()] },
+        throng_steer::Allocation { budget: 0.9, parts: vec![wander()] },
     );
-    assert_steers("amortised = { every = 0.2, of.wander = {} }", steer::Amortised { every: 0.2, of: wander() });
-    assert_steers("hold = { seconds = 0.2, of.wander = {} }", steer::Hold { seconds: 0.2, of: wander() });
+    assert_steers("amortised = { every = 0.2, of.wander = {} }", throng_steer::Amortised { every: 0.2, of: wander() });
+    assert_steers("hold = { seconds = 0.2, of.wander = {} }", throng_steer::Hold { seconds: 0.2, of: wander() });
     assert_steers(
         "limited = { max_speed = 0.5, of.wander = {} }",
-        steer::Limited { max_speed: 0.5, max_force: f32::INFINITY, of: wander() },
+        throng_steer::Limited { max_speed: 0.5, max_force: f32::INFINITY, of: wander() },
     );
-    let noise = steer::Noise { period: 3.0, octaves: 1, gain: 0.25, turbulent: true };
+    let noise = throng_steer::Noise { period: 3.0, octaves: 1, gain: 0.25, turbulent: true };
     assert_steers(
         "irregular = { angle = 0, speed = 0.5, noise = { period = 3, octaves = 1, gain = 0.25, turbulent = true }, of.wander = {} }",
-        steer::Irregular { angle: 0.0, speed: 0.5, noise, of: wander() },
+        throng_steer::Irregular { angle: 0.0, speed: 0.5, noise, of: wander() },
     );
-    let keen = steer::ContextSteering::new(vec![(2.0, wander()), (1.0, seek())]);
+    let keen = throng_steer::ContextSteering::new(vec![(2.0, wander()), (1.0, seek())]);
     let parts = "of = [{ weight = 2, of.wander = {} }, { of.seek = { target = \"goal\" } }]";
     assert_steers(&format!("context_steering = {{ {parts} }}"), keen.clone());
     assert_steers(
         &format!("context_steering = {{ {parts}, directions = 8, horizon = 3, groups = \"sheep\" }}"),
-        steer::ContextSteering { directions: 8, horizon: 3.0, groups: GroupFilter::Group(1), ..keen },
+        throng_steer::ContextSteering { directions: 8, horizon: 3.0, groups: GroupFilter::Group(1), ..keen },
     );
-    use steer::Condition;
+    use throng_steer::Condition;
     let near = Neighbourhood { most: 3, ..Neighbourhood::default() };
     assert_steers(
         "switch = { first = \"stroll\", states = { \
@@ -256,8 +271,8 @@ fn combinations_nest() {
                 { to = \"back\", when.nearer = { target = \"goal\", than = 3 } }, \
                 { to = \"stroll\", when.any = [{ after = 4 }, { not.done = {} }, { all = [{ chance = 0.5 }] }] }, \
                 { to = \"back\", when.crowded = { near = { most = 3 }, least = 2 } } ] } } }",
-        steer::Switch(vec![
-            steer::State {
+        throng_steer::Switch(vec![
+            throng_steer::State {
                 behaviour: wander(),
                 exits: vec![
                     (Condition::Nearer(Target::Goal, 3.0), 1),
@@ -272,7 +287,7 @@ fn combinations_nest() {
                     (Condition::Crowded(near, 2), 1),
                 ],
             },
-            steer::State { behaviour: seek(), exits: vec![] },
+            throng_steer::State { behaviour: seek(), exits: vec![] },
         ]),
     );
 }
@@ -342,11 +357,11 @@ fn a_program_adds_behaviours_of_its_own() {
     assert!(error.to_string().contains("there is no behaviour `hunt`"), "{error}");
     scene.plugins.behaviours.add("hunt", |cast| {
         assert!(cast.group("lost").is_err() && cast.agent("lost", 0).is_err() && cast.path("nowhere").is_none());
-        Ok(steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
+        Ok(throng_steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
     });
     // the behaviour has the name under which it was added
     let built = format!("{:?}", plan(&scene).groups[1].steering.as_ref().unwrap());
-    let made = BoxedBehaviour::from(steer::Seek { target: Target::Point(PLACE) });
+    let made = BoxedBehaviour::from(throng_steer::Seek { target: Target::Point(PLACE) });
     assert!(built.contains(&format!("NamedBehaviour {{ name: \"hunt\", branch: {made:?} }}")), "{built}");
     // the behaviours stay with the scene
     scene.set("time.step", "0.1").unwrap();

@@ -4,8 +4,9 @@ use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::space::surface::{Barrier, Surface};
 use throng::space::{PathDirection, Pathway, Raster};
-use throng::steer::{self, Barriers, BoxedBehaviour, Target, Whisker};
+use throng::steer::{Barriers, BoxedBehaviour, Target};
 use throng_scene::{Kind, Plan, Scene};
+use throng_steer::Whisker;
 
 const PLACE: &str = r#"
 [walkable.polygon]
@@ -74,17 +75,23 @@ fn beat() -> Pathway {
 
 #[test]
 fn what_is_not_said_is_the_librarys_default() {
-    assert_steers("avoid_obstacles = {}", steer::AvoidObstacles::from(everything()));
-    assert_steers("whiskers = {}", steer::Whiskers::fan(everything(), 2.0, 1.0, 0.61));
-    assert_steers("follow_wall = {}", steer::FollowWall::from(everything()));
-    assert_steers("hide = { from = \"goal\" }", steer::Hide::new(Target::Goal, everything()));
+    assert_steers("avoid_obstacles = {}", throng_steer::AvoidObstacles::from(everything()));
+    assert_steers("whiskers = {}", throng_steer::Whiskers::fan(everything(), 2.0, 1.0, 0.61));
+    assert_steers("follow_wall = {}", throng_steer::FollowWall::from(everything()));
+    assert_steers("hide = { from = \"goal\" }", throng_steer::Hide::new(Target::Goal, everything()));
     let dome = sides().2.remove(0);
-    assert_steers("contain = { surface = \"dome\" }", steer::Contain::on_side(dome.surface, dome.seen_from));
-    assert_steers("follow_path = { path = \"beat\" }", steer::FollowPath::from(beat()));
-    assert_steers("stay_on_path = { path = \"beat\" }", steer::StayOnPath { path: Arc::new(beat()), seconds: 1.0 });
-    assert_steers("crowd_path = { path = \"beat\" }", steer::crowd_path(beat().into()));
+    assert_steers("contain = { surface = \"dome\" }", throng_steer::Contain::on_side(dome.surface, dome.seen_from));
+    assert_steers("follow_path = { path = \"beat\" }", throng_steer::FollowPath::from(beat()));
+    assert_steers(
+        "stay_on_path = { path = \"beat\" }",
+        throng_steer::StayOnPath { path: Arc::new(beat()), seconds: 1.0 },
+    );
+    assert_steers("crowd_path = { path = \"beat\" }", throng_steer::crowd_path(beat().into()));
     let door = Target::Point(Vec3::X);
-    assert_steers("queue_at_door = { door = [101, 50] }", steer::queue_at_door(Target::Goal, door, everything()));
+    assert_steers(
+        "queue_at_door = { door = [101, 50] }",
+        throng_steer::queue_at_door(Target::Goal, door, everything()),
+    );
 }
 
 /// The map is solid within half a cell of the ground's edges, the pillar and the wall; the dome is a container.
@@ -97,12 +104,12 @@ fn a_map_has_what_is_solid_or_beyond_a_cage() {
         square || wall || at.distance(Vec2::new(-5.0, 5.0)) < 1.5 || at.abs().max_element() > 9.5 || at.length() > 7.5
     };
     let map = Raster::of(Vec2::splat(-10.75), Vec2::splat(11.25), 1.0, solid).unwrap();
-    let drive = steer::AvoidMap::new(Arc::new(map), steer::Wander::default());
+    let drive = throng_steer::AvoidMap::new(Arc::new(map), throng_steer::Wander::default());
     let corners = "min = [89.25, 39.25], max = [111.25, 61.25]";
     assert_steers(&format!("avoid_map = {{ {corners}, of.wander = {{}} }}"), drive.clone());
     assert_steers(
         &format!("avoid_map = {{ {corners}, horizon = 3, margin = 0.5, curved = false, of.wander = {{}} }}"),
-        steer::AvoidMap { seconds: 3.0, margin: 0.5, curved: false, ..drive },
+        throng_steer::AvoidMap { seconds: 3.0, margin: 0.5, curved: false, ..drive },
     );
 }
 
@@ -112,7 +119,7 @@ fn what_is_said_is_so() {
     let east = Target::Point(Vec3::X);
     assert_steers(
         "avoid_obstacles = { obstacles = \"pillar\", towards = [101, 50], horizon = 3, gap = 0.5, keeps = 0 }",
-        steer::AvoidObstacles {
+        throng_steer::AvoidObstacles {
             towards: east,
             seconds: 3.0,
             gap: 0.5,
@@ -122,7 +129,7 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "whiskers = { obstacles = [\"dome\", \"pillar\"], rays = [{ length = 2, beside = 0.2 }, { length = 1, angle = 90 }], clearance = 0.5 }",
-        steer::Whiskers {
+        throng_steer::Whiskers {
             barriers: Barriers(vec![surfaces[0].clone(), obstacles[0].clone()]),
             whiskers: vec![
                 Whisker { beside: 0.2, angle: 0.0, length: 2.0 },
@@ -133,14 +140,14 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "contain = { surface = \"dome\", horizon = 2, angle = 90, gap = 0.3 }",
-        steer::Contain {
+        throng_steer::Contain {
             seconds: 2.0,
             angle: std::f32::consts::FRAC_PI_2,
             gap: 0.3,
-            ..steer::Contain::on_side(surfaces[0].surface.clone(), surfaces[0].seen_from)
+            ..throng_steer::Contain::on_side(surfaces[0].surface.clone(), surfaces[0].seen_from)
         },
     );
-    let back = steer::FollowPath {
+    let back = throng_steer::FollowPath {
         direction: PathDirection::Backward,
         seconds: 2.0,
         slowing_distance: 3.0,
@@ -153,22 +160,30 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "stay_on_path = { path = \"beat\", horizon = 0 }",
-        steer::StayOnPath { path: Arc::new(beat()), seconds: 0.0 },
+        throng_steer::StayOnPath { path: Arc::new(beat()), seconds: 0.0 },
     );
     let solid = Barriers([edges, obstacles].concat());
     assert_steers(
         "follow_wall = { obstacles = \"obstacles\", offset = 0.5, horizon = 1, range = 2 }",
-        steer::FollowWall { barriers: solid.clone(), offset: 0.5, seconds: 1.0, range: 2.0 },
+        throng_steer::FollowWall { barriers: solid.clone(), offset: 0.5, seconds: 1.0, range: 2.0 },
     );
     assert_steers(
         "hide = { from = [101, 50], obstacles = \"obstacles\", gap = 1, range = 9, slowing_distance = 2 }",
-        steer::Hide { gap: 1.0, range: 9.0, slowing_distance: 2.0, ..steer::Hide::new(east, solid.clone()) },
+        throng_steer::Hide {
+            gap: 1.0,
+            range: 9.0,
+            slowing_distance: 2.0,
+            ..throng_steer::Hide::new(east, solid.clone())
+        },
     );
-    let follow = steer::FollowPath { direction: PathDirection::Backward, seconds: 1.0, ..beat().into() };
-    assert_steers("crowd_path = { path = \"beat\", direction = \"backward\", horizon = 1 }", steer::crowd_path(follow));
+    let follow = throng_steer::FollowPath { direction: PathDirection::Backward, seconds: 1.0, ..beat().into() };
+    assert_steers(
+        "crowd_path = { path = \"beat\", direction = \"backward\", horizon = 1 }",
+        throng_steer::crowd_path(follow),
+    );
     assert_steers(
         "queue_at_door = { goal = [101, 50], door = \"goal\", obstacles = \"obstacles\" }",
-        steer::queue_at_door(east, Target::Goal, solid),
+        throng_steer::queue_at_door(east, Target::Goal, solid),
     );
 }
 

@@ -51,7 +51,7 @@ pub struct Group {
     pub resolve: bool,
     /// A field that governs the motion of its agents, beside their own paths or instead of them. Governed agents
     /// neither make detours nor agree on the right of way, because the field may be the reason that they make no
-    /// progress. Not for agents that steer: they [follow a flow](crate::steer::FollowFlow).
+    /// progress. Not for agents that steer: they follow a flow (`throng_steer::FollowFlow`).
     pub field: Option<Governed>,
     /// The behaviour that its agents steer by, instead of walking along their paths. The velocity that their vehicles
     /// reach is the preferred velocity.
@@ -65,7 +65,7 @@ pub struct Group {
     /// columns from outside, a cage from inside. A body counts as its bounding ball. An agent that would enter moves
     /// along the surface, or stops. An agent that starts inside is led out, and counts as an
     /// [overlap](crate::Summary::overlaps) until then. The surfaces do not move and hide no agent;
-    /// [behaviours](crate::steer::AvoidObstacles) can avoid them in advance. Not for agents that wrap around.
+    /// behaviours (`throng_steer::AvoidObstacles`) can avoid them in advance. Not for agents that wrap around.
     pub solid: Barriers,
     /// Whether the [guard](crate::guard) prevents its agents from overlapping other agents and walls. Only two agents
     /// that both belong to groups without the guard may overlap.
@@ -74,7 +74,7 @@ pub struct Group {
 
 impl Group {
     /// Value of [`neighbours`](Self::neighbours): all agents within `neighbour_distance`. Flocks need it: it is fast at
-    /// any density, and fastest for agents with a plain [`Flocking`](crate::steer::Flocking) behaviour.
+    /// any density, and fastest for agents with a plain `throng_steer::Flocking` behaviour.
     pub const ALL_NEIGHBOURS: usize = usize::MAX;
 
     /// Checks whether the group is valid.
@@ -144,7 +144,7 @@ impl Group {
     ///
     /// ```
     /// use throng::motion::Vehicle;
-    /// use throng::steer::Wander;
+    /// use throng_steer::Wander;
     /// use throng::{Group, Settings, World};
     /// let cars = Group { name: "cars".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
     /// World::new(Settings::default())?.add_group(cars)?;

@@ -1,15 +1,35 @@
 //! Groups governed by a field.
 
-use super::{Adaptive, Field, Interaction, Map};
+use super::{Adaptive, Field, Interaction};
 use crate::Error;
 use crate::motion::angle;
-use glam::{Vec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
 
 /// Angle between directions, radians, beyond which they count as opposed.
 const AGAINST: f32 = 2.7;
+
+/// A factor at every place along the ground, metres from the origin: for example a painted map. Functions of a place are
+/// factor maps.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng::field::FactorMap;
+/// let east = |place: DVec2| if place.x > 0.0 { 1.0 } else { 0.0 };
+/// assert_eq!(FactorMap::at(&east, DVec2::X), 1.0);
+/// ```
+pub trait FactorMap: Send + Sync {
+    /// Returns the factor at a place.
+    fn at(&self, place: DVec2) -> f32;
+}
+
+impl<F: Fn(DVec2) -> f32 + Send + Sync> FactorMap for F {
+    fn at(&self, place: DVec2) -> f32 {
+        self(place)
+    }
+}
 
 /// A field that governs the agents of a group, and its share beside their own preferred velocities: Jin et al. 2008,
 /// where the motion of an agent is part autonomous, part governed.
@@ -39,7 +59,7 @@ pub struct Governed {
     /// [`Agent::governed`](crate::Agent::governed).
     pub ratio: f32,
     /// Factor of the ratio at each place; the product is at most 1. None: 1 everywhere.
-    pub map: Option<Arc<Map>>,
+    pub map: Option<Arc<dyn FactorMap>>,
     /// Fields that move with a source. Where any of them is not zero, the weighted mean of all that are not zero
     /// counts, with the field itself at a weight of 1.
     pub around: Vec<Interaction>,
@@ -81,6 +101,7 @@ pub(crate) fn blend(own: Vec2, flow: Vec2, ratio: f32, velocity: Vec2) -> Vec2 {
     let (sin, cos) = libm::sincosf(ratio * turn);
     Vec2::new(cos, sin).rotate(own.normalize()) * speed
 }
+
 impl fmt::Debug for Governed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Governed").field("ratio", &self.ratio).finish_non_exhaustive()

@@ -1,53 +1,17 @@
 //! Vector fields that govern crowds: a velocity at every place and time.
 //!
-//! Everything that returns a velocity at a place and time is a [`Field`]: a function, or velocities [sketched](Anchors)
-//! at some places. The behaviour [`FollowFlow`](crate::steer::FollowFlow) follows a field.
+//! Everything that returns a velocity at a place and time is a [`Field`]: a function, for example. The crate
+//! `throng-field` has fields that are sketched, painted, or lead to goals, and noise.
 
 mod adaptive;
-mod anchors;
-mod anchors_in_space;
-mod around;
-mod brush;
-mod combine;
-mod cost;
-mod critical;
-mod eikonal;
-mod goal;
 mod governed;
-mod grid;
-mod guide;
-mod hull;
 mod interaction;
-mod jams;
-mod keyframes;
-mod map;
-mod noise;
-mod paint;
-mod plate;
-mod plate_simd;
-mod sampled;
-mod slope;
 
 pub use adaptive::Adaptive;
-pub use anchors::{Anchor, Anchors, Note, Sketch};
-pub use anchors_in_space::AnchorsInSpace;
-pub use around::AroundWalls;
-pub use brush::{Stamp, Stroke, erase};
-pub use combine::{Blend, FieldPart, Sum, Uniform};
-pub use critical::{Critical, CriticalPoint};
-pub use goal::{Density, Destination, Terrain, TerrainSettings, ToGoal};
-pub use governed::Governed;
 pub(crate) use governed::blend;
-pub use guide::{Smoothing, Spine, SwarmGuide, Tube, VoxelSettings, Voxels};
+pub use governed::{FactorMap, Governed};
 pub use interaction::Interaction;
 pub(crate) use interaction::Source;
-pub use jams::RoundJams;
-pub use keyframes::Keyframes;
-pub use map::Map;
-pub use noise::{Amplitude, CurlNoise, FadeOut, NoiseWall, Octave, Potential, Rigid, RigidMotion};
-pub use paint::Brush;
-pub use plate::Kernel;
-pub use sampled::Sampled;
 
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
@@ -105,8 +69,3 @@ impl Field for Arc<dyn Field> {
         (**self).adaptive()
     }
 }
-
-/// The code of `docs/fields.md`, compiled and run.
-#[cfg(doctest)]
-#[doc = include_str!("../../../../docs/fields.md")]
-struct FieldsPage;

@@ -6,7 +6,7 @@ use crate::agent::Group;
 use crate::parallel;
 use crate::perceive::{CellLattice, Perceived};
 use crate::simd::LANES;
-use crate::steer::{Bird, Birds, FlockBatch, FlockTileScratch, SteeringNeighbour, TraceRecorder};
+use crate::steer::{Bird, Birds, FlockBatch, SteeringNeighbour, TraceRecorder};
 use crate::world::State;
 use glam::Vec3;
 use std::ops::Range;
@@ -25,7 +25,9 @@ pub(super) struct Flocks {
 /// Scratch memory of a thread.
 #[derive(Clone, Debug, Default)]
 struct FlockingScratch {
-    pack: FlockTileScratch,
+    runs: Vec<Range<usize>>,
+    /// Places of pairs of close agents.
+    close_pairs: Vec<(u32, u32)>,
     neighbours: Vec<SteeringNeighbour>,
 }
 
@@ -58,7 +60,7 @@ impl Flocks {
         });
         let order = seen.lattice.order();
         let rows = |(a, b): (u32, u32)| (order[a as usize], order[b as usize]);
-        let pairs = scratch.iter_mut().flat_map(|scratch| scratch.pack.take_close()).map(rows);
+        let pairs = scratch.iter_mut().flat_map(|scratch| scratch.close_pairs.drain(..)).map(rows);
         let number = |row: u32| state.agents.number[row as usize];
         close_pairs.extend(pairs.filter(|&(a, b)| number(a) < number(b)));
     }
@@ -96,7 +98,7 @@ impl Behaving<'_> {
         &self,
         index: usize,
         places: Range<usize>,
-        FlockingScratch { pack, neighbours }: &mut FlockingScratch,
+        FlockingScratch { runs, close_pairs, neighbours }: &mut FlockingScratch,
         forces: &mut [Vec3],
         (close, seconds, now): (f32, f32, f64),
     ) {
@@ -120,7 +122,8 @@ impl Behaving<'_> {
                 lattice,
                 birds,
                 places: places.clone(),
-                scratch: pack,
+                runs,
+                close_pairs,
                 forces,
                 one: &mut force,
                 is_done: false,
@@ -133,7 +136,7 @@ impl Behaving<'_> {
         for (place, out) in places.zip(forces).filter(|(place, _)| birds.all[*place].group as usize == index) {
             lattice.within(birds.all[place].position, close, |other, _| {
                 if other != place {
-                    pack.note_close(place, other);
+                    close_pairs.push((place as u32, other as u32));
                 }
             });
             if steering.is_some() {

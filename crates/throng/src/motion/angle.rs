@@ -21,7 +21,7 @@ const ARC: [f32; 9] = [
 ];
 
 /// Returns the angle of a vector, radians counter-clockwise from +x, -pi to pi; 0 or pi for a vector of length zero.
-pub(crate) fn angle(v: Vec2) -> f32 {
+pub fn angle(v: Vec2) -> f32 {
     let (x, y) = (v.x.abs(), v.y.abs());
     let steep = y > x;
     let (low, high) = if steep { (x, y) } else { (y, x) };

@@ -8,12 +8,15 @@ mod limits;
 mod vehicle;
 mod wrap_around;
 
-pub(crate) use angle::{angle, angles};
+pub use angle::angle;
+pub(crate) use angle::angles;
 pub(crate) use drive::{follow, followable};
 pub(crate) use heading::Turning;
 pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
-pub use vehicle::{Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
-pub(crate) use vehicle::{Attitudes, Motions, Stepping, angle_between, part_in, turned, turned_towards};
+pub use vehicle::{
+    Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle, angle_between, turned, turned_towards,
+};
+pub(crate) use vehicle::{Attitudes, Motions, Stepping, part_in};
 pub use wrap_around::WrapAround;

@@ -20,7 +20,7 @@ const CELLS: f32 = 4.0;
 /// range per row of cells. Within a cell points are sorted by coordinates, then by number. So the *place* of a point
 /// does not depend on its row, and a traversal in ascending places has an order that depends on the positions only.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct CellLattice {
+pub struct CellLattice {
     low: Vec3,
     /// Cells per metre.
     inverse: Vec3,
@@ -141,42 +141,49 @@ impl CellLattice {
     }
 
     /// Returns the cell of a point, or the nearest cell. Each component is monotonic in the coordinate.
+    #[inline]
     fn cell(&self, point: Vec3) -> UVec3 {
         // `as` saturates
         ((point - self.low) * self.inverse).as_uvec3().min(self.cells - 1)
     }
 
+    #[inline]
     fn start_of(&self, cell: UVec3) -> usize {
         ((cell.z * self.cells.y + cell.y) * self.cells.x + cell.x) as usize
     }
 
     /// Returns the row of each place.
+    #[inline]
     pub fn order(&self) -> &[u32] {
         &self.order[..self.len]
     }
 
     /// Returns the place of each row.
+    #[inline]
     pub fn places(&self) -> &[u32] {
         &self.places[..self.len]
     }
 
     /// Records that the rows have been sorted into the order of places.
-    pub fn rows_are_in_order(&mut self) {
+    pub(crate) fn rows_are_in_order(&mut self) {
         self.order[..self.len].iter_mut().zip(0..).for_each(|(row, place)| *row = place);
         self.places.iter_mut().zip(0..).for_each(|(place, row)| *place = row);
     }
 
     /// Returns the coordinates by place, padded by the length of a SIMD vector.
+    #[inline]
     pub fn coordinates(&self) -> [&[f32]; 3] {
         [&self.x, &self.y, &self.z]
     }
 
     /// Returns the height of cells, metres.
+    #[inline]
     pub fn height(&self) -> f32 {
         1.0 / self.inverse.y
     }
 
     /// Returns the place after the last point of the row of cells that holds the point at a place.
+    #[inline]
     pub fn end_of_row(&self, place: usize) -> usize {
         let cell = self.cell(Vec3::new(self.x[place], self.y[place], self.z[place]));
         self.starts[self.start_of(cell.with_x(0)) + self.cells.x as usize] as usize

@@ -15,7 +15,7 @@ mod tile;
 
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use grid::Grid;
-pub(crate) use lattice::CellLattice;
+pub use lattice::CellLattice;
 use long_bodies::LongBodies;
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use nearest::Near;

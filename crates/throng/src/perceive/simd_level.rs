@@ -25,7 +25,7 @@ impl SimdLevel {
     pub const ALL: [Self; 5] = [Self::Best, Self::Plain, Self::Sse2, Self::Sse42, Self::Avx2];
 
     /// Returns the best level up to this one; `None` for scalar code.
-    pub(crate) fn level(self) -> Option<Level> {
+    pub fn level(self) -> Option<Level> {
         let best = Level::new();
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         let limited = match self {

@@ -20,5 +20,5 @@ pub use raster::Raster;
 pub use rounded::{Core, CoreSeparation};
 pub use segment::{crosses_line, crossing};
 pub use shape::{Obstacle, Walkable};
-pub use walls::{Disc, Edge, NearWalls, Walls, nearest_on_outline, nearest_on_segment};
-pub(crate) use walls::{VisitedWalls, Wall};
+pub(crate) use walls::VisitedWalls;
+pub use walls::{Disc, Edge, NearWalls, Wall, Walls, nearest_on_outline, nearest_on_segment};

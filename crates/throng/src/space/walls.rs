@@ -66,7 +66,7 @@ pub fn nearest_on_outline(corners: &[DVec2], p: DVec2) -> DVec2 {
 
 /// A reference to a wall.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Wall<'a> {
+pub enum Wall<'a> {
     /// An edge.
     Edge(&'a Edge),
     /// A disc.
@@ -337,7 +337,7 @@ impl Walls {
 
     /// Calls `see` for every wall within `range` of `from`, and perhaps for some that are farther or for the same wall
     /// twice, always in the same order.
-    pub(crate) fn visit(&self, from: DVec2, range: f64, mut see: impl FnMut(Wall<'_>)) {
+    pub fn visit(&self, from: DVec2, range: f64, mut see: impl FnMut(Wall<'_>)) {
         if self.is_empty() || self.are_far(from, range) {
             return;
         }
@@ -351,7 +351,7 @@ impl Walls {
 
     /// Whether the segment between two points stays farther than `gap` metres from all walls. With 0: whether it
     /// touches none.
-    pub(crate) fn keep_off(&self, (a, b): (DVec2, DVec2), gap: f64) -> bool {
+    pub fn keep_off(&self, (a, b): (DVec2, DVec2), gap: f64) -> bool {
         let way = Core::segment(a, b);
         let mut clear = true;
         self.visit(way.center, way.half.x + gap, |wall| {

@@ -81,7 +81,8 @@ pub trait Behaviour: Debug + Send + Sync {
 /// A shared behaviour, as a part of another behaviour or of a group. Made [from](From) any behaviour; clones share it.
 ///
 /// ```
-/// use throng::steer::{BoxedBehaviour, Wander};
+/// use throng::steer::BoxedBehaviour;
+/// use throng_steer::Wander;
 /// let wander: BoxedBehaviour = Wander::default().into();
 /// assert_eq!(wander.words(), 3);
 /// ```
@@ -135,11 +136,14 @@ impl BoxedBehaviour {
 }
 
 /// Returns the number of words of memory that the parts of a behaviour need.
-pub(super) fn words<'a>(parts: impl IntoIterator<Item = &'a BoxedBehaviour>) -> usize {
+pub fn words_of_parts<'a>(parts: impl IntoIterator<Item = &'a BoxedBehaviour>) -> usize {
     parts.into_iter().map(BoxedBehaviour::words).sum()
 }
 
-/// Checks the parts and returns the first error.
-pub(super) fn check<'a>(parts: impl IntoIterator<Item = &'a BoxedBehaviour>) -> Result<(), Error> {
+/// Checks the parts of a behaviour.
+///
+/// # Errors
+/// The first error of a part.
+pub fn check_parts<'a>(parts: impl IntoIterator<Item = &'a BoxedBehaviour>) -> Result<(), Error> {
     parts.into_iter().try_for_each(|part| part.check())
 }

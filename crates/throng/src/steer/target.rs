@@ -19,6 +19,7 @@ pub struct Kinematics {
 
 impl Kinematics {
     /// Returns the kinematics of a neighbour, which is taken to be upright.
+    #[inline]
     pub fn of(view: &SteeringInput<'_>, other: &SteeringNeighbour) -> Self {
         Self {
             position: view.position() + other.offset,
@@ -29,6 +30,7 @@ impl Kinematics {
     }
 
     /// Returns the position after some seconds at constant velocity.
+    #[inline]
     pub fn position_in(&self, seconds: f32) -> Vec3 {
         self.position + self.velocity * seconds
     }
@@ -50,6 +52,7 @@ pub enum GroupFilter {
 
 impl GroupFilter {
     /// Whether a neighbour counts.
+    #[inline]
     pub fn counts(self, view: &SteeringInput<'_>, other: &SteeringNeighbour) -> bool {
         match self {
             Self::All => true,

@@ -37,7 +37,7 @@ pub enum SteeringReason {
     Feels(Vec3),
     /// A corner of the path that the agent follows; corners are recorded in order.
     Via(Vec3),
-    /// The state that a [`Switch`](super::Switch) is in.
+    /// The state that a behaviour with several states is in.
     State(usize),
     /// A value kept from an earlier step, recorded again.
     Keeps(Vec3),
@@ -79,7 +79,8 @@ pub struct TraceEntry {
 ///
 /// ```
 /// use glam::Vec3;
-/// use throng::steer::{Behaviour, Seek, SteeringInput, SteeringReason, Target, TraceRecorder};
+/// use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
+/// use throng_steer::Seek;
 /// let mut entries = Vec::new();
 /// let seek = Seek { target: Target::Point(Vec3::X) };
 /// seek.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::requested(&mut entries));
@@ -98,6 +99,7 @@ impl<'a> TraceRecorder<'a> {
     }
 
     /// Whether a trace is requested.
+    #[inline]
     pub fn is_requested(&self) -> bool {
         self.entries.is_some()
     }

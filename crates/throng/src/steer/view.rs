@@ -72,7 +72,7 @@ pub struct SteeringInput<'a> {
     pub radius: f32,
     /// Index of the agent's group.
     pub group: usize,
-    /// Slot in the [formation](super::KeepFormation) of the agent's group.
+    /// Slot in the formation of the agent's group.
     pub slot: usize,
     /// The next point of the agent's own journey.
     pub goal: Option<Vec3>,
@@ -114,42 +114,50 @@ impl Default for SteeringInput<'_> {
 
 impl SteeringInput<'_> {
     /// Returns the position of the agent.
+    #[inline]
     pub fn position(&self) -> Vec3 {
         self.motion.position
     }
 
     /// Returns the velocity of the agent.
+    #[inline]
     pub fn velocity(&self) -> Vec3 {
         self.motion.velocity
     }
 
     /// Returns the forward direction of the agent.
+    #[inline]
     pub fn forward(&self) -> Vec3 {
         self.motion.basis.forward
     }
 
     /// Whether the agent moves in the plane.
+    #[inline]
     pub fn is_on_ground(&self) -> bool {
         self.vehicle.locomotion == Locomotion::Ground
     }
 
     /// Returns the part of a vector along which the agent can move: the horizontal part if the agent moves in the
     /// plane.
+    #[inline]
     pub fn passable(&self, vector: Vec3) -> Vec3 {
         if self.is_on_ground() { vector.with_z(0.0) } else { vector }
     }
 
     /// Returns the offset to a place, horizontal if the agent moves in the plane.
+    #[inline]
     pub fn to(&self, place: Vec3) -> Vec3 {
         self.passable(place - self.position())
     }
 
     /// Returns the steering to a velocity: "desired velocity - velocity", in newtons.
+    #[inline]
     pub fn reach(&self, velocity: Vec3) -> Steering {
         self.vehicle.force_towards(&self.motion, velocity, self.seconds).into()
     }
 
     /// Returns the steering to the top speed in a direction of any length; `None` if the length is 0.
+    #[inline]
     pub fn go(&self, direction: Vec3) -> Option<Steering> {
         Some(self.reach(direction.try_normalize()? * self.vehicle.max_speed))
     }
@@ -168,6 +176,7 @@ impl SteeringInput<'_> {
 
     /// Returns a steering in a direction. The length of the direction scales the force: `full` or more gives the whole
     /// force. `None` if the length is 0.
+    #[inline]
     pub fn urge(&self, direction: Vec3, full: f32) -> Option<Steering> {
         let direction = self.passable(direction);
         let length = direction.length();
@@ -177,7 +186,7 @@ impl SteeringInput<'_> {
     /// Returns a steering with the whole force to a side, of any length. It turns the velocity by the angle that this
     /// force gives in the step and keeps the speed, however long the step is. An agent that hardly moves is pushed
     /// sideways. `None` if the length of the side is 0.
-    pub(super) fn veer(&self, side: Vec3) -> Option<Steering> {
+    pub fn veer(&self, side: Vec3) -> Option<Steering> {
         let side = self.passable(side).try_normalize()?;
         let (force, mass) = (self.vehicle.max_force, self.vehicle.mass);
         let (speed, change) = (self.motion.speed(), force * self.seconds / mass);
@@ -195,13 +204,13 @@ impl SteeringInput<'_> {
     }
 
     /// Steers towards a place at the top speed.
-    pub(super) fn seek(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+    pub fn seek(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
         why.note(|| super::SteeringReason::Aim(place));
         self.go(self.to(place))
     }
 
     /// Steers away from a place at the top speed; forward if the agent is exactly there.
-    pub(super) fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
+    pub fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
         why.note(|| super::SteeringReason::Expects(place));
         let away = -self.to(place);
         self.go(if away == Vec3::ZERO { self.forward() } else { away })

@@ -302,7 +302,7 @@ impl World {
     }
 
     /// Tells steering behaviours of a bang or a shout at a place and a time, seconds since the start:
-    /// [`Fear`](crate::steer::Fear) reacts to it.
+    /// `throng_steer::Fear` reacts to it.
     ///
     /// ```
     /// use throng::{Settings, World};

@@ -5,7 +5,7 @@
 
 use crate::agent::Group;
 use crate::error::Error;
-use crate::field::{Adaptive, Field, Governed};
+use crate::field::{Adaptive, FactorMap, Field, Governed};
 use crate::motion::{Steering, WrapAround};
 use crate::space::surface::{Barrier, Moved, Pose};
 use crate::steer::{
@@ -29,7 +29,7 @@ pub(super) fn localized(group: &Group, origin: DVec2) -> Result<Group, Error> {
         origin,
         field: group.field.map(|field| Governed {
             field: Arc::new(ShiftedField { field: field.field, by }),
-            map: field.map.map(|map| Arc::new(map.translated(-by))),
+            map: field.map.map(|map| Arc::new(ShiftedMap { map, by }) as _),
             ..field
         }),
         steering: group.steering.map(|behaviour| ShiftedBehaviour { behaviour, shift }.into()),
@@ -87,6 +87,18 @@ impl Adaptive for ShiftedField {
 
     fn adapted(&self, memory: &[f32]) -> Arc<dyn Field> {
         Arc::new(Self { field: self.inner().adapted(memory), by: self.by })
+    }
+}
+
+/// A factor map in other coordinates: `by` is added to a place before the map is asked.
+struct ShiftedMap {
+    map: Arc<dyn FactorMap>,
+    by: DVec2,
+}
+
+impl FactorMap for ShiftedMap {
+    fn at(&self, place: DVec2) -> f32 {
+        self.map.at(place + self.by)
     }
 }
 

@@ -16,7 +16,8 @@ impl World {
     ///
     /// ```
     /// use glam::Vec3;
-    /// use throng::steer::{SteeringReason, Seek, Target};
+    /// use throng::steer::{SteeringReason, Target};
+    /// use throng_steer::Seek;
     /// use throng::{Agent, TraceRequest, Group, Settings, World};
     /// let mut world = World::new(Settings::default())?;
     /// let seek = Seek { target: Target::Point(Vec3::X * 9.0) };

@@ -1,11 +1,14 @@
 //! Tests of the library as its users call it.
 
+#[path = "../shared/area.rs"]
+mod area;
 mod avoid;
 #[path = "../shared/draw.rs"]
 mod draw;
-mod field;
 mod guard;
 mod navigation;
+#[path = "../shared/oracle.rs"]
+mod oracle;
 mod pathway;
 mod perceive;
 mod pipeline;
@@ -13,7 +16,8 @@ mod pipeline;
 mod polygons;
 #[path = "../shared/kept.rs"]
 mod results;
-mod steer;
 mod surfaces;
-mod swarm;
+mod vehicle;
+#[path = "../shared/vehicles.rs"]
+mod vehicles;
 mod world;

@@ -1,6 +1,8 @@
 //! Paths in the floor plans of JuPedSim. Their licence keeps them out of the repository: they are read from `shared/data`.
 
-#[path = "../all/navigation/oracle.rs"]
+#[path = "../shared/area.rs"]
+mod area;
+#[path = "../shared/oracle.rs"]
 #[allow(dead_code, reason = "other tests use the rest")]
 mod oracle;
 #[path = "../shared/outside.rs"]

@@ -1,6 +1,7 @@
 //! Real floor plans.
 
-use crate::oracle::{Dice, VisibilityGraph, clearance, shoelace};
+use crate::area::shoelace;
+use crate::oracle::{Dice, VisibilityGraph, clearance};
 use crate::outside::data;
 use glam::DVec2;
 use throng::Walkable;

@@ -5,8 +5,8 @@ use crate::assemble::limits::{Limit, check};
 use crate::file::Problem;
 use crate::scene::flow::{AroundWalls, FlowPart, Keyframes, Sampled};
 use std::sync::Arc;
-use throng::field::{self, Blend, FieldPart, Sum};
 use throng::space::Walls;
+use throng_field::{Blend, FieldPart, Sum};
 
 /// The parts of a sum or a blend.
 pub(super) struct FieldParts<'a> {
@@ -27,7 +27,7 @@ impl BuildField for FieldParts<'_> {
             anchors.extend(made.anchors);
             parts.push(FieldPart { field: made.field, weight: weight as f32, map });
         }
-        let field: Result<Arc<dyn field::Field>, throng::Error> = match self.blended {
+        let field: Result<Arc<dyn throng::field::Field>, throng::Error> = match self.blended {
             true => Blend::new(parts).map(|made| Arc::new(made) as _),
             false => Sum::new(parts).map(|made| Arc::new(made) as _),
         };
@@ -45,7 +45,7 @@ impl BuildField for Keyframes {
             anchors.extend(made.anchors);
             frames.push((frame.at, made.field));
         }
-        let made = field::Keyframes::new(frames, self.period).map_err(|error| at.refused(&error))?;
+        let made = throng_field::Keyframes::new(frames, self.period).map_err(|error| at.refused(&error))?;
         Ok(BuiltField { field: Arc::new(made), anchors, cover: None })
     }
 }
@@ -55,7 +55,7 @@ impl BuildField for AroundWalls {
         let made = at.key("of").make(&self.of)?;
         let place = at.flows.place;
         let walls = Walls::new(&place.areas, place.obstacles(), at.flows.origin);
-        let field = field::AroundWalls::new(made.field, walls, self.width.unwrap_or(1.0));
+        let field = throng_field::AroundWalls::new(made.field, walls, self.width.unwrap_or(1.0));
         Ok(BuiltField { field: Arc::new(field.map_err(|error| at.refused(&error))?), ..made })
     }
 }

@@ -8,7 +8,7 @@ use crate::geometry::{DVec2, points, rectangle};
 use crate::scene::Region;
 use crate::scene::flow::{Destination, Jams, ToGoal};
 use std::sync::Arc;
-use throng::field::{self, RoundJams, Terrain, TerrainSettings};
+use throng_field::{RoundJams, Terrain, TerrainSettings};
 
 /// Default margin around the scene that paths may use, metres.
 const MARGIN: f64 = 2.0;
@@ -44,7 +44,7 @@ impl BuildField for ToGoal {
         }
         let to = self.to.iter().enumerate().map(|(i, to)| at.key("to").index(i).destination(to));
         let to: Vec<_> = to.collect::<Result<_, _>>()?;
-        let flow = field::ToGoal::new(Arc::new(terrain), to, speed as f32);
+        let flow = throng_field::ToGoal::new(Arc::new(terrain), to, speed as f32);
         let flow = flow.map_err(|error| at.key("to").refused(&error))?;
         let Some(jams) = &self.jams else { return Ok(BuiltField::of(flow)) };
         let Jams { weary, radius, every, part } = jams;
@@ -66,22 +66,22 @@ impl BuildField for ToGoal {
 }
 
 impl FieldContext<'_> {
-    fn destination(&self, said: &Destination) -> Result<field::Destination, Problem> {
+    fn destination(&self, said: &Destination) -> Result<throng_field::Destination, Problem> {
         let corners = |corners: Vec<DVec2>| corners.into_iter().map(|corner| corner - self.origin).collect();
         Ok(match said {
             Destination::Point(point) => {
                 let at = self.key("point").place("at", point.at)?;
-                field::Destination::Point { at, tolerance: point.tolerance }
+                throng_field::Destination::Point { at, tolerance: point.tolerance }
             }
             Destination::Area(region) => {
                 super::super::check::check_region(&self.path.key("area"), region)?;
                 match region {
                     Region::Disc(disc) => {
                         let center = DVec2::from_array(disc.center) - self.origin;
-                        field::Destination::Disc { center, radius: disc.radius }
+                        throng_field::Destination::Disc { center, radius: disc.radius }
                     }
-                    Region::Rectangle(said) => field::Destination::Area { corners: corners(rectangle(said)) },
-                    Region::Polygon(said) => field::Destination::Area { corners: corners(points(said)) },
+                    Region::Rectangle(said) => throng_field::Destination::Area { corners: corners(rectangle(said)) },
+                    Region::Polygon(said) => throng_field::Destination::Area { corners: corners(points(said)) },
                 }
             }
         })

@@ -9,7 +9,8 @@ use crate::geometry::DVec2;
 use crate::scene::{Group, flow};
 use glam::Vec3;
 use std::cell::RefCell;
-use throng::field::{Governed, Interaction, Uniform};
+use throng::field::{Governed, Interaction};
+use throng_field::Uniform;
 
 impl Flows<'_> {
     /// Returns the fields that guide a group, by its position in the scene. `id` returns the position of a group in the
@@ -40,7 +41,7 @@ impl FieldContext<'_> {
         let one = |(i, around)| self.key("around").index(i).interaction(around, &id);
         let around = around.iter().enumerate().map(one).collect::<Result<_, _>>()?;
         // each agent has its own ratio, which is drawn
-        Ok(Governed { field, ratio: 1.0, map, around })
+        Ok(Governed { field, ratio: 1.0, map: map.map(|map| map as _), around })
     }
 
     fn interaction(

@@ -8,7 +8,7 @@ use crate::error::Kind;
 use crate::file::Problem;
 use crate::scene::flow;
 use std::sync::Arc;
-use throng::field::Map;
+use throng_field::Map;
 
 impl FieldContext<'_> {
     pub(super) fn map(&self, said: &flow::Map) -> Result<Arc<Map>, Problem> {

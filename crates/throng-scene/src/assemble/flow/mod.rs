@@ -24,8 +24,9 @@ use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
-use throng::field::{Anchor, Field, Map, Uniform};
+use throng::field::Field;
 use throng::space::Place;
+use throng_field::{Anchor, Map, Uniform};
 
 pub(super) use govern::note_silence;
 

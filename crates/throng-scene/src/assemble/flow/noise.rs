@@ -7,8 +7,8 @@ use crate::file::{Path, Problem};
 use crate::scene::flow::{Noise, Potential};
 use crate::scene::steer::ObstacleNames;
 use std::sync::Arc;
-use throng::field::{self, CurlNoise, NoiseWall, Octave};
 use throng::space::surface::Surface;
+use throng_field::{CurlNoise, NoiseWall, Octave};
 
 impl BuildField for Noise {
     fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
@@ -34,9 +34,9 @@ impl Noise {
         let period = self.period.map_or(f32::INFINITY, |period| period as f32);
         let octaves = Octave::turbulence(self.length as f32, period, self.speed as f32, octaves as usize);
         let potential = match self.potential.unwrap_or_default() {
-            Potential::Plane => field::Potential::Plane,
-            Potential::Space => field::Potential::Space,
-            Potential::Crossed => field::Potential::Crossed,
+            Potential::Plane => throng_field::Potential::Plane,
+            Potential::Space => throng_field::Potential::Space,
+            Potential::Crossed => throng_field::Potential::Crossed,
         };
         let made = octaves.and_then(|octaves| CurlNoise::new(potential, &octaves, self.seed.unwrap_or(0)));
         let mut noise = made.map_err(|error| at.refused(&error))?;

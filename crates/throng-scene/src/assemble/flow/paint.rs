@@ -7,7 +7,7 @@ use crate::file::Problem;
 use crate::scene::flow::Paint;
 use glam::Vec3;
 use std::sync::Arc;
-use throng::field::{Brush, Map, Sampled, Uniform};
+use throng_field::{Brush, Map, Sampled, Uniform};
 
 /// Default width of the cells, metres.
 pub(super) const CELL: f64 = 0.5;

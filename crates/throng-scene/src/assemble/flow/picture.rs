@@ -10,7 +10,7 @@ use crate::scene::flow::{Picture, PixelEncoding};
 use glam::Vec2;
 use std::f32::consts::TAU;
 use std::io::Cursor;
-use throng::field::Sampled;
+use throng_field::Sampled;
 
 /// Maximum number of pixels of a picture.
 const MOST: usize = 1 << 24;

@@ -8,7 +8,8 @@ use crate::geometry::DVec2;
 use crate::scene::flow::{AnchorInSpace, Kernel, Sketch, SketchInSpace, StampKind};
 use glam::DVec3;
 use std::sync::Arc;
-use throng::field::{self, Anchor, Anchors, AnchorsInSpace, Critical, Field, Note, Sampled, erase};
+use throng::field::Field;
+use throng_field::{Anchor, Anchors, AnchorsInSpace, Critical, Note, Sampled, erase};
 
 /// Default distance beyond the hull over which the field falls to 1/e, metres.
 const FADE: f64 = 10.0;
@@ -75,11 +76,11 @@ impl BuildField for SketchInSpace {
 fn sketch(
     (kernel, smoothing, fade, max_speed): (&Option<Kernel>, Option<f64>, Option<f64>, Option<f64>),
     fastest: f64,
-) -> field::Sketch {
-    field::Sketch {
+) -> throng_field::Sketch {
+    throng_field::Sketch {
         kernel: match kernel {
-            Some(Kernel::Wendland(kernel)) => field::Kernel::Wendland { reach: kernel.reach },
-            Some(Kernel::ThinPlate(_)) | None => field::Kernel::ThinPlate,
+            Some(Kernel::Wendland(kernel)) => throng_field::Kernel::Wendland { reach: kernel.reach },
+            Some(Kernel::ThinPlate(_)) | None => throng_field::Kernel::ThinPlate,
         },
         smoothing: smoothing.unwrap_or(0.0),
         fade: Some(fade.unwrap_or(FADE)),
@@ -126,10 +127,10 @@ impl Sketch {
             let at = at.key("strokes").index(i);
             let speed = stroke.speed.unwrap_or(SPEED);
             check(&at.path.key("speed"), speed, Limit::Between(-1000.0, 1000.0))?;
-            let made = field::Stroke {
+            let made = throng_field::Stroke {
                 points: at.places("points", &stroke.points)?,
                 speed,
-                spacing: stroke.spacing.unwrap_or(field::Stroke::default().spacing),
+                spacing: stroke.spacing.unwrap_or(throng_field::Stroke::default().spacing),
                 stretch: stroke.stretch.unwrap_or(1.0),
             };
             all.extend(made.anchors().map_err(|error| at.refused(&error))?);
@@ -144,7 +145,7 @@ impl Sketch {
                 StampKind::Sink => Critical::Sink,
                 StampKind::Saddle => Critical::Saddle,
             };
-            let made = field::Stamp { place: at.place("at", stamp.at)?, kind, radius: stamp.radius, speed };
+            let made = throng_field::Stamp { place: at.place("at", stamp.at)?, kind, radius: stamp.radius, speed };
             all.extend(made.anchors().map_err(|error| at.refused(&error))?);
         }
         for (i, eraser) in self.erase.iter().flatten().enumerate() {

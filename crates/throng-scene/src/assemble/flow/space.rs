@@ -5,7 +5,7 @@ use crate::assemble::limits::{Limit, check, check_some};
 use crate::file::Problem;
 use crate::scene::flow::ThroughSpace;
 use std::sync::Arc;
-use throng::field::{Smoothing, SwarmGuide, Tube, VoxelSettings, Voxels};
+use throng_field::{Smoothing, SwarmGuide, Tube, VoxelSettings, Voxels};
 
 /// Default distance that counts as arrival, metres.
 const TOLERANCE: f64 = 0.1;

@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::import::vectors::{Vectors, csv, menge};
 use crate::scene::flow::Table;
 use std::path::Path as File;
-use throng::field::Sampled;
+use throng_field::Sampled;
 
 impl BuildField for Table {
     fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {

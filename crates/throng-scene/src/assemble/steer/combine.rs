@@ -7,7 +7,8 @@ use super::{BehaviourContext, BuildBehaviour, angle, or};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
-use throng::steer::{self, BoxedBehaviour, Neighbourhood};
+use throng::steer::BoxedBehaviour;
+use throng_steer::Neighbourhood;
 
 /// Default time for which a draw of dithering holds, seconds.
 const HOLDS: f32 = 0.1;
@@ -27,7 +28,7 @@ impl BehaviourContext<'_> {
         parts.iter().enumerate().map(one).collect()
     }
 
-    fn condition(&self, condition: &Condition, at: &Path) -> Result<steer::Condition, Problem> {
+    fn condition(&self, condition: &Condition, at: &Path) -> Result<throng_steer::Condition, Problem> {
         let all = |conditions: &[Condition], at: &Path| -> Result<Vec<_>, Problem> {
             conditions.iter().enumerate().map(|(i, one)| self.condition(one, &at.index(i))).collect()
         };
@@ -35,50 +36,56 @@ impl BehaviourContext<'_> {
         Ok(match condition {
             Condition::Nearer(than) => {
                 let (target, than) = apart(than, &at.key("nearer"))?;
-                steer::Condition::Nearer(target, than)
+                throng_steer::Condition::Nearer(target, than)
             }
             Condition::Farther(than) => {
                 let (target, than) = apart(than, &at.key("farther"))?;
-                steer::Condition::Farther(target, than)
+                throng_steer::Condition::Farther(target, than)
             }
-            Condition::After(seconds) => steer::Condition::After(*seconds as f32),
+            Condition::After(seconds) => throng_steer::Condition::After(*seconds as f32),
             Condition::Crowded(Crowd { near, least }) => {
                 let near = self.near(near, Neighbourhood::default(), &at.key("crowded.near"))?;
-                steer::Condition::Crowded(near, *least as usize)
+                throng_steer::Condition::Crowded(near, *least as usize)
             }
-            Condition::Done(_) => steer::Condition::Done,
-            Condition::Chance(rate) => steer::Condition::Chance(*rate as f32),
+            Condition::Done(_) => throng_steer::Condition::Done,
+            Condition::Chance(rate) => throng_steer::Condition::Chance(*rate as f32),
             Condition::Figure(counted) => self.counted(counted, &at.key("figure"))?,
-            Condition::Not(condition) => steer::Condition::Not(self.condition(condition, &at.key("not"))?.into()),
-            Condition::All(conditions) => steer::Condition::All(all(conditions, &at.key("all"))?),
-            Condition::Any(conditions) => steer::Condition::Any(all(conditions, &at.key("any"))?),
+            Condition::Not(condition) => {
+                throng_steer::Condition::Not(self.condition(condition, &at.key("not"))?.into())
+            }
+            Condition::All(conditions) => throng_steer::Condition::All(all(conditions, &at.key("all"))?),
+            Condition::Any(conditions) => throng_steer::Condition::Any(all(conditions, &at.key("any"))?),
         })
     }
 
-    fn counted(&self, Counted { of, at_least, at_most }: &Counted, at: &Path) -> Result<steer::Condition, Problem> {
+    fn counted(
+        &self,
+        Counted { of, at_least, at_most }: &Counted,
+        at: &Path,
+    ) -> Result<throng_steer::Condition, Problem> {
         let index = self.figures.iter().position(|known| known == of);
         let index = index.ok_or_else(|| no_figure(self.scene, &at.key("of"), of, self.figures))?;
         let bounds = (at_least.unwrap_or(f64::NEG_INFINITY), at_most.unwrap_or(f64::INFINITY));
-        Ok(steer::Condition::Figure(index, bounds.0, bounds.1))
+        Ok(throng_steer::Condition::Figure(index, bounds.0, bounds.1))
     }
 }
 
 impl BuildBehaviour for WeightedSum {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::WeightedSum(making.weighted(&self.0, at)?).into())
+        Ok(throng_steer::WeightedSum(making.weighted(&self.0, at)?).into())
     }
 }
 
 impl BuildBehaviour for RunningSum {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::RunningSum(making.weighted(&self.0, at)?).into())
+        Ok(throng_steer::RunningSum(making.weighted(&self.0, at)?).into())
     }
 }
 
 impl BuildBehaviour for Priority {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let parts = making.branches(&self.of, &at.key("of"))?;
-        Ok(steer::Priority { epsilon: or(self.epsilon, 0.0), parts }.into())
+        Ok(throng_steer::Priority { epsilon: or(self.epsilon, 0.0), parts }.into())
     }
 }
 
@@ -90,24 +97,24 @@ impl BuildBehaviour for Dithering {
             Ok((or(part.probability, 1.0), making.branch(&part.of, &at.key("of"))?))
         };
         let parts = self.of.iter().enumerate().map(one).collect::<Result<_, Problem>>()?;
-        Ok(steer::Dithering { every: or(self.every, HOLDS), parts }.into())
+        Ok(throng_steer::Dithering { every: or(self.every, HOLDS), parts }.into())
     }
 }
 
 impl BuildBehaviour for Allocation {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let parts = making.branches(&self.of, &at.key("of"))?;
-        Ok(steer::Allocation { budget: or(self.budget, 1.0), parts }.into())
+        Ok(throng_steer::Allocation { budget: or(self.budget, 1.0), parts }.into())
     }
 }
 
 impl BuildBehaviour for ContextSteering {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::ContextSteering::new(making.weighted(&self.of, &at.key("of"))?);
+        let standard = throng_steer::ContextSteering::new(making.weighted(&self.of, &at.key("of"))?);
         if let Some(directions) = self.directions {
             check(&at.key("directions"), directions as f64, Limit::Between(4.0, 64.0))?;
         }
-        Ok(steer::ContextSteering {
+        Ok(throng_steer::ContextSteering {
             directions: self.directions.map_or(standard.directions, |directions| directions as usize),
             horizon: or(self.horizon, standard.horizon),
             groups: making.groups(self.groups.as_ref(), &at.key("groups"))?,
@@ -144,23 +151,23 @@ impl BuildBehaviour for Switch {
                 condition.check().map_err(|error| super::refused(&at.key("when"), &error))?;
                 exits.push((condition, find(&exit.to, &at.key("to"))?));
             }
-            made.push(steer::State { behaviour: making.branch(&state.of, &at.key("of"))?, exits });
+            made.push(throng_steer::State { behaviour: making.branch(&state.of, &at.key("of"))?, exits });
         }
-        Ok(steer::Switch(made).into())
+        Ok(throng_steer::Switch(made).into())
     }
 }
 
 impl BuildBehaviour for Amortised {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let of = making.branch(&self.of, &at.key("of"))?;
-        Ok(steer::Amortised { every: self.every as f32, of }.into())
+        Ok(throng_steer::Amortised { every: self.every as f32, of }.into())
     }
 }
 
 impl BuildBehaviour for Hold {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let of = making.branch(&self.of, &at.key("of"))?;
-        Ok(steer::Hold { seconds: self.seconds as f32, of }.into())
+        Ok(throng_steer::Hold { seconds: self.seconds as f32, of }.into())
     }
 }
 
@@ -168,7 +175,7 @@ impl BuildBehaviour for Irregular {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check_some(&at.key("angle"), self.angle, Limit::Between(0.0, 85.0))?;
         let (most, part) = WAVERING;
-        Ok(steer::Irregular {
+        Ok(throng_steer::Irregular {
             angle: angle(self.angle, most),
             speed: or(self.speed, part),
             noise: noise(&self.noise),
@@ -180,7 +187,7 @@ impl BuildBehaviour for Irregular {
 
 impl BuildBehaviour for Limited {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Limited {
+        Ok(throng_steer::Limited {
             max_speed: or(self.max_speed, f32::INFINITY),
             max_force: or(self.max_force, f32::INFINITY),
             of: making.branch(&self.of, &at.key("of"))?,
@@ -191,8 +198,8 @@ impl BuildBehaviour for Limited {
 
 impl BuildBehaviour for StopAndWait {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::StopAndWait::new(making.branch(&self.of, &at.key("of"))?);
-        Ok(steer::StopAndWait {
+        let standard = throng_steer::StopAndWait::new(making.branch(&self.of, &at.key("of"))?);
+        Ok(throng_steer::StopAndWait {
             groups: making.groups(self.groups.as_ref(), &at.key("groups"))?,
             within: or(self.within, standard.within),
             wait: (or(self.least_wait, standard.wait.0), or(self.most_wait, standard.wait.1)),

@@ -5,7 +5,8 @@ use super::single::SLOWING_DISTANCE;
 use super::{BehaviourContext, BuildBehaviour, angle, or};
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
-use throng::steer::{self, BoxedBehaviour, Neighbourhood};
+use throng::steer::BoxedBehaviour;
+use throng_steer::Neighbourhood;
 
 impl BehaviourContext<'_> {
     /// Returns the neighbourhood of a behaviour, with the behaviour's defaults.
@@ -29,12 +30,12 @@ impl BehaviourContext<'_> {
 
 impl BuildBehaviour for Separation {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Separation::default();
-        Ok(steer::Separation {
+        let standard = throng_steer::Separation::default();
+        Ok(throng_steer::Separation {
             near: making.near(&self.near, standard.near, &at.key("near"))?,
             falloff: self.falloff.map_or(standard.falloff, |falloff| match falloff {
-                Falloff::Inverse => steer::Falloff::Inverse,
-                Falloff::InverseSquare => steer::Falloff::InverseSquare,
+                Falloff::Inverse => throng_steer::Falloff::Inverse,
+                Falloff::InverseSquare => throng_steer::Falloff::InverseSquare,
             }),
             full: or(self.full, standard.full),
         }
@@ -44,30 +45,31 @@ impl BuildBehaviour for Separation {
 
 impl BuildBehaviour for Alignment {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Alignment::default();
+        let standard = throng_steer::Alignment::default();
         let near = making.near(&self.near, standard.near, &at.key("near"))?;
-        Ok(steer::Alignment { near, full: or(self.full, standard.full) }.into())
+        Ok(throng_steer::Alignment { near, full: or(self.full, standard.full) }.into())
     }
 }
 
 impl BuildBehaviour for Cohesion {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Cohesion::default();
+        let standard = throng_steer::Cohesion::default();
         let near = making.near(&self.near, standard.near, &at.key("near"))?;
-        Ok(steer::Cohesion { near, full: or(self.full, standard.full) }.into())
+        Ok(throng_steer::Cohesion { near, full: or(self.full, standard.full) }.into())
     }
 }
 
 impl BuildBehaviour for MatchVelocity {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::MatchVelocity { near: making.near(&self.near, Neighbourhood::default(), &at.key("near"))? }.into())
+        Ok(throng_steer::MatchVelocity { near: making.near(&self.near, Neighbourhood::default(), &at.key("near"))? }
+            .into())
     }
 }
 
 impl BuildBehaviour for Flocking {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Flocking::default();
-        Ok(steer::Flocking {
+        let standard = throng_steer::Flocking::default();
+        Ok(throng_steer::Flocking {
             separation: rule(&self.separation, standard.separation, &at.key("separation"))?,
             alignment: rule(&self.alignment, standard.alignment, &at.key("alignment"))?,
             cohesion: rule(&self.cohesion, standard.cohesion, &at.key("cohesion"))?,
@@ -81,12 +83,12 @@ impl BuildBehaviour for Flocking {
     }
 }
 
-fn rule(said: &Option<Rule>, standard: steer::Rule, at: &Path) -> Result<steer::Rule, Problem> {
+fn rule(said: &Option<Rule>, standard: throng_steer::Rule, at: &Path) -> Result<throng_steer::Rule, Problem> {
     let Some(said) = said else { return Ok(standard) };
     check_some(&at.key("angle"), said.angle, Limit::Between(0.0, 180.0))?;
     check_some(&at.key("distance"), said.distance, Limit::Positive)?;
     check_some(&at.key("weight"), said.weight, Limit::NotNegative)?;
-    Ok(steer::Rule {
+    Ok(throng_steer::Rule {
         weight: or(said.weight, standard.weight),
         distance: or(said.distance, standard.distance),
         angle: angle(said.angle, standard.angle),
@@ -95,7 +97,7 @@ fn rule(said: &Option<Rule>, standard: steer::Rule, at: &Path) -> Result<steer::
 
 impl BuildBehaviour for Boids {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Boids::default();
+        let standard = throng_steer::Boids::default();
         let said = self.strengths.clone().unwrap_or_default();
         let mut strengths = standard.strengths;
         let keys = ["avoid", "matching", "center", "migrate"];
@@ -105,7 +107,7 @@ impl BuildBehaviour for Boids {
             *strength = or(said, *strength);
         }
         let migration = self.migration.as_ref().map(|target| making.target(target, &at.key("migration")));
-        Ok(steer::Boids {
+        Ok(throng_steer::Boids {
             near: making.near(&self.near, standard.near, &at.key("near"))?,
             forward: or(self.forward, standard.forward),
             avoidance: or(self.avoidance, standard.avoidance),
@@ -118,24 +120,24 @@ impl BuildBehaviour for Boids {
 
 impl BuildBehaviour for AvoidNeighbours {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::AvoidNeighbours::default();
+        let standard = throng_steer::AvoidNeighbours::default();
         let groups = making.groups(self.groups.as_ref(), &at.key("groups"))?;
-        Ok(steer::AvoidNeighbours { groups, horizon: or(self.horizon, standard.horizon) }.into())
+        Ok(throng_steer::AvoidNeighbours { groups, horizon: or(self.horizon, standard.horizon) }.into())
     }
 }
 
 impl BuildBehaviour for CloseAvoidance {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::CloseAvoidance::default();
+        let standard = throng_steer::CloseAvoidance::default();
         let groups = making.groups(self.groups.as_ref(), &at.key("groups"))?;
-        Ok(steer::CloseAvoidance { groups, gap: or(self.gap, standard.gap) }.into())
+        Ok(throng_steer::CloseAvoidance { groups, gap: or(self.gap, standard.gap) }.into())
     }
 }
 
 impl BuildBehaviour for UnalignedAvoidance {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::UnalignedAvoidance::default();
-        Ok(steer::UnalignedAvoidance {
+        let standard = throng_steer::UnalignedAvoidance::default();
+        Ok(throng_steer::UnalignedAvoidance {
             groups: making.groups(self.groups.as_ref(), &at.key("groups"))?,
             horizon: or(self.horizon, standard.horizon),
             gap: or(self.gap, standard.gap),
@@ -146,8 +148,8 @@ impl BuildBehaviour for UnalignedAvoidance {
 
 impl BuildBehaviour for Queue {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Queue::new(making.branch(&self.of, &at.key("of"))?);
-        Ok(steer::Queue {
+        let standard = throng_steer::Queue::new(making.branch(&self.of, &at.key("of"))?);
+        Ok(throng_steer::Queue {
             groups: making.groups(self.groups.as_ref(), &at.key("groups"))?,
             distance: or(self.distance, standard.distance),
             width: or(self.width, standard.width),
@@ -161,8 +163,8 @@ impl BuildBehaviour for Queue {
 
 impl BuildBehaviour for FollowLeader {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::FollowLeader::from(making.target(&self.leader, &at.key("leader"))?);
-        Ok(steer::FollowLeader {
+        let standard = throng_steer::FollowLeader::from(making.target(&self.leader, &at.key("leader"))?);
+        Ok(throng_steer::FollowLeader {
             single_file: self.single_file.unwrap_or(standard.single_file),
             gap: or(self.gap, standard.gap),
             free: or(self.free, standard.free),
@@ -177,14 +179,14 @@ impl BuildBehaviour for FollowLeader {
 
 impl BuildBehaviour for KeepFormation {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::KeepFormation {
+        Ok(throng_steer::KeepFormation {
             leader: making.target(&self.leader, &at.key("leader"))?,
             pattern: match self.pattern {
-                Pattern::Line => steer::Pattern::Line,
-                Pattern::Column => steer::Pattern::Column,
-                Pattern::Wedge => steer::Pattern::Wedge,
-                Pattern::Circle => steer::Pattern::Circle,
-                Pattern::Grid => steer::Pattern::Grid,
+                Pattern::Line => throng_steer::Pattern::Line,
+                Pattern::Column => throng_steer::Pattern::Column,
+                Pattern::Wedge => throng_steer::Pattern::Wedge,
+                Pattern::Circle => throng_steer::Pattern::Circle,
+                Pattern::Grid => throng_steer::Pattern::Grid,
             },
             count: self.count.map_or(making.cast.named[making.group].1.len(), |count| count as usize),
             spacing: self.spacing as f32,

@@ -8,7 +8,7 @@ use crate::scene::steer::*;
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 use throng::space::{PathDirection, Pathway, Raster};
-use throng::steer::{self, Barriers, BoxedBehaviour};
+use throng::steer::{Barriers, BoxedBehaviour};
 
 /// Default whiskers: length of the middle one, length of the outer ones, metres, and their angle to the sides, radians.
 const FAN: (f32, f32, f32) = (2.0, 1.0, 0.61);
@@ -43,13 +43,13 @@ impl BehaviourContext<'_> {
         direction: Option<Direction>,
         horizon: Option<f64>,
         at: &Path,
-    ) -> Result<steer::FollowPath, Problem> {
-        let standard = steer::FollowPath::from(self.path(path, at)?);
+    ) -> Result<throng_steer::FollowPath, Problem> {
+        let standard = throng_steer::FollowPath::from(self.path(path, at)?);
         let direction = direction.map_or(standard.direction, |direction| match direction {
             Direction::Forward => PathDirection::Forward,
             Direction::Backward => PathDirection::Backward,
         });
-        Ok(steer::FollowPath { direction, seconds: or(horizon, standard.seconds), ..standard })
+        Ok(throng_steer::FollowPath { direction, seconds: or(horizon, standard.seconds), ..standard })
     }
 }
 
@@ -65,9 +65,9 @@ pub(super) fn unknown(at: &Path, what: &str, name: &str, known: &[&str]) -> Prob
 impl BuildBehaviour for AvoidObstacles {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check_some(&at.key("keeps"), self.keeps, Limit::NotNegative)?;
-        let standard = steer::AvoidObstacles::from(making.barriers(&self.obstacles, at)?);
+        let standard = throng_steer::AvoidObstacles::from(making.barriers(&self.obstacles, at)?);
         let towards = self.towards.as_ref().map(|target| making.target(target, &at.key("towards"))).transpose()?;
-        Ok(steer::AvoidObstacles {
+        Ok(throng_steer::AvoidObstacles {
             towards: towards.unwrap_or(standard.towards),
             seconds: or(self.horizon, standard.seconds),
             gap: or(self.gap, standard.gap),
@@ -98,8 +98,8 @@ impl BuildBehaviour for AvoidMap {
         let (barriers, near) = (making.barriers(&self.obstacles, at)?, 0.5 * cell as f32);
         let solid = |place: Vec2| barriers.ahead(place.extend(0.0), Vec3::ZERO, near, 0.0).is_some();
         let map = Raster::of(low, high, cell as f32, solid).map_err(|error| refused(at, &error))?;
-        let standard = steer::AvoidMap::new(Arc::new(map), making.branch(&self.of, &at.key("of"))?);
-        Ok(steer::AvoidMap {
+        let standard = throng_steer::AvoidMap::new(Arc::new(map), making.branch(&self.of, &at.key("of"))?);
+        Ok(throng_steer::AvoidMap {
             seconds: or(self.horizon, standard.seconds),
             margin: or(self.margin, standard.margin),
             curved: self.curved.unwrap_or(standard.curved),
@@ -111,15 +111,19 @@ impl BuildBehaviour for AvoidMap {
 
 impl BuildBehaviour for Whiskers {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Whiskers::fan(making.barriers(&self.obstacles, at)?, FAN.0, FAN.1, FAN.2);
+        let standard = throng_steer::Whiskers::fan(making.barriers(&self.obstacles, at)?, FAN.0, FAN.1, FAN.2);
         let ray = |(i, ray): (usize, &Ray)| {
             let at = at.key("rays").index(i);
             check_some(&at.key("length"), Some(ray.length), Limit::Positive)?;
             check_some(&at.key("angle"), ray.angle, Limit::Between(-180.0, 180.0))?;
-            Ok(steer::Whisker { beside: or(ray.beside, 0.0), angle: angle(ray.angle, 0.0), length: ray.length as f32 })
+            Ok(throng_steer::Whisker {
+                beside: or(ray.beside, 0.0),
+                angle: angle(ray.angle, 0.0),
+                length: ray.length as f32,
+            })
         };
         let rays = self.rays.as_ref().map(|rays| rays.iter().enumerate().map(ray).collect::<Result<_, Problem>>());
-        Ok(steer::Whiskers {
+        Ok(throng_steer::Whiskers {
             whiskers: rays.transpose()?.unwrap_or(standard.whiskers),
             clearance: or(self.clearance, standard.clearance),
             ..standard
@@ -136,8 +140,8 @@ impl BuildBehaviour for Contain {
             let known: Vec<&str> = making.around.surfaces.iter().map(|(name, _)| *name).collect();
             unknown(&at.key("surface"), "surface", &self.surface, &known)
         })?;
-        let standard = steer::Contain::on_side(barrier.surface.clone(), barrier.seen_from);
-        Ok(steer::Contain {
+        let standard = throng_steer::Contain::on_side(barrier.surface.clone(), barrier.seen_from);
+        Ok(throng_steer::Contain {
             seconds: or(self.horizon, standard.seconds),
             angle: angle(self.angle, standard.angle),
             gap: or(self.gap, standard.gap),
@@ -153,21 +157,21 @@ impl BuildBehaviour for FollowPath {
         check_some(&at.key("inner"), self.inner, Limit::Between(0.0, 1.0))?;
         let (slowing_distance, inner) =
             (or(self.slowing_distance, follow.slowing_distance), or(self.inner, follow.inner));
-        Ok(steer::FollowPath { slowing_distance, inner, ..follow }.into())
+        Ok(throng_steer::FollowPath { slowing_distance, inner, ..follow }.into())
     }
 }
 
 impl BuildBehaviour for StayOnPath {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::StayOnPath { path: making.path(&self.path, at)?, seconds: or(self.horizon, STAYS) }.into())
+        Ok(throng_steer::StayOnPath { path: making.path(&self.path, at)?, seconds: or(self.horizon, STAYS) }.into())
     }
 }
 
 impl BuildBehaviour for FollowWall {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::FollowWall::from(making.barriers(&self.obstacles, at)?);
+        let standard = throng_steer::FollowWall::from(making.barriers(&self.obstacles, at)?);
         check_some(&at.key("offset"), self.offset, Limit::Positive)?;
-        Ok(steer::FollowWall {
+        Ok(throng_steer::FollowWall {
             offset: or(self.offset, standard.offset),
             seconds: or(self.horizon, standard.seconds),
             range: or(self.range, standard.range),
@@ -180,8 +184,8 @@ impl BuildBehaviour for FollowWall {
 impl BuildBehaviour for Hide {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let from = making.target(&self.from, &at.key("from"))?;
-        let standard = steer::Hide::new(from, making.barriers(&self.obstacles, at)?);
-        Ok(steer::Hide {
+        let standard = throng_steer::Hide::new(from, making.barriers(&self.obstacles, at)?);
+        Ok(throng_steer::Hide {
             gap: or(self.gap, standard.gap),
             range: or(self.range, standard.range),
             slowing_distance: or(self.slowing_distance, standard.slowing_distance),
@@ -194,7 +198,7 @@ impl BuildBehaviour for Hide {
 impl BuildBehaviour for CrowdPath {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check_some(&at.key("horizon"), self.horizon, Limit::Positive)?;
-        Ok(steer::crowd_path(making.follow(&self.path, self.direction, self.horizon, at)?))
+        Ok(throng_steer::crowd_path(making.follow(&self.path, self.direction, self.horizon, at)?))
     }
 }
 
@@ -203,6 +207,6 @@ impl BuildBehaviour for QueueAtDoor {
         let goal = self.goal.as_ref().map(|goal| making.target(goal, &at.key("goal"))).transpose()?;
         let door = making.target(&self.door, &at.key("door"))?;
         let walls = making.barriers(&self.obstacles, at)?;
-        Ok(steer::queue_at_door(goal.unwrap_or(steer::Target::Goal), door, walls))
+        Ok(throng_steer::queue_at_door(goal.unwrap_or(throng::steer::Target::Goal), door, walls))
     }
 }

@@ -5,29 +5,30 @@ use super::{BehaviourContext, BuildBehaviour, angle, or};
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
 use glam::{USizeVec3, Vec3};
-use throng::steer::{self, BoxedBehaviour, FollowFlow as Follow};
+use throng::steer::BoxedBehaviour;
+use throng_steer::FollowFlow as Follow;
 
 /// Default distance at which behaviours start to slow down, if the library has none, metres.
 pub(super) const SLOWING_DISTANCE: f32 = 1.0;
 
 impl BuildBehaviour for Seek {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Seek { target: making.target(&self.target, &at.key("target"))? }.into())
+        Ok(throng_steer::Seek { target: making.target(&self.target, &at.key("target"))? }.into())
     }
 }
 
 impl BuildBehaviour for Flee {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Flee::from(making.target(&self.target, &at.key("target"))?);
-        Ok(steer::Flee { panic_distance: or(self.panic_distance, standard.panic_distance), ..standard }.into())
+        let standard = throng_steer::Flee::from(making.target(&self.target, &at.key("target"))?);
+        Ok(throng_steer::Flee { panic_distance: or(self.panic_distance, standard.panic_distance), ..standard }.into())
     }
 }
 
 impl BuildBehaviour for Arrive {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let steer::Arrive { target, slowing_distance, tolerance } =
+        let throng_steer::Arrive { target, slowing_distance, tolerance } =
             making.target(&self.target, &at.key("target"))?.into();
-        Ok(steer::Arrive {
+        Ok(throng_steer::Arrive {
             target,
             slowing_distance: or(self.slowing_distance, slowing_distance),
             tolerance: or(self.tolerance, tolerance),
@@ -39,15 +40,15 @@ impl BuildBehaviour for Arrive {
 impl BuildBehaviour for Pursue {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let quarry = making.target(&self.quarry, &at.key("quarry"))?;
-        Ok(steer::Pursue { quarry, prediction: prediction(&self.prediction) }.into())
+        Ok(throng_steer::Pursue { quarry, prediction: prediction(&self.prediction) }.into())
     }
 }
 
 impl BuildBehaviour for Evade {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Evade::from(making.target(&self.menace, &at.key("menace"))?);
+        let standard = throng_steer::Evade::from(making.target(&self.menace, &at.key("menace"))?);
         let panic_distance = or(self.panic_distance, standard.panic_distance);
-        Ok(steer::Evade { prediction: prediction(&self.prediction), panic_distance, ..standard }.into())
+        Ok(throng_steer::Evade { prediction: prediction(&self.prediction), panic_distance, ..standard }.into())
     }
 }
 
@@ -55,13 +56,13 @@ impl BuildBehaviour for OffsetPursuit {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let quarry = making.target(&self.quarry, &at.key("quarry"))?;
         let distance = self.distance as f32;
-        Ok(steer::OffsetPursuit { quarry, prediction: prediction(&self.prediction), distance }.into())
+        Ok(throng_steer::OffsetPursuit { quarry, prediction: prediction(&self.prediction), distance }.into())
     }
 }
 
 impl BuildBehaviour for Shadow {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Shadow {
+        Ok(throng_steer::Shadow {
             quarry: making.target(&self.quarry, &at.key("quarry"))?,
             distance: self.distance as f32,
             slowing_distance: or(self.slowing_distance, SLOWING_DISTANCE),
@@ -72,7 +73,7 @@ impl BuildBehaviour for Shadow {
 
 impl BuildBehaviour for Interpose {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Interpose {
+        Ok(throng_steer::Interpose {
             between: [making.target(&self.from, &at.key("from"))?, making.target(&self.to, &at.key("to"))?],
             ratio: or(self.ratio, 0.5),
             slowing_distance: or(self.slowing_distance, SLOWING_DISTANCE),
@@ -83,7 +84,7 @@ impl BuildBehaviour for Interpose {
 
 impl BuildBehaviour for KeepStation {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::KeepStation {
+        Ok(throng_steer::KeepStation {
             leader: making.target(&self.leader, &at.key("leader"))?,
             offset: Vec3::from_array(self.offset.0.map(|x| x as f32)),
             slowing_distance: or(self.slowing_distance, SLOWING_DISTANCE),
@@ -97,7 +98,7 @@ impl BuildBehaviour for Dock {
         let pitch = self.pitch.unwrap_or(0.0);
         check(&at.key("pitch"), pitch, Limit::Between(-90.0, 90.0))?;
         check_some(&at.key("time"), self.time, Limit::NotNegative)?;
-        Ok(steer::Dock {
+        Ok(throng_steer::Dock {
             place: making.place(self.place, &at.key("place"))?,
             direction: direction(self.heading, pitch),
             speed: or(self.speed, 0.0),
@@ -109,17 +110,17 @@ impl BuildBehaviour for Dock {
 
 impl BuildBehaviour for Wander {
     fn make(&self, _: &BehaviourContext, _: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::Wander::default();
+        let standard = throng_steer::Wander::default();
         let strength = or(self.strength, standard.strength);
-        Ok(steer::Wander { strength, rate: angle(self.rate, standard.rate) }.into())
+        Ok(throng_steer::Wander { strength, rate: angle(self.rate, standard.rate) }.into())
     }
 }
 
 impl BuildBehaviour for FractalWander {
     fn make(&self, _: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check_some(&at.key("angle"), self.angle, Limit::Between(0.0, 85.0))?;
-        let standard = steer::FractalWander::default();
-        Ok(steer::FractalWander { angle: angle(self.angle, standard.angle), noise: noise(&self.noise) }.into())
+        let standard = throng_steer::FractalWander::default();
+        Ok(throng_steer::FractalWander { angle: angle(self.angle, standard.angle), noise: noise(&self.noise) }.into())
     }
 }
 
@@ -129,7 +130,7 @@ impl BuildBehaviour for Explore {
         for (key, cells) in ["columns", "rows", "levels"].into_iter().zip(cells) {
             check(&at.key(key), cells as f64, Limit::Between(1.0, 4096.0))?;
         }
-        Ok(steer::Explore {
+        Ok(throng_steer::Explore {
             low: making.place(self.min, &at.key("min"))?,
             high: making.place(self.max, &at.key("max"))?,
             cells: USizeVec3::from_array(cells.map(|cells| cells as usize)),
@@ -140,12 +141,12 @@ impl BuildBehaviour for Explore {
 
 impl BuildBehaviour for Forage {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Forage {
+        Ok(throng_steer::Forage {
             food: making.target(&self.food, &at.key("food"))?,
             range: self.range as f32,
             wander: match &self.of {
                 Some(steer) => making.branch(steer, &at.key("of"))?,
-                None => steer::Wander::default().into(),
+                None => throng_steer::Wander::default().into(),
             },
         }
         .into())
@@ -154,19 +155,19 @@ impl BuildBehaviour for Forage {
 
 impl BuildBehaviour for Face {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Face { target: making.target(&self.target, &at.key("target"))? }.into())
+        Ok(throng_steer::Face { target: making.target(&self.target, &at.key("target"))? }.into())
     }
 }
 
 impl BuildBehaviour for MatchOrientation {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::MatchOrientation { with: making.target(&self.with, &at.key("with"))? }.into())
+        Ok(throng_steer::MatchOrientation { with: making.target(&self.with, &at.key("with"))? }.into())
     }
 }
 
 impl BuildBehaviour for LookWhereYouGo {
     fn make(&self, _: &BehaviourContext, _: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::LookWhereYouGo.into())
+        Ok(throng_steer::LookWhereYouGo.into())
     }
 }
 
@@ -177,20 +178,20 @@ impl BuildBehaviour for HeadFor {
     fn make(&self, _: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check_some(&at.key("pitch"), self.pitch, Limit::Between(-90.0, 90.0))?;
         let direction = direction(self.heading, self.pitch.unwrap_or(0.0));
-        Ok(steer::HeadFor { direction, full: or(self.full, FULL) }.into())
+        Ok(throng_steer::HeadFor { direction, full: or(self.full, FULL) }.into())
     }
 }
 
 impl BuildBehaviour for ConstantForce {
     fn make(&self, _: &BehaviourContext, _: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::ConstantForce(Vec3::from_array(self.0.0.map(|x| x as f32))).into())
+        Ok(throng_steer::ConstantForce(Vec3::from_array(self.0.0.map(|x| x as f32))).into())
     }
 }
 
 impl BuildBehaviour for Fear {
     fn make(&self, _: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         check(&at.key("fades"), self.fades, Limit::UpTo(600.0))?;
-        Ok(steer::Fear { range: self.range as f32, fades: self.fades as f32 }.into())
+        Ok(throng_steer::Fear { range: self.range as f32, fades: self.fades as f32 }.into())
     }
 }
 
@@ -203,19 +204,19 @@ impl BuildBehaviour for FollowFlow {
 
 impl BuildBehaviour for MoveForward {
     fn make(&self, _: &BehaviourContext, _: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::MoveForward { part: self.part as f32 }.into())
+        Ok(throng_steer::MoveForward { part: self.part as f32 }.into())
     }
 }
 
 impl BuildBehaviour for TargetSpeed {
     fn make(&self, _: &BehaviourContext, _: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::TargetSpeed { speed: self.speed as f32 }.into())
+        Ok(throng_steer::TargetSpeed { speed: self.speed as f32 }.into())
     }
 }
 
 impl BuildBehaviour for Tether {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(steer::Tether { to: making.target(&self.to, &at.key("to"))?, length: self.length as f32 }.into())
+        Ok(throng_steer::Tether { to: making.target(&self.to, &at.key("to"))?, length: self.length as f32 }.into())
     }
 }
 
@@ -226,21 +227,21 @@ fn direction(heading: f64, pitch: f64) -> Vec3 {
     Vec3::new(cos * level, sin * level, up)
 }
 
-fn prediction(said: &Option<Prediction>) -> steer::Prediction {
+fn prediction(said: &Option<Prediction>) -> throng_steer::Prediction {
     match said {
-        None | Some(Prediction::Cases(Cases { most: None })) => steer::Prediction::default(),
-        Some(Prediction::Constant(seconds)) => steer::Prediction::Constant(*seconds as f32),
+        None | Some(Prediction::Cases(Cases { most: None })) => throng_steer::Prediction::default(),
+        Some(Prediction::Constant(seconds)) => throng_steer::Prediction::Constant(*seconds as f32),
         Some(Prediction::Distance(ByDistance { per_metre, most })) => {
-            steer::Prediction::Distance { per_metre: *per_metre as f32, most: *most as f32 }
+            throng_steer::Prediction::Distance { per_metre: *per_metre as f32, most: *most as f32 }
         }
-        Some(Prediction::Cases(Cases { most: Some(most) })) => steer::Prediction::Cases { most: *most as f32 },
+        Some(Prediction::Cases(Cases { most: Some(most) })) => throng_steer::Prediction::Cases { most: *most as f32 },
     }
 }
 
-pub(super) fn noise(said: &Option<Noise>) -> steer::Noise {
-    let standard = steer::Noise::default();
+pub(super) fn noise(said: &Option<Noise>) -> throng_steer::Noise {
+    let standard = throng_steer::Noise::default();
     let Some(said) = said else { return standard };
-    steer::Noise {
+    throng_steer::Noise {
         period: or(said.period, standard.period),
         octaves: said.octaves.unwrap_or(standard.octaves),
         gain: or(said.gain, standard.gain),

@@ -3,12 +3,12 @@
 use super::{BehaviourContext, BuildBehaviour, angle, or};
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
-use throng::steer::{self, BoxedBehaviour};
+use throng::steer::BoxedBehaviour;
 
 impl BehaviourContext<'_> {
-    fn evade_all(&self, said: &EvadeAll, at: &Path) -> Result<steer::EvadeAll, Problem> {
-        let standard = steer::EvadeAll::default();
-        Ok(steer::EvadeAll {
+    fn evade_all(&self, said: &EvadeAll, at: &Path) -> Result<throng_steer::EvadeAll, Problem> {
+        let standard = throng_steer::EvadeAll::default();
+        Ok(throng_steer::EvadeAll {
             groups: said
                 .groups
                 .as_ref()
@@ -28,9 +28,9 @@ impl BuildBehaviour for EvadeAll {
 
 impl BuildBehaviour for SlipThrough {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let standard = steer::SlipThrough::from(making.target(&self.target, &at.key("target"))?);
+        let standard = throng_steer::SlipThrough::from(making.target(&self.target, &at.key("target"))?);
         let evade = self.evade.as_ref().map(|said| making.evade_all(said, &at.key("evade"))).transpose()?;
-        Ok(steer::SlipThrough {
+        Ok(throng_steer::SlipThrough {
             evade: evade.unwrap_or(standard.evade),
             ahead: or(self.ahead, standard.ahead),
             width: or(self.width, standard.width),

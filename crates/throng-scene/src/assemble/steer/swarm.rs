@@ -6,9 +6,9 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::*;
 use std::sync::Arc;
-use throng::field::FadeOut;
 use throng::steer::BoxedBehaviour;
-use throng::steer::swarm::{self, Guide};
+use throng_field::FadeOut;
+use throng_steer::swarm::{self, Guide};
 
 impl BuildBehaviour for Swarm {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {

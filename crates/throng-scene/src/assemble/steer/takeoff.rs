@@ -5,7 +5,8 @@ use super::{BehaviourContext, BuildBehaviour, or, vehicle};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::Takeoff;
-use throng::steer::{self, BoxedBehaviour, Dock};
+use throng::steer::BoxedBehaviour;
+use throng_steer::Dock;
 
 /// Default gravitational acceleration, m/s².
 const GRAVITY: f32 = 9.81;
@@ -16,7 +17,7 @@ impl BuildBehaviour for Takeoff {
         check_some(&at.key("gravity"), self.gravity, Limit::Positive)?;
         let (from, to) = (making.place(self.from, &at.key("from"))?, making.place(self.to, &at.key("to"))?);
         let most = vehicle(&making.scene.groups[making.group]).max_speed;
-        let leap = steer::takeoff(to - from, self.rise as f32, or(self.gravity, GRAVITY), most);
+        let leap = throng_steer::takeoff(to - from, self.rise as f32, or(self.gravity, GRAVITY), most);
         let run = leap.map(|velocity| velocity.with_z(0.0)).filter(|run| run.length() > 0.0);
         let run = run.ok_or_else(|| {
             let message =

@@ -51,16 +51,19 @@ impl Basis {
     }
 
     /// Returns the components of a vector ahead, to the left, and up.
+    #[inline]
     pub fn to_local(&self, vector: Vec3) -> Vec3 {
         Vec3::new(vector.dot(self.forward), vector.dot(self.side), vector.dot(self.up))
     }
 
     /// Returns the vector with these components ahead, to the left, and up.
+    #[inline]
     pub fn to_world(&self, local: Vec3) -> Vec3 {
         self.forward * local.x + self.side * local.y + self.up * local.z
     }
 
     /// Returns the part of a vector orthogonal to forward.
+    #[inline]
     pub fn lateral(&self, vector: Vec3) -> Vec3 {
         vector.reject_from_normalized(self.forward)
     }
@@ -78,19 +81,19 @@ impl Basis {
 
 /// Returns a vector rotated by `angle` radians about an axis of length 1, counter-clockwise as seen from the tip of the
 /// axis.
-pub(crate) fn turned(vector: Vec3, axis: Vec3, angle: f32) -> Vec3 {
+pub fn turned(vector: Vec3, axis: Vec3, angle: f32) -> Vec3 {
     let (sin, cos) = libm::sincosf(angle);
     vector * cos + axis.cross(vector) * sin + axis * (axis.dot(vector) * (1.0 - cos))
 }
 
 /// Returns the angle between two vectors, radians, 0 to pi.
-pub(crate) fn angle_between(a: Vec3, b: Vec3) -> f32 {
+pub fn angle_between(a: Vec3, b: Vec3) -> f32 {
     libm::atan2f(a.cross(b).length(), a.dot(b))
 }
 
 /// Returns the direction `from` turned towards `to` by at most `most` radians. Both have length 1. Opposite directions
 /// turn about `up`.
-pub(crate) fn turned_towards(from: Vec3, to: Vec3, most: f32, up: Vec3) -> Vec3 {
+pub fn turned_towards(from: Vec3, to: Vec3, most: f32, up: Vec3) -> Vec3 {
     if most >= PI || angle_between(from, to) <= most {
         return to;
     }

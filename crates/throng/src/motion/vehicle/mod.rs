@@ -12,7 +12,7 @@ mod step;
 mod step_simd;
 
 pub use basis::Basis;
-pub(crate) use basis::{angle_between, turned, turned_towards};
+pub use basis::{angle_between, turned, turned_towards};
 pub use state::{Attitude, Motion};
 pub use steering::Steering;
 pub(crate) use step_simd::{Attitudes, Motions, Stepping};
@@ -126,16 +126,19 @@ impl Vehicle {
     /// Returns the force that leads towards a desired velocity: of the difference, the fraction that the response makes
     /// up within `seconds` (> 0), so that results do not depend on the time step. For mass 1, response 1 and short
     /// steps it is Reynolds' "desired velocity - velocity".
+    #[inline]
     pub fn force_towards(&self, motion: &Motion, desired: Vec3, seconds: f32) -> Vec3 {
         (desired - motion.velocity) * self.urgency(seconds)
     }
 
     /// Returns the velocity that a constant force leads to: the inverse of [`force_towards`](Self::force_towards).
+    #[inline]
     pub fn velocity_of(&self, motion: &Motion, force: Vec3, seconds: f32) -> Vec3 {
         motion.velocity + force / self.urgency(seconds)
     }
 
     /// Returns the force per difference of velocity, newtons per m/s.
+    #[inline]
     fn urgency(&self, seconds: f32) -> f32 {
         self.mass * part_in(seconds, self.response) / seconds
     }
@@ -174,6 +177,7 @@ impl Vehicle {
 }
 
 /// Returns the fraction of a difference that a process with time constant `time` makes up in `seconds`.
+#[inline]
 pub(crate) fn part_in(seconds: f32, time: f32) -> f32 {
     if time > 0.0 { 1.0 - libm::expf(-seconds / time) } else { 1.0 }
 }

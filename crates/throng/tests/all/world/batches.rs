@@ -10,9 +10,10 @@ use throng::avoid::{AvoidanceBatch, AvoidanceInput, LocalModel, NoAvoidance, Orc
 use throng::motion::{Locomotion, Steering, Vehicle};
 use throng::perceive::SimdLevel;
 use throng::steer::{
-    Behaviour, BoxedBehaviour, FlockBatch, Flocking, MOST_IN_BATCH, SteeringBatch, SteeringInput, TraceRecorder,
+    Behaviour, BoxedBehaviour, FlockBatch, MOST_IN_BATCH, SteeringBatch, SteeringInput, TraceRecorder,
 };
 use throng::{Agent, Body, Group, Obstacle, SubSteps, World};
+use throng_steer::Flocking;
 
 /// Slows down for each neighbour, the more the nearer it is.
 #[derive(Debug, Default)]
@@ -182,7 +183,7 @@ impl Behaviour for Outside {
 
     fn steer_flock(&self, batch: &mut FlockBatch<'_>) {
         if self.together {
-            batch.flock(&self.flocking);
+            self.flocking.steer_flock(batch);
         }
     }
 }

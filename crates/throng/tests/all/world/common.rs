@@ -1,9 +1,17 @@
 //! Parts of the scenes: numbers drawn from a seed, journeys, running.
 
+pub use crate::draw::Draw;
 use glam::DVec2;
 use throng::{Agent, Goal, Journey, JourneyId, Settings, Stop, SubSteps, World};
 
-pub use crate::draw::Draw;
+impl Draw {
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        for end in (1..items.len()).rev() {
+            items.swap(end, self.index(end + 1));
+        }
+    }
+}
+
 /// An empty world with this time step round an origin.
 pub fn world(step: f64, origin: DVec2) -> World {
     with_settings(step, SubSteps::Auto, origin)

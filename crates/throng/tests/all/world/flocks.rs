@@ -4,8 +4,9 @@ use glam::DVec2;
 use proptest::prelude::*;
 use throng::motion::{Integrator, Locomotion, Vehicle};
 use throng::perceive::SimdLevel;
-use throng::steer::{BoxedBehaviour, Flocking, GroupFilter, Rule, Separation, WeightedSum};
+use throng::steer::{BoxedBehaviour, GroupFilter};
 use throng::{Agent, Group, Settings, SubSteps, World};
+use throng_steer::{Flocking, Rule, Separation, WeightedSum};
 
 type One = ((f64, f64, f32), f32);
 

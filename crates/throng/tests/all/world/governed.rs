@@ -5,9 +5,10 @@ use crate::world::oracle::Snapshot;
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
-use throng::field::{Brush, Field, Governed, Interaction, Map, Sampled, Uniform};
+use throng::field::{Field, Governed, Interaction};
 use throng::perceive::SimdLevel;
 use throng::{Agent, AgentRef, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
+use throng_field::{Brush, Map, Sampled, Uniform};
 
 fn led(world: &mut World, field: impl Field + 'static, ratio: f32) -> GroupId {
     let origin = world.settings().origin;
@@ -153,7 +154,7 @@ fn ratios_out_of_their_limits_and_fields_for_vehicles_are_refused() {
         let group = Group { field: Some(Governed::new(whirl, ratio)), ..Group::default() };
         assert!(matches!(world.add_group(group), Err(Error::Limit { what: "ratio of a field", .. })));
     }
-    let vehicles = Group::vehicles(throng::steer::Wander::default(), throng::motion::Vehicle::default());
+    let vehicles = Group::vehicles(throng_steer::Wander::default(), throng::motion::Vehicle::default());
     let group = Group { field: Some(Governed::new(whirl, 1.0)), ..vehicles };
     let message = world.add_group(group).unwrap_err().to_string();
     assert!(message.contains("let it follow the flow"), "{message}");

@@ -3,13 +3,13 @@
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
-use throng::field::{Brush, Destination, Governed, Map, RoundJams, Sampled, Terrain, TerrainSettings, ToGoal};
+use throng::field::Governed;
 use throng::motion::{Locomotion, Vehicle, WrapAround};
 use throng::space::surface::{SeenFrom, Sphere};
-use throng::steer::{
-    Barriers, BoxedBehaviour, Contain, Dock, Fear, Seek, SteeringReason, Target, Tether, Wander, WeightedSum,
-};
+use throng::steer::{Barriers, BoxedBehaviour, SteeringReason, Target};
 use throng::{Agent, Error, Group, Settings, SubSteps, TraceRequest, World};
+use throng_field::{Brush, Destination, Map, RoundJams, Sampled, Terrain, TerrainSettings, ToGoal};
+use throng_steer::{Contain, Dock, Fear, Seek, Tether, Wander, WeightedSum};
 
 /// A world in which every place of a group is moved by `offset` and given relative to `group_origin`.
 fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World {

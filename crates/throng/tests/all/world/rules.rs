@@ -197,7 +197,7 @@ fn behaviours_see_figures_and_kicks_last() {
         ..Group::default()
     };
     let obedient = world.add_group(group("obedient", Obedient.into())).unwrap();
-    let free = world.add_group(group("free", throng::steer::Fear { range: 1.0, fades: 1.0 }.into())).unwrap();
+    let free = world.add_group(group("free", throng_steer::Fear { range: 1.0, fades: 1.0 }.into())).unwrap();
     let add = |world: &mut World, group: GroupId, y: f64| {
         let position = DVec2::new(0.0, y);
         world

@@ -9,8 +9,9 @@ use std::sync::Arc;
 use throng::motion::{Locomotion, Steering, Vehicle};
 use throng::perceive::SimdLevel;
 use throng::space::surface::{Capsule, Cuboid, Moved, Pose, SeenFrom, Sphere, Surface, Union};
-use throng::steer::{Barriers, Behaviour, BoxedBehaviour, Flocking, SteeringInput, TraceRecorder};
+use throng::steer::{Barriers, Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
 use throng::{Agent, Group, Settings, SubSteps, World};
+use throng_steer::Flocking;
 
 /// A shape and its distance, in closed form.
 #[derive(Clone, Copy, Debug)]

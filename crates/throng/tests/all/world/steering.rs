@@ -5,10 +5,9 @@ use glam::{DVec2, Vec3};
 use std::sync::Arc;
 use throng::avoid::Orca;
 use throng::motion::{Locomotion, Motion, Vehicle};
-use throng::steer::{
-    Arrive, Behaviour, Flocking, Pursue, Seek, SteeringInput, Target, TraceRecorder, Wander, WeightedSum,
-};
+use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 use throng::{Agent, AgentId, Goal, Group, Journey, Settings, Stop, SubSteps, TraceRequest, World};
+use throng_steer::{Arrive, Flocking, Pursue, Seek, Wander, WeightedSum};
 
 const STEP: f64 = 1.0 / 30.0;
 

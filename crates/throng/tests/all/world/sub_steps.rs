@@ -5,8 +5,8 @@ use crate::world::scenes::{Kind, populate};
 use glam::{DVec2, Vec3};
 use throng::field::Governed;
 use throng::motion::Vehicle;
-use throng::steer::Wander;
 use throng::{Agent, Body, Group, Keyframe, Script, Stage, SubSteps, World};
+use throng_steer::Wander;
 
 /// Number of sub-steps of the next step.
 fn parts_of_next(world: &mut World) -> u64 {

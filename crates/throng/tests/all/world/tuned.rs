@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use std::sync::Arc;
 use throng::avoid::{Hrvo, LocalModel, NoAvoidance, Orca};
 use throng::motion::Vehicle;
-use throng::steer::Wander;
 use throng::{Agent, Error, Group, GroupId, JourneyId, Status, World};
+use throng_steer::Wander;
 
 fn with(model: impl LocalModel + 'static) -> Group {
     Group { name: "walkers".into(), model: Arc::new(model), resolve: false, ..Group::default() }

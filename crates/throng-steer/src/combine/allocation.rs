@@ -1,0 +1,62 @@
+//! Prioritised acceleration allocation: Reynolds, Flocks, herds, and schools, SIGGRAPH 1987, "Arbitrating independent
+//! behaviors".
+
+use glam::Vec3;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
+
+/// Grants forces in order until the budget is used up: the lengths of the granted forces add up to the budget at most.
+/// In an emergency the first parts take the whole budget.
+///
+/// ```
+/// use throng::steer::Target;
+/// use throng_steer::{Allocation, Flocking, Seek, Separation};
+/// let parts = vec![Separation::default().into(), Flocking::default().into(), Seek { target: Target::Goal }.into()];
+/// let bird = Allocation { budget: 0.9, parts };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Allocation {
+    /// The budget, as a part of the vehicle's top force. Limit: > 0 to 1.
+    pub budget: f32,
+    /// The parts, the most important first.
+    pub parts: Vec<BoxedBehaviour>,
+}
+
+impl Behaviour for Allocation {
+    fn memory(&self) -> usize {
+        words_of_parts(&self.parts)
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let mut budget = Budget(self.budget * view.vehicle.max_force);
+        let mut sum = None;
+        for (index, part) in self.parts.iter().enumerate() {
+            if budget.0 <= 0.0 {
+                break;
+            }
+            if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                sum = Some(super::add(sum, Steering { force: budget.grant(said.force), ..said }));
+            }
+        }
+        sum
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let right = self.budget > 0.0 && self.budget <= 1.0;
+        Error::unless(right, "budget", self.budget, "greater than 0, up to 1")?;
+        check_parts(&self.parts)
+    }
+}
+
+/// The rest of the budget.
+pub(crate) struct Budget(pub f32);
+
+impl Budget {
+    /// Returns a vector, shortened to the rest of the budget if it is longer, and reduces the budget.
+    pub fn grant(&mut self, chosen: Vec3) -> Vec3 {
+        let granted = chosen.clamp_length_max(self.0.max(0.0));
+        self.0 -= chosen.length();
+        granted
+    }
+}

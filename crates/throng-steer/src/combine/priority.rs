@@ -1,0 +1,40 @@
+//! Priority: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
+
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
+
+/// Takes the steering of the first part that has anything to correct.
+///
+/// ```
+/// use throng::steer::{GroupFilter, Target};
+/// use throng_steer::{Flee, Priority, Wander};
+/// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(GroupFilter::OtherGroups)) };
+/// let deer = Priority { epsilon: 0.01, parts: vec![shy.into(), Wander::default().into()] };
+/// ```
+#[derive(Clone, Debug)]
+pub struct Priority {
+    /// A force no greater than this, newtons, without a facing counts as nothing to correct. Limit: >= 0.
+    pub epsilon: f32,
+    /// The parts, the most important first.
+    pub parts: Vec<BoxedBehaviour>,
+}
+
+impl Behaviour for Priority {
+    fn memory(&self) -> usize {
+        words_of_parts(&self.parts)
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let mut parts = self.parts.iter().enumerate();
+        parts.find_map(|(index, part)| {
+            let said = part.steer_as(index, view, &mut memory, why)?;
+            (said.facing.is_some() || said.force.length() > self.epsilon).then_some(said)
+        })
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.epsilon >= 0.0, "epsilon", self.epsilon, "0 or more")?;
+        check_parts(&self.parts)
+    }
+}

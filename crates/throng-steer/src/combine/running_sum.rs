@@ -1,0 +1,46 @@
+//! Weighted truncated running sum: Buckland, Programming game AI by example, 2005, chapter 3 (yuka's manager).
+
+use super::add;
+use super::weighted_sum::check_weights;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, words_of_parts};
+
+/// Adds forces in order, each times its weight and shortened to what the sum still lacks of the vehicle's top force.
+/// The first parts come first; parts after a full sum do not run.
+///
+/// ```
+/// use throng::steer::Target;
+/// use throng_steer::{RunningSum, Seek, Separation};
+/// let walker = RunningSum(vec![(1.0, Separation::default().into()), (0.5, Seek { target: Target::Goal }.into())]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct RunningSum(
+    /// Weights and parts. Limit: weights >= 0.
+    pub Vec<(f32, BoxedBehaviour)>,
+);
+
+impl Behaviour for RunningSum {
+    fn memory(&self) -> usize {
+        words_of_parts(self.0.iter().map(|(_, part)| part))
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let mut sum: Option<Steering> = None;
+        for (index, (weight, part)) in self.0.iter().enumerate() {
+            let left = view.vehicle.max_force - sum.map_or(0.0, |sum| sum.force.length());
+            if left <= 0.0 {
+                break;
+            }
+            if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                let force = (said.force * *weight).clamp_length_max(left);
+                sum = Some(add(sum, Steering { force, ..said }));
+            }
+        }
+        sum
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_weights(&self.0)
+    }
+}

@@ -1,0 +1,46 @@
+//! Weighted sum: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
+
+use super::add;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
+
+/// Adds all forces, each times its weight. Cheap and smooth, but opposite forces cancel out.
+///
+/// ```
+/// use throng_steer::{MoveForward, Wander, WeightedSum};
+/// let stroll = WeightedSum(vec![(0.5, MoveForward { part: 1.0 }.into()), (1.0, Wander::default().into())]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct WeightedSum(
+    /// Weights and parts. Limit: weights >= 0.
+    pub Vec<(f32, BoxedBehaviour)>,
+);
+
+impl Behaviour for WeightedSum {
+    fn memory(&self) -> usize {
+        words_of_parts(self.0.iter().map(|(_, part)| part))
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let mut sum = None;
+        for (index, (weight, part)) in self.0.iter().enumerate() {
+            if let Some(said) = part.steer_as(index, view, &mut memory, why) {
+                sum = Some(add(sum, Steering { force: said.force * *weight, ..said }));
+            }
+        }
+        sum
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        check_weights(&self.0)
+    }
+}
+
+/// Checks weights and parts.
+pub(super) fn check_weights(parts: &[(f32, BoxedBehaviour)]) -> Result<(), Error> {
+    for &(weight, _) in parts {
+        Error::unless(weight >= 0.0 && weight.is_finite(), "weight", weight, "0 or more and finite")?;
+    }
+    check_parts(parts.iter().map(|(_, part)| part))
+}

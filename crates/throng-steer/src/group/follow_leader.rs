@@ -1,0 +1,103 @@
+//! Leader following: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use super::{Neighbourhood, Separation};
+use crate::single::keep;
+use glam::Vec3;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{
+    Behaviour, GroupFilter, Kinematics, SteeringInput, SteeringNeighbour, SteeringReason, Target, TraceRecorder,
+};
+
+/// Follows behind a leader, keeps out of the leader's way, and keeps its distance from other followers and from the
+/// leader; in a bunch, or in single file.
+///
+/// ```
+/// use throng::steer::Target;
+/// use throng_steer::FollowLeader;
+/// let ducklings = FollowLeader { single_file: true, gap: 0.5, ..FollowLeader::from(Target::Agent(0)) };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowLeader {
+    /// The leader.
+    pub leader: Target,
+    /// Whether followers go in single file, in the order of their numbers: each agent follows the agent of its group
+    /// with the greatest number below its own among its neighbours, and the leader if there is none.
+    pub single_file: bool,
+    /// Distance behind the leader, metres. Limit: >= 0.
+    pub gap: f32,
+    /// Length of the zone ahead of the leader that followers leave, metres. Limit: >= 0.
+    pub free: f32,
+    /// Extent of that zone to either side, metres. Limit: >= 0.
+    pub width: f32,
+    /// Distance at which a follower begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+    /// Distance between followers, metres. Limit: > 0.
+    pub spacing: f32,
+}
+
+impl From<Target> for FollowLeader {
+    fn from(leader: Target) -> Self {
+        Self { leader, single_file: false, gap: 1.0, free: 3.0, width: 0.6, slowing_distance: 2.0, spacing: 0.8 }
+    }
+}
+
+/// Number of neighbours at the spacing that together push with the whole force.
+const FULL: f32 = 2.0;
+
+impl Behaviour for FollowLeader {
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let leader = self.leader.find(view)?;
+        if let Some(aside) = self.out_of_the_way(view, &leader) {
+            why.note(|| SteeringReason::Aim(view.position() + aside));
+            return view.go(aside);
+        }
+        let next = if self.single_file { next_in_file(view).unwrap_or(leader) } else { leader };
+        let follow = keep(view, &next, Vec3::NEG_X * self.gap, self.slowing_distance, why);
+        let near = Neighbourhood { distance: self.spacing, groups: GroupFilter::OwnGroup, ..Neighbourhood::default() };
+        let full = FULL / self.spacing;
+        let apart = Separation { near, full, ..Separation::default() }.steer(view, memory, why);
+        // other followers push the agent next to the leader into the leader, so the leader pushes it away, whatever its
+        // group
+        let offset = view.to(leader.position);
+        let distance = offset.length();
+        let off = if distance < self.spacing { view.urge(-offset / (distance * distance), full) } else { None };
+        let force = |said: Option<Steering>| said.map_or(Vec3::ZERO, |said| said.force);
+        Some((follow.force + force(apart) + force(off)).into())
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let lengths = [
+            ("gap", self.gap),
+            ("free way", self.free),
+            ("width of the free way", self.width),
+            ("slowing distance", self.slowing_distance),
+        ];
+        for (what, length) in lengths {
+            Error::unless(length >= 0.0, what, length, "0 or more")?;
+        }
+        Error::unless_positive("spacing", self.spacing)
+    }
+}
+
+impl FollowLeader {
+    /// Returns the direction to the nearer side of the leader's way if the agent is in that way.
+    fn out_of_the_way(&self, view: &SteeringInput<'_>, leader: &Kinematics) -> Option<Vec3> {
+        let from = view.passable(view.position() - leader.position);
+        let ahead = from.dot(leader.basis.forward);
+        let beside = view.passable(leader.basis.lateral(from));
+        if ahead <= 0.0 || ahead > self.free || beside.length() > self.width {
+            return None;
+        }
+        // in the middle, agents with even numbers go left, the rest right
+        let side = if view.rng.number.is_multiple_of(2) { leader.basis.side } else { -leader.basis.side };
+        Some(if beside == Vec3::ZERO { side } else { beside })
+    }
+}
+
+fn next_in_file(view: &SteeringInput<'_>) -> Option<Kinematics> {
+    let before =
+        |other: &&SteeringNeighbour| GroupFilter::OwnGroup.counts(view, other) && other.number < view.rng.number;
+    let next = view.neighbours.iter().filter(before).max_by_key(|other| other.number)?;
+    Some(Kinematics::of(view, next))
+}

@@ -1,0 +1,37 @@
+//! Velocity matching: Reynolds, Flocks, herds, and schools, SIGGRAPH 1987; "Alignment" of 1999 by velocities.
+
+use super::Neighbourhood;
+use glam::Vec3;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+
+/// Steers to the mean velocity of the neighbours.
+///
+/// ```
+/// use throng_steer::{MatchVelocity, Neighbourhood};
+/// let fish = MatchVelocity { near: Neighbourhood { distance: 3.0, ..Neighbourhood::default() } };
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MatchVelocity {
+    /// The neighbourhood.
+    pub near: Neighbourhood,
+}
+
+impl Behaviour for MatchVelocity {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        self.near.tell(view, why);
+        let (count, sum) =
+            self.near.of(view).fold((0.0, Vec3::ZERO), |(n, sum), other| (n + 1.0, sum + other.velocity));
+        if count == 0.0 {
+            return None;
+        }
+        let mean = view.passable(sum / count);
+        why.note(|| SteeringReason::Wishes(mean));
+        Some(view.reach(mean))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.near.check()
+    }
+}

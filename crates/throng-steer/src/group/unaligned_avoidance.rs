@@ -1,0 +1,58 @@
+//! Unaligned collision avoidance: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use super::avoid_neighbours::{first_threat, note_threat};
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, TraceRecorder};
+
+/// Avoids the first neighbour that will come too near: the agent turns aside, and speeds up or brakes.
+///
+/// The change of velocity is such that both agents are apart by a gap at their closest approach. A neighbour that the
+/// agent touches comes first. On an exact collision course the agent goes to the right.
+///
+/// ```
+/// use throng::steer::GroupFilter;
+/// use throng_steer::UnalignedAvoidance;
+/// let walker = UnalignedAvoidance { groups: GroupFilter::All, horizon: 4.0, gap: 0.2 };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnalignedAvoidance {
+    /// The agents to avoid.
+    pub groups: GroupFilter,
+    /// Time horizon, seconds. Limit: > 0.
+    pub horizon: f32,
+    /// Least distance between bodies in passing, metres. Limit: >= 0.
+    pub gap: f32,
+}
+
+impl Default for UnalignedAvoidance {
+    fn default() -> Self {
+        Self { groups: GroupFilter::All, horizon: 3.0, gap: 0.1 }
+    }
+}
+
+/// Part of the sum of radii and gap below which the closest approach counts as exact: then there is no side on which to
+/// pass.
+const EXACT: f32 = 0.01;
+
+impl Behaviour for UnalignedAvoidance {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let touches = |other: &&SteeringNeighbour| {
+            self.groups.counts(view, other) && other.offset.length() < view.radius + other.radius
+        };
+        let touching = view.neighbours.iter().find(touches).map(|other| (0.0, other));
+        let (time, threat) = touching.or_else(|| first_threat(view, self.groups, self.horizon, self.gap))?;
+        note_threat(view, time, threat, why);
+        let apart = view.radius + threat.radius + self.gap;
+        let miss = -view.passable(threat.offset + (threat.velocity - view.velocity()) * time);
+        let away = if miss.length() > EXACT * apart { miss.normalize() } else { -view.motion.basis.side };
+        let time = time.max(view.vehicle.response).max(view.seconds);
+        let chosen = view.velocity() + away * ((apart - miss.length()).max(0.0) / time);
+        Some(view.reach(chosen.clamp_length_max(view.vehicle.max_speed)))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("time horizon", self.horizon)?;
+        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")
+    }
+}

@@ -1,0 +1,47 @@
+//! Steering: the aims of an agent, as forces. Reynolds' behaviours, one in each file, and ways to combine them; flocks and
+//! [swarms](swarm).
+//!
+//! Craig Reynolds, Flocks, herds, and schools, SIGGRAPH 1987; Steering behaviors for autonomous characters, GDC 1999;
+//! and the additions of OpenSteer, gdx-ai, yuka and UnitySteer.
+//!
+//! A [`Behaviour`](throng::steer::Behaviour) of the engine sees one agent and its surroundings and returns a force. Ways to
+//! combine behaviours are behaviours too, and take any other behaviours as parts. These behaviours use nothing of the
+//! engine that a behaviour of a program's own cannot use.
+//!
+//! ```
+//! use glam::Vec3;
+//! use throng::motion::{Motion, Vehicle};
+//! use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+//! use throng_steer::Arrive;
+//!
+//! let behaviour = Arrive::from(Target::Point(Vec3::new(3.0, 4.0, 0.0)));
+//! let (vehicle, mut motion) = (Vehicle::default(), Motion::default());
+//! let mut memory = vec![0.0; behaviour.memory()];
+//! for step in 0..500 {
+//!     let view = SteeringInput { motion, vehicle, time: f64::from(step) * 0.02, seconds: 0.02, ..SteeringInput::default() };
+//!     let steering = behaviour.steer(&view, &mut memory, &mut TraceRecorder::default()).unwrap_or_default();
+//!     vehicle.step(&mut motion, steering, 0.02);
+//! }
+//! assert!(motion.position.distance(Vec3::new(3.0, 4.0, 0.0)) < 0.02 && motion.speed() < 0.01);
+//! ```
+
+mod approach;
+mod combine;
+mod group;
+mod noise;
+mod place;
+mod prediction;
+mod single;
+pub mod swarm;
+
+pub use combine::*;
+pub use group::*;
+pub use noise::Noise;
+pub use place::*;
+pub use prediction::Prediction;
+pub use single::*;
+
+/// The page about behaviours that users write: its example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/behaviours.md")]
+struct BehavioursPage;

@@ -1,0 +1,77 @@
+//! Arrival: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use glam::Vec3;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
+
+/// Goes to a target at the top speed, slows down in proportion to the distance, and stops there.
+///
+/// The agent does not overshoot, whatever the time step: if the vehicle could not brake within the slowing distance, or
+/// responds too slowly, it slows down earlier.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+/// use throng_steer::Arrive;
+/// let arrive = Arrive { slowing_distance: 2.0, ..Arrive::from(Target::Point(Vec3::X)) };
+/// let steering = arrive.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
+/// assert!((SteeringInput::default().chosen(steering).x - 0.9).abs() < 1e-6, "half way through, half the speed");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrive {
+    /// The target.
+    pub target: Target,
+    /// Distance at which the agent begins to slow down, metres. Limit: >= 0.
+    pub slowing_distance: f32,
+    /// Distance at which the agent has arrived, metres: it stops at once. Limit: >= 0.
+    pub tolerance: f32,
+}
+
+impl From<Target> for Arrive {
+    fn from(target: Target) -> Self {
+        Self { target, slowing_distance: 1.0, tolerance: 0.01 }
+    }
+}
+
+/// Part of the top speed below which the agent counts as standing: at that speed it does not drift out of any tolerance
+/// within hours.
+const REST: f32 = 1e-6;
+
+impl Behaviour for Arrive {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let target = self.target.find(view)?;
+        why.note(|| SteeringReason::Aim(target.position));
+        let offset = view.to(target.position);
+        if offset.length() > self.tolerance {
+            return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));
+        }
+        (view.motion.speed() > REST * view.vehicle.max_speed).then(|| view.reach(Vec3::ZERO))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")?;
+        Error::unless(self.tolerance >= 0.0, "tolerance", self.tolerance, "0 or more")
+    }
+}
+
+/// Returns the velocity for the approach to a target with this offset and velocity: the velocity of the target, and a
+/// component towards it in proportion to the distance, up to the top speed.
+pub(crate) fn approach(view: &SteeringInput<'_>, offset: Vec3, velocity: Vec3, slowing_distance: f32) -> Vec3 {
+    let most = view.vehicle.max_speed;
+    let nearing = (offset / settling_time(view, slowing_distance / most)).clamp_length_max(most);
+    (view.passable(velocity) + nearing).clamp_length_max(most)
+}
+
+/// Returns the least time constant, at least `least`, by which a distance can shrink without overshoot.
+///
+/// It is long enough to brake from the top speed. The velocity follows the chosen velocity by the vehicle's response, a
+/// part of the difference in each step, so distance and velocity are a linear system. Its eigenvalues are real and
+/// positive from `seconds * (1 + q) / (1 - q)` on, where `q` is the square root of the part that is left after a step.
+/// For short steps that is four times the response.
+pub(crate) fn settling_time(view: &SteeringInput<'_>, least: f32) -> f32 {
+    let vehicle = &view.vehicle;
+    let follows = vehicle.response + vehicle.smoothing;
+    let left = if follows > 0.0 { libm::expf(-0.5 * view.seconds / follows) } else { 0.0 };
+    least.max(vehicle.max_speed / vehicle.max_braking()).max(view.seconds * (1.0 + left) / (1.0 - left))
+}

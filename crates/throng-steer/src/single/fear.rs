@@ -1,0 +1,48 @@
+//! Fear: fleeing from an event until it is forgotten (UnitySteer's SteerForFear).
+
+use glam::Vec3;
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+
+/// Flees from recent events nearby; less from events that are older or farther away.
+///
+/// ```
+/// use glam::Vec3;
+/// use throng::steer::{Behaviour, SteeringInput, Stimulus, TraceRecorder};
+/// use throng_steer::Fear;
+/// let bang = [Stimulus { position: Vec3::X, time: 0.0 }];
+/// let force = |time| {
+///     let view = SteeringInput { stimuli: &bang, time, ..SteeringInput::default() };
+///     Fear { range: 10.0, fades: 4.0 }.steer(&view, &mut [], &mut TraceRecorder::default()).map(|steering| steering.force.x)
+/// };
+/// assert!(force(0.0) < force(2.0) && force(5.0).is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fear {
+    /// Distance up to which events frighten, metres; the effect decreases to 0 there. Limit: > 0.
+    pub range: f32,
+    /// Seconds until an event is forgotten; the effect decreases to 0 until then. Limit: > 0.
+    pub fades: f32,
+}
+
+impl Behaviour for Fear {
+    fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let mut away = Vec3::ZERO;
+        for event in view.stimuli {
+            let offset = view.to(event.position);
+            let fresh = 1.0 - (view.time - event.time) as f32 / self.fades;
+            let fright = fresh * (1.0 - offset.length() / self.range);
+            if (0.0..=1.0).contains(&fresh) && fright > 0.0 {
+                why.note(|| SteeringReason::Expects(event.position));
+                away -= offset.normalize_or(-view.forward()) * fright;
+            }
+        }
+        view.urge(away, 1.0)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless_positive("range of fear", self.range)?;
+        Error::unless_positive("time that fear fades in", self.fades)
+    }
+}

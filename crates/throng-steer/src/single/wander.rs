@@ -1,0 +1,78 @@
+//! Wander: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
+
+use glam::Vec3;
+use std::f32::consts::{SQRT_2, TAU};
+use throng::Error;
+use throng::motion::Steering;
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+
+/// Wanders: turns to one side and the other, without jerks.
+///
+/// The agent goes to a point on a sphere ahead of it (a circle, on the ground); the point moves on the sphere at
+/// random. The motion of the point is Brownian, so its statistics do not depend on the time step; those of Reynolds'
+/// displacement in each frame do.
+///
+/// ```
+/// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
+/// use throng_steer::Wander;
+/// let wander = Wander { strength: 0.5, rate: 2.0 };
+/// let mut memory = vec![0.0; wander.memory()];
+/// assert!(wander.steer(&SteeringInput::default(), &mut memory, &mut TraceRecorder::default()).is_some());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wander {
+    /// Radius of the sphere. Its centre is the square root of 2 ahead, so 1 turns at most 45° aside. Limit: 0 to 1.4.
+    pub strength: f32,
+    /// Speed of the point, radians per square root of a second: the standard deviation after a second. Limit: >= 0.
+    pub rate: f32,
+}
+
+impl Default for Wander {
+    fn default() -> Self {
+        Self { strength: 1.0, rate: 1.0 }
+    }
+}
+
+impl Behaviour for Wander {
+    /// The point on the sphere of radius 1, in the agent's frame.
+    fn memory(&self) -> usize {
+        3
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        let point = self.walk(view, Vec3::from_slice(memory));
+        memory.copy_from_slice(&point.to_array());
+        let direction = view.passable(view.motion.basis.to_world(Vec3::X * SQRT_2 + point * self.strength));
+        why.note(|| SteeringReason::Aim(view.position() + direction));
+        view.turn(direction)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        Error::unless((0.0..=1.4).contains(&self.strength), "strength of wandering", self.strength, "from 0 to 1.4")?;
+        Error::unless(self.rate >= 0.0, "rate of wandering", self.rate, "0 or more")
+    }
+}
+
+impl Wander {
+    /// Returns the point after the step; a random point of the sphere if there was none.
+    fn walk(&self, view: &SteeringInput<'_>, point: Vec3) -> Vec3 {
+        let spread = self.rate * view.seconds.sqrt();
+        let rng = view.rng;
+        if view.is_on_ground() {
+            let angle = match point {
+                Vec3::ZERO => TAU * rng.draw(9),
+                _ => libm::atan2f(point.y, point.x) + rng.normal(0) * spread,
+            };
+            let (sin, cos) = libm::sincosf(angle);
+            return Vec3::new(cos, sin, 0.0);
+        }
+        let any = Vec3::new(rng.normal(0), rng.normal(1), rng.normal(2));
+        if point == Vec3::ZERO {
+            return any.normalize_or(Vec3::X);
+        }
+        // along a great circle
+        let step = any.reject_from_normalized(point) * spread;
+        let (sin, cos) = libm::sincosf(step.length());
+        (point * cos + step.normalize_or_zero() * sin).normalize_or(Vec3::X)
+    }
+}
