@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use throng::World;
 use throng_record::swarm::Swarm;
 use throng_record::{Frame, moment};
-use throng_scene::{Scene, Steer};
+use throng_scene::Scene;
 
 /// The least time between measurements, seconds: a frame of 30 per second.
 const SPACING: f64 = 1.0 / 30.0;
@@ -23,7 +23,11 @@ pub struct Swarms {
 impl Swarms {
     /// Returns the swarms of a scene, not yet measured; none unless `wanted`.
     pub fn of(scene: &Scene, wanted: bool) -> Self {
-        let groups = scene.groups.iter().enumerate().filter(|(_, group)| matches!(group.steer, Some(Steer::Swarm(_))));
+        let groups = scene
+            .groups
+            .iter()
+            .enumerate()
+            .filter(|(_, group)| group.steer.as_ref().is_some_and(|steer| steer.name == "swarm"));
         let begin = |name: &str| Measured { name: name.to_owned(), swarm: Swarm::new(LAG) };
         let groups = groups.map(|(k, group)| (k as u32, begin(&group.name)));
         Self { groups: groups.filter(|_| wanted).collect(), frame: Frame::default(), next: 0.0 }

@@ -1,6 +1,6 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
-use throng_scene::steer::{Custom, Priority, Target, Tether};
+use throng_scene::steer::{AvoidObstacles, Priority, Target, Tether};
 use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
@@ -15,9 +15,9 @@ pub fn scene() -> Scene {
         Obstacle::from(Shape::Circle(Circle { center, radius: 0.3 }))
     };
     let parts = vec![
-        Steer::AvoidObstacles(Default::default()),
-        Steer::Tether(Tether { to: Target::At([0.0, 0.0].into()), length: 10.0 }),
-        Steer::Custom(Custom::from("weave")),
+        AvoidObstacles::default().into(),
+        Tether { to: Target::At([0.0, 0.0].into()), length: 10.0 }.into(),
+        Steer::named("weave"),
     ];
     let people = Group {
         name: "people".into(),
@@ -26,7 +26,7 @@ pub fn scene() -> Scene {
         heading: Some(Number::Uniform([0.0, 360.0])),
         guard: Some(true),
         vehicle: Some(Vehicle { max_speed: Some(1.5), ..Vehicle::default() }),
-        steer: Some(Steer::Priority(Priority::from(parts))),
+        steer: Some(Priority::from(parts).into()),
         ..Group::default()
     };
     Scene {

@@ -26,3 +26,4 @@ pub use world::{Built, BuiltGroup};
 
 pub(crate) use ground::{has_room, solid_shape};
 pub(crate) use limits::name;
+pub(crate) use steer::{BehaviourContext, BuildBehaviour, refused};

@@ -9,6 +9,7 @@ mod soccer;
 
 use crate::registry::{Behaviours, Rulebook};
 use glam::{DVec2, Vec2};
+use throng::parameters::parameters;
 use throng::{AgentId, AgentRef, World};
 
 /// Adds the rules of all games to a rulebook.
@@ -19,15 +20,29 @@ pub fn rules(book: &mut Rulebook) {
     book.add("map-drive", map_drive::rules);
 }
 
-/// Returns the behaviours of the players, which scene files can name.
-pub fn behaviours() -> Behaviours {
-    let mut behaviours = Behaviours::default();
-    behaviours.add("soccer-player", soccer::player);
-    behaviours.add("capture-seeker", capture::seeker);
-    behaviours.add("capture-defender", capture::defender);
-    behaviours.add("map-driver", map_drive::driver);
-    behaviours
+/// Adds the behaviours of the players to a registry.
+pub fn register(behaviours: &mut Behaviours) {
+    behaviours.add_with("soccer-player", |_: SoccerPlayer, names| soccer::player(names));
+    behaviours.add_with("capture-seeker", |_: CaptureSeeker, names| capture::seeker(names));
+    behaviours.add_with("capture-defender", |_: CaptureDefender, names| capture::defender(names));
+    behaviours.add_with("map-driver", |_: MapDriver, names| map_drive::driver(names));
 }
+
+/// Kicks the ball to the goal of the other team, in the scene `soccer`.
+#[parameters]
+struct SoccerPlayer;
+
+/// Runs to the flag past the defenders, in the scene `capture-the-flag`.
+#[parameters]
+struct CaptureSeeker;
+
+/// Catches the seeker, in the scene `capture-the-flag`.
+#[parameters]
+struct CaptureDefender;
+
+/// Follows the route of the scene `map-drive` and avoids obstacles by a map of them.
+#[parameters]
+struct MapDriver;
 
 /// Whether two agents touch, or are nearer than the sum of their radii times (1 + `more`).
 fn touch(world: &World, a: AgentId, b: AgentId, more: f64) -> bool {

@@ -1,21 +1,27 @@
-//! Behaviours that a program adds to those of scene files.
+//! The steering behaviours, by name.
 
-use super::read::{Unmade, read};
+use super::choice::{Catalogue, Choice, choice_schema};
+use super::read::{Unmade, read, read_value};
+use crate::assemble::{BehaviourContext, BuildBehaviour, refused};
 use crate::caught::{caught, named};
+use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
-use schemars::{Schema, SchemaGenerator};
-use serde_json::Value;
-use std::collections::BTreeMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::DeserializeOwned;
+use serde_json::Value as Json;
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
-use throng::parameters::Declared;
+use throng::parameters::{Declared, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
-use toml::Table;
+use toml::Value;
 
-/// Behaviours by name, for `steer.custom = "name"`: a scene uses the behaviours of a program by these names.
-/// [`Plugins`](crate::Plugins) gives them to every scene of a program.
+/// What an agent steers by: a behaviour, or a combination of behaviours. Its name, and what its table says.
+pub type Steer = Choice<Behaviours>;
+
+/// The behaviours that scene files can name: those of throng, then those that a program adds.
 ///
 /// ```
 /// use glam::Vec3;
@@ -39,48 +45,54 @@ use toml::Table;
 ///     [[group]]
 ///     place.point = [5, 0]
 ///     vehicle = { kind = "level", max_speed = 2.0 }
-///     steer.priority = [{ custom = "vertical_velocity" }, { wander = {} }]
+///     steer.priority = [{ climb = {} }, { wander = {} }]
 /// "#
 /// .parse()?;
-/// scene.plugins.behaviours.add("vertical_velocity", |_| Ok(Climb { height: 3.0 }.into()));
+/// scene.plugins.behaviours.add("climb", |_| Ok(Climb { height: 3.0 }.into()));
 /// let (mut world, _) = scene.build()?;
 /// (0..100).for_each(|_| world.step());
 /// assert!(world.relative_columns().altitude[0] > 2.9);
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
-#[derive(Clone, Default)]
-pub struct Behaviours(BTreeMap<String, Maker>);
-
-/// How a behaviour is made, and the schema of its parameters.
 #[derive(Clone)]
-struct Maker {
+pub struct Behaviours(Vec<Entry>);
+
+/// A behaviour of the registry.
+#[derive(Clone)]
+struct Entry {
+    name: Cow<'static, str>,
+    about: &'static str,
+    is_plugin: bool,
     make: MakeBehaviour,
-    /// The schema of its parameters, if it has any.
-    schema: Option<fn(&mut SchemaGenerator) -> Schema>,
+    schema: fn(&mut SchemaGenerator) -> Schema,
 }
 
-/// Makes a behaviour for a scene, with the given parameters.
-type MakeBehaviour = Arc<dyn Fn(&Table, &SceneNames<'_>) -> Result<BoxedBehaviour, Unmade> + Send + Sync>;
+/// Makes a behaviour for a group of a scene, from what the scene says at this path.
+type MakeBehaviour = Arc<dyn Fn(&Value, &BehaviourContext<'_>, &Path) -> Result<BoxedBehaviour, Problem> + Send + Sync>;
+
+/// A behaviour that the program adds.
+#[parameters]
+#[derive(Debug)]
+struct NoParameters;
 
 impl Behaviours {
-    /// Adds a behaviour, or replaces the behaviour with the same name. `make` gets the names in the scene, and returns
-    /// an error for anything that it needs and the scene lacks.
+    /// Adds a behaviour without parameters, or replaces the behaviour with the same name. `make` gets the names in the
+    /// scene, and returns an error for anything that it needs and the scene lacks.
     pub fn add(
         &mut self,
         name: impl Into<String>,
         make: impl Fn(&SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
-        let make: MakeBehaviour = Arc::new(move |_, cast| make(cast).map_err(Unmade::Refused));
-        self.0.insert(name.into(), Maker { make, schema: None });
+        self.add_with(name, move |_: NoParameters, names| make(names));
     }
 
-    /// Adds a behaviour with parameters, as [`add`](Self::add) does. Files set the parameters by
-    /// `steer.custom.NAME = { .. }`, which is read as `P`.
+    /// Adds a behaviour with parameters, as [`add`](Self::add) does. Files set the parameters by `steer.NAME = { .. }`,
+    /// which is read as `P`.
     ///
     /// ```
     /// use throng::parameters::parameters;
+    /// use throng_scene::Scene;
     /// use throng_steer::Wander;
-    /// use throng_scene::{Behaviours, Scene};
     ///
     /// /// Walks at ease.
     /// #[parameters]
@@ -90,10 +102,9 @@ impl Behaviours {
     ///     strength: f32,
     /// }
     ///
-    /// let mut behaviours = Behaviours::default();
+    /// let mut scene: Scene = "[[group]]\nplace.point = [5, 0]\nsteer.stroll = { strength = 1.5 }".parse()?;
+    /// let behaviours = &mut scene.plugins.behaviours;
     /// behaviours.add_with("stroll", |Stroll { strength }, _| Ok(Wander { strength, rate: 1.0 }.into()));
-    /// let mut scene: Scene = "[[group]]\nplace.point = [5, 0]\nsteer.custom.stroll = { strength = 1.5 }".parse()?;
-    /// scene.plugins.behaviours = behaviours;
     /// let says = scene.build().unwrap_err().to_string();
     /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
     /// # Ok::<(), throng_scene::Error>(())
@@ -103,47 +114,110 @@ impl Behaviours {
         name: impl Into<String>,
         make: impl Fn(P, &SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
     ) {
-        let make: MakeBehaviour = Arc::new(move |given, cast| {
-            let parameters = read(given.clone(), &[])?;
-            make(parameters, cast).map_err(Unmade::Refused)
+        let name: Arc<str> = name.into().into();
+        let of = name.clone();
+        let make: MakeBehaviour = Arc::new(move |given, making, at| {
+            let made = caught(|| {
+                let branch = make(read(given, &[])?, making.names()).map_err(Unmade::Refused)?;
+                branch.check().map_err(Unmade::Refused)?;
+                Ok(branch)
+            });
+            let branch = made
+                .unwrap_or_else(|says| Err(Unmade::Panicked(says)))
+                .map_err(|unmade| unmade.at(at, at, &format!("behaviour `{of}`")))?;
+            Ok(NamedBehaviour { name: of.clone(), branch }.into())
         });
-        self.0.insert(name.into(), Maker { make, schema: Some(|generator| generator.subschema_for::<P>()) });
+        self.0.retain(|entry| *entry.name != *name);
+        self.0.push(Entry {
+            name: name.to_string().into(),
+            about: P::ABOUT,
+            is_plugin: true,
+            make,
+            schema: |generator| generator.subschema_for::<P>(),
+        });
     }
 
-    /// Adds the behaviours of another set. They replace behaviours with the same names.
-    pub fn extend(&mut self, others: Self) {
-        self.0.extend(others.0);
+    /// Adds a behaviour of throng, which a scene describes as a `D`.
+    pub(crate) fn add_own<D: DeserializeOwned + JsonSchema + BuildBehaviour>(
+        &mut self,
+        name: &'static str,
+        about: &'static str,
+    ) {
+        let make: MakeBehaviour = Arc::new(|given, making, at| {
+            let described: D = read_value(given).map_err(|unmade| unmade.at(at, at, ""))?;
+            let branch = described.make(making, at)?;
+            branch.check().map_err(|error| refused(at, &error))?;
+            Ok(branch)
+        });
+        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
+        self.0.push(Entry { name: name.into(), about, is_plugin: false, make, schema });
+    }
+
+    /// Adds the behaviours that another set has from programs. They replace behaviours with the same names.
+    pub fn extend(&mut self, more: Self) {
+        let more: Vec<Entry> = more.0.into_iter().filter(|entry| entry.is_plugin).collect();
+        self.0.retain(|entry| more.iter().all(|other| other.name != entry.name));
+        self.0.extend(more);
     }
 
     /// Returns the names of all behaviours.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().map(String::as_str)
+        self.0.iter().map(|entry| &*entry.name)
     }
 
-    /// Returns the schema of the parameters of a behaviour, without references, if it has parameters.
-    pub(crate) fn schema(&self, name: &str) -> Option<Value> {
-        let mut generator = SchemaGenerator::new(schemars::generate::SchemaSettings::default().with(|settings| {
-            settings.inline_subschemas = true;
-        }));
-        let schema = self.0.get(name)?.schema?;
-        Some(schema(&mut generator).to_value())
-    }
-
-    /// Returns a behaviour by its name, made for a scene. A panic in it names the behaviour.
+    /// Makes the behaviour that a scene chooses at a path.
     pub(crate) fn make(
         &self,
-        name: &str,
-        said: &Table,
-        cast: &SceneNames<'_>,
-    ) -> Option<Result<BoxedBehaviour, Unmade>> {
-        let maker = self.0.get(name)?;
-        let made = caught(|| {
-            let branch = (maker.make)(said, cast)?;
-            branch.check().map_err(Unmade::Refused)?;
-            Ok(branch)
-        });
-        let made = made.unwrap_or_else(|says| Err(Unmade::Panicked(says)));
-        Some(made.map(|branch| NamedBehaviour { name: name.into(), branch }.into()))
+        steer: &Steer,
+        making: &BehaviourContext<'_>,
+        at: &Path,
+    ) -> Result<BoxedBehaviour, Problem> {
+        match self.0.iter().find(|entry| entry.name == steer.name) {
+            Some(entry) => (entry.make)(&steer.parameters, making, &at.name(&entry.name)),
+            None => {
+                let problem = Unmade::no_choice(&steer.name, self.names()).at(at, &at.name(&steer.name), "");
+                Err(match steer.name.as_str() {
+                    "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
+                    _ => problem,
+                })
+            }
+        }
+    }
+
+    /// Returns the name of each behaviour of a plug-in, and the schema of its choice.
+    pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Json)> {
+        let plugins = self.0.iter().filter(|entry| entry.is_plugin);
+        plugins.map(|entry| (&*entry.name, entry.choice(generator))).collect()
+    }
+}
+
+impl Entry {
+    /// Returns the schema of the choice of this behaviour.
+    fn choice(&self, generator: &mut SchemaGenerator) -> Json {
+        choice_schema(&self.name, self.about, (self.schema)(generator))
+    }
+}
+
+impl Default for Behaviours {
+    /// Returns the behaviours of throng.
+    fn default() -> Self {
+        let mut behaviours = Self(Vec::new());
+        crate::scene::steer::register(&mut behaviours);
+        crate::games::register(&mut behaviours);
+        behaviours.0.iter_mut().for_each(|entry| entry.is_plugin = false);
+        behaviours
+    }
+}
+
+impl Catalogue for Behaviours {
+    const NAME: &'static str = "Steer";
+    const EXAMPLE: &'static str = "steer.wander = { .. }";
+
+    fn schema(generator: &mut SchemaGenerator) -> Schema {
+        let choices: Vec<Json> = Self::default().0.iter().map(|entry| entry.choice(generator)).collect();
+        json_schema!({
+            "description": "What an agent steers by: a behaviour, or a combination of behaviours.", "oneOf": choices
+        })
     }
 }
 
@@ -186,6 +260,6 @@ impl Behaviour for NamedBehaviour {
 
 impl fmt::Debug for Behaviours {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_set().entries(self.0.keys()).finish()
+        f.debug_set().entries(self.names()).finish()
     }
 }

@@ -4,6 +4,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{self, Deserializer, MapAccess};
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
+use serde_json::{Value as Json, json};
 use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
@@ -36,33 +37,53 @@ pub trait Catalogue {
 pub struct Choice<C> {
     /// The name.
     pub name: String,
-    /// The given parameters.
-    pub parameters: Table,
+    /// The given parameters: a table, or what a combination of behaviours writes instead, such as a list of its parts.
+    pub parameters: Value,
     catalogue: PhantomData<fn() -> C>,
 }
 
 impl<C> Choice<C> {
     /// Returns the choice with this name, without parameters.
     pub fn named(name: impl Into<String>) -> Self {
-        Self::new(name.into(), Table::new())
+        Self::new(name.into(), Value::Table(Table::new()))
     }
 
     /// Returns the choice of a type, with the parameters that differ from their defaults.
     pub fn of<P: Declared + Default>(chosen: &P) -> Self {
         let usual = written(&P::default());
         let given = written(chosen).into_iter().filter(|(key, value)| usual.get(key) != Some(value));
-        Self::new(P::NAME.to_owned(), given.collect())
+        Self::new(P::NAME.to_owned(), Value::Table(given.collect()))
     }
 
-    /// Returns the choice with one more parameter, or another value of it.
+    /// Returns the choice with one more parameter, or another value of it. It has no effect on a list.
     pub fn with(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
-        self.parameters.insert(key.into(), value.into());
+        if let Value::Table(table) = &mut self.parameters {
+            table.insert(key.into(), value.into());
+        }
         self
     }
 
-    pub(crate) fn new(name: String, parameters: Table) -> Self {
+    /// Returns the choice with this name and this description.
+    pub(crate) fn written(name: &str, description: &impl Serialize) -> Self {
+        let mut parameters = Value::try_from(description).unwrap_or_else(|_| Value::Table(Table::new()));
+        shorten(&mut parameters);
+        Self::new(name.to_owned(), parameters)
+    }
+
+    pub(crate) fn new(name: String, parameters: Value) -> Self {
         Self { name, parameters, catalogue: PhantomData }
     }
+}
+
+/// Returns the schema of one choice of a catalogue.
+pub(super) fn choice_schema(name: &str, about: &str, parameters: Schema) -> Json {
+    json!({
+        "description": about,
+        "type": "object",
+        "properties": { name: parameters },
+        "required": [name],
+        "additionalProperties": false
+    })
 }
 
 /// Returns parameters as files write them.
@@ -110,7 +131,7 @@ impl<C> fmt::Debug for Choice<C> {
 
 impl<C> PartialEq for Choice<C> {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name && is_same_table(&self.parameters, &other.parameters)
+        self.name == other.name && is_same(&self.parameters, &other.parameters)
     }
 }
 

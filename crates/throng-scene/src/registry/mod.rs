@@ -9,7 +9,7 @@ mod plugins;
 mod read;
 mod rulebook;
 
-pub use behaviours::Behaviours;
+pub use behaviours::{Behaviours, Steer};
 pub use choice::{Catalogue, Choice};
 pub use model::Model;
 pub(crate) use models::ChosenModel;

@@ -57,7 +57,7 @@ impl Model {
             values.insert(key, value);
         }
         let model = Self { label: label.to_owned(), name, values };
-        model.checked(Avoid::new(model.name.clone(), model.values.clone()), models)?;
+        model.checked(Avoid::new(model.name.clone(), Value::Table(model.values.clone())), models)?;
         Ok(model)
     }
 
@@ -69,9 +69,12 @@ impl Model {
     /// Returns this model with the neighbour search of the model that it replaces. If both are the same model, all
     /// values that are not written here are kept.
     fn instead_of(&self, before: &Avoid, models: &Models) -> Result<Avoid, Error> {
-        let mut values = if before.name == self.name { before.parameters.clone() } else { sight_of(before, models) };
+        let mut values = match &before.parameters {
+            Value::Table(given) if before.name == self.name => given.clone(),
+            _ => sight_of(before, models),
+        };
         values.extend(self.values.clone());
-        self.checked(Avoid::new(self.name.clone(), values), models)
+        self.checked(Avoid::new(self.name.clone(), Value::Table(values)), models)
     }
 
     /// Returns a choice that can be made.
@@ -124,7 +127,7 @@ impl Scene {
     pub fn table_of(&self, group: &Group) -> Table {
         let mut table = Table::try_from(group).unwrap_or_default();
         let avoid = self.plugins.models.complete(&group.local_model());
-        table.insert("avoid".into(), Value::Table(Table::from_iter([(avoid.name, Value::Table(avoid.parameters))])));
+        table.insert("avoid".into(), Value::Table(Table::from_iter([(avoid.name, avoid.parameters)])));
         table
     }
 }

@@ -1,10 +1,9 @@
 //! The local models, by name.
 
-use super::choice::{Catalogue, Choice, written};
-use super::read::{self, Unmade};
+use super::choice::{Catalogue, Choice, choice_schema, written};
+use super::read::{self, Unmade, read_value};
 use crate::caught::{caught, named};
-use crate::error::Kind;
-use crate::file::{Path, Problem, unknown_variant};
+use crate::file::{Path, Problem};
 use crate::scene::Neighbours;
 use glam::{Vec2, Vec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -32,9 +31,9 @@ struct Entry {
     name: &'static str,
     about: &'static str,
     is_plugin: bool,
-    read: fn(&Table) -> Result<ChosenModel, Unmade>,
+    read: fn(&Value) -> Result<ChosenModel, Unmade>,
     /// Adds the defaults of the parameters that are not given.
-    complete: fn(&Table) -> Result<Table, Unmade>,
+    complete: fn(&Value) -> Result<Table, Unmade>,
     schema: fn(&mut SchemaGenerator) -> Schema,
 }
 
@@ -55,7 +54,7 @@ impl Models {
 
     /// Adds a model of a plug-in, or replaces the model with the same name. A panic in it names it.
     pub(super) fn add_plugin<M: LocalModel + Declared + Default>(&mut self) {
-        let read = |given: &Table| {
+        let read = |given: &Value| {
             let (model, neighbours, neighbour_distance) = caught(|| read::<M>(given)).map_err(Unmade::Panicked)??;
             Ok(ChosenModel { model: Arc::new(PluginModel(model)), neighbours, neighbour_distance })
         };
@@ -70,11 +69,7 @@ impl Models {
     /// Makes the model of a choice at this path of the scene.
     pub(crate) fn make(&self, avoid: &Avoid, at: &Path) -> Result<ChosenModel, Problem> {
         let Some(entry) = self.find(&avoid.name) else {
-            let known: Vec<String> = self.names().map(str::to_owned).collect();
-            let error = unknown_variant(&avoid.name, &known);
-            let mut problem = Problem::new(&at.name(&avoid.name), Kind::UnknownKey, error.message);
-            problem.hint = error.hint;
-            return Err(problem);
+            return Err(Unmade::no_choice(&avoid.name, self.names()).at(at, &at.name(&avoid.name), ""));
         };
         (entry.read)(&avoid.parameters).map_err(|unmade| unmade.at(at, &at.name(entry.name), &what(entry.name)))
     }
@@ -83,7 +78,7 @@ impl Models {
     /// checked when the model is made.
     pub(crate) fn check_keys(&self, avoid: &Avoid, at: &Path) -> Result<(), Problem> {
         match self.find(&avoid.name).map(|entry| (entry.read)(&avoid.parameters)) {
-            Some(Err(unread @ (Unmade::Unknown(..) | Unmade::Misread(_)))) => {
+            Some(Err(unread @ (Unmade::NoKey(..) | Unmade::Misread(..)))) => {
                 Err(unread.at(at, &at.name(&avoid.name), &what(&avoid.name)))
             }
             _ => Ok(()),
@@ -93,7 +88,7 @@ impl Models {
     /// Returns a choice with the defaults of all parameters that it leaves out; or as it is, if it cannot be made.
     pub(crate) fn complete(&self, avoid: &Avoid) -> Avoid {
         let complete = self.find(&avoid.name).and_then(|entry| (entry.complete)(&avoid.parameters).ok());
-        complete.map_or_else(|| avoid.clone(), |parameters| Avoid::new(avoid.name.clone(), parameters))
+        complete.map_or_else(|| avoid.clone(), |all| Avoid::new(avoid.name.clone(), Value::Table(all)))
     }
 
     /// Returns the name of each model of a plug-in, and the schema of its choice.
@@ -155,13 +150,7 @@ impl Entry {
 
     /// Returns the schema of the choice of this model.
     fn choice(&self, generator: &mut SchemaGenerator) -> Json {
-        json!({
-            "description": self.about,
-            "type": "object",
-            "properties": { self.name: (self.schema)(generator) },
-            "required": [self.name],
-            "additionalProperties": false
-        })
+        choice_schema(self.name, self.about, (self.schema)(generator))
     }
 }
 
@@ -205,16 +194,19 @@ struct OrAll {
 }
 
 /// Reads a model, the number of neighbours and the reach of the neighbour search.
-fn read<M: LocalModel + Declared + Default>(given: &Table) -> Result<(M, Neighbours, f64), Unmade> {
-    let mut own = given.clone();
-    let sight: Table = SIGHT.iter().filter_map(|key| own.remove_entry(*key)).collect();
-    let model = read::read::<M>(own, &SIGHT)?;
+fn read<M: LocalModel + Declared + Default>(given: &Value) -> Result<(M, Neighbours, f64), Unmade> {
+    let (mut own, mut sight) = (given.clone(), Table::new());
+    if let Value::Table(own) = &mut own {
+        sight.extend(SIGHT.iter().filter_map(|key| own.remove_entry(*key)));
+    }
+    let sight = Value::Table(sight);
+    let model: M = read::read(&own, &SIGHT)?;
     model.check().map_err(Unmade::Refused)?;
     let (neighbours, distance) = if model.avoids() {
-        let Nearest { neighbours, neighbour_distance } = sight.try_into().map_err(Unmade::Misread)?;
+        let Nearest { neighbours, neighbour_distance } = read_value(&sight)?;
         (neighbours.map(Neighbours::Nearest), neighbour_distance)
     } else {
-        let OrAll { neighbours, neighbour_distance } = sight.try_into().map_err(Unmade::Misread)?;
+        let OrAll { neighbours, neighbour_distance } = read_value(&sight)?;
         (neighbours, neighbour_distance)
     };
     let neighbours = neighbours.unwrap_or(Neighbours::Nearest(NEIGHBOURS));

@@ -6,7 +6,7 @@ use crate::gallery;
 use crate::scene::{Scene, SceneNames};
 use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use throng::avoid::LocalModel;
@@ -47,7 +47,7 @@ const GROUP: &str = "plug-ins";
 ///     [[group]]
 ///     place.point = [5, 0]
 ///     vehicle = { kind = "level", max_speed = 2.0 }
-///     steer.custom.climb = { height = 4 }
+///     steer.climb = { height = 4 }
 /// "#;
 ///
 /// let plugins = Plugins::new().behaviour::<Climb>().scene("lift", LIFT);
@@ -60,7 +60,7 @@ const GROUP: &str = "plug-ins";
 pub struct Plugins {
     /// The local models, for `avoid`.
     pub models: Models,
-    /// The behaviours that a program adds, for `steer.custom`.
+    /// The steering behaviours, for `steer`.
     pub behaviours: Behaviours,
     /// The rules of games, for `rules`.
     pub rules: Rulebook,
@@ -82,7 +82,7 @@ impl Plugins {
     }
 
     /// Adds a behaviour, or replaces the behaviour with the same name. The fields of its type are its parameters
-    /// ([`throng::parameters`]), and its name in `steer.custom.NAME` is
+    /// ([`throng::parameters`]), and its name in `steer.NAME` is
     /// [`NAME`](throng::parameters::Parameters::NAME).
     pub fn behaviour<B: Behaviour + Declared>(mut self) -> Self {
         self.behaviours.add_with(B::NAME, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
@@ -172,27 +172,17 @@ impl Plugins {
     /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with the added models and behaviours
     /// and their parameters.
     pub fn schema(&self) -> Value {
-        let mut names = Vec::new();
-        let mut tables = Vec::new();
-        for name in self.behaviours.names() {
-            names.push(name.to_owned());
-            if let Some(schema) = self.behaviours.schema(name) {
-                let properties = Map::from_iter([(name.to_owned(), schema)]);
-                tables.push(json!({
-                    "type": "object", "properties": properties, "required": [name], "additionalProperties": false,
-                }));
-            }
-        }
         let mut root = crate::schema();
         let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
-        let models = self.models.plugin_schemas(&mut SchemaGenerator::new(settings));
-        if let Some(known) = root["$defs"]["Avoid"]["oneOf"].as_array_mut() {
-            known.retain(|choice| models.iter().all(|(name, _)| choice["properties"].get(name).is_none()));
-            known.extend(models.into_iter().map(|(_, choice)| choice));
-        }
-        if !names.is_empty() {
-            let name = json!({ "type": "string", "enum": names });
-            root["$defs"]["Custom"]["anyOf"] = std::iter::once(name).chain(tables).collect();
+        let mut generator = SchemaGenerator::new(settings);
+        for (choice, added) in [
+            ("Avoid", self.models.plugin_schemas(&mut generator)),
+            ("Steer", self.behaviours.plugin_schemas(&mut generator)),
+        ] {
+            if let Some(known) = root["$defs"][choice]["oneOf"].as_array_mut() {
+                known.retain(|choice| added.iter().all(|(name, _)| choice["properties"].get(*name).is_none()));
+                known.extend(added.into_iter().map(|(_, choice)| choice));
+            }
         }
         root
     }

@@ -2,16 +2,20 @@
 
 use crate::assemble::name;
 use crate::error::{Error, Kind};
-use crate::file::{Path, Problem, explain, unknown_key};
+use crate::file::{Path, Problem, explain, unknown_key, unknown_variant};
+use serde::de::DeserializeOwned;
+use serde_path_to_error::Segment;
 use throng::parameters::Declared;
-use toml::Table;
+use toml::Value;
 
 /// Why a choice was not made.
 pub(crate) enum Unmade {
+    /// There is no such choice: its name, and the names that exist.
+    NoChoice(String, Vec<String>),
     /// There is no such parameter: its key, and the keys that exist.
-    Unknown(String, Vec<String>),
-    /// A parameter cannot be read.
-    Misread(toml::de::Error),
+    NoKey(String, Vec<String>),
+    /// A parameter cannot be read: the path to it, and the message.
+    Misread(Path, String),
     /// The type refused its parameters or the scene.
     Refused(throng::Error),
     /// The code panicked with this message.
@@ -20,28 +24,44 @@ pub(crate) enum Unmade {
 
 /// Reads parameters. All of them are within their limits. The choice has the keys `more` besides, which are not in
 /// `given` any more.
-pub(super) fn read<P: Declared>(given: Table, more: &[&str]) -> Result<P, Unmade> {
+pub(super) fn read<P: Declared>(given: &Value, more: &[&str]) -> Result<P, Unmade> {
     let known = || P::PARAMETERS.iter().map(|parameter| parameter.name);
-    if let Some(key) = given.keys().find(|key| !known().any(|name| name == *key)) {
-        return Err(Unmade::Unknown(key.clone(), known().chain(more.iter().copied()).map(str::to_owned).collect()));
+    if let Some(key) = given.as_table().and_then(|table| table.keys().find(|key| !known().any(|name| name == *key))) {
+        return Err(Unmade::NoKey(key.clone(), known().chain(more.iter().copied()).map(str::to_owned).collect()));
     }
-    let parameters: P = given.try_into().map_err(Unmade::Misread)?;
+    let parameters: P = read_value(given)?;
     parameters.check_limits().map_err(Unmade::Refused)?;
     Ok(parameters)
 }
 
+/// Reads a value.
+pub(super) fn read_value<T: DeserializeOwned>(given: &Value) -> Result<T, Unmade> {
+    serde_path_to_error::deserialize(given.clone()).map_err(|error| {
+        let mut path = Path::default();
+        for segment in error.path() {
+            match segment {
+                Segment::Seq { index } => path = path.index(*index),
+                Segment::Map { key } | Segment::Enum { variant: key } => path = path.name(key),
+                Segment::Unknown => {}
+            }
+        }
+        Unmade::Misread(path, error.inner().message().to_owned())
+    })
+}
+
 impl Unmade {
+    /// Returns the error for a name that does not exist.
+    pub(super) fn no_choice<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Self {
+        Self::NoChoice(name.to_owned(), known.map(str::to_owned).collect())
+    }
+
     /// Returns the problem of a choice at the path `at` with its parameters at `inside`. `what` is the kind and the name
     /// of the choice, for messages about plug-ins.
     pub(crate) fn at(self, at: &Path, inside: &Path, what: &str) -> Problem {
         match self {
-            Self::Unknown(key, known) => placed(unknown_key(&key, &known), &inside.name(&key)),
-            Self::Misread(error) => {
-                let shown = error.to_string();
-                let keys = shown.split_once("\nin `").and_then(|(_, rest)| rest.split_once('`'));
-                let at = keys.map_or_else(|| inside.clone(), |(keys, _)| inside.key(keys));
-                placed(explain(error.message()), &at)
-            }
+            Self::NoChoice(name, known) => placed(unknown_variant(&name, &known), inside),
+            Self::NoKey(key, known) => placed(unknown_key(&key, &known), &inside.name(&key)),
+            Self::Misread(path, message) => placed(explain(&message), &inside.join(&path)),
             Self::Refused(throng::Error::Limit { what, value, limit }) => {
                 let at = inside.key(&what.replace(' ', "_"));
                 let message = format!("{} is {value}, but must be {limit}", name(&at));

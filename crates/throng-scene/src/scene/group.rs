@@ -3,8 +3,8 @@
 use super::flow::Governed;
 use super::steer::ObstacleNames;
 use super::surface::is_default;
-use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, Steer, Vehicle, WrapAround, source};
-use crate::registry::Avoid;
+use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, Vehicle, WrapAround, source};
+use crate::registry::{Avoid, Steer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use throng::avoid::{NoAvoidance, Orca};

@@ -38,7 +38,6 @@ pub use obstacle::{As, Circle, Obstacle, Shape};
 pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
 pub use schema::schema;
 pub use source::Source;
-pub use steer::Steer;
 pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };

@@ -164,7 +164,7 @@ fn what_is_wrong_with_a_game_is_named() {
         assert_eq!(misfit.kind, Kind::World);
         assert!(misfit.to_string().contains(misses), "{misfit}");
     }
-    let player = error(&PLAIN.replace("wander = {}", "custom = \"capture-defender\""), true);
+    let player = error(&PLAIN.replace("wander = {}", "capture-defender = {}"), true);
     assert!(player.to_string().contains("behaviour `capture-defender`: there is no group `seeker`"), "{player}");
     for (key, wrong) in
         [("start_speed = 2", "start_speed without a heading"), ("heading = 0\nstart_speed = -1", "0 to 1000")]

@@ -5,7 +5,6 @@ use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 use throng::{Rules, World};
-use throng_scene::steer::Custom;
 use throng_scene::{Kind, Plugins, Scene, Steer, caught, gallery};
 
 /// Rises to a height.
@@ -48,17 +47,21 @@ impl Rules for Fuse {
 
 fn plugins() -> Plugins {
     let rules = |_: &throng_scene::SceneNames<'_>| Ok(Fuse(0.5));
-    Plugins::new().behaviour::<Climb>().rules("fuse", rules).scene("lift", lift("\"climb\"")).scene("box", "# mine\n")
+    Plugins::new()
+        .behaviour::<Climb>()
+        .rules("fuse", rules)
+        .scene("lift", lift("{ climb = {} }"))
+        .scene("box", "# mine\n")
 }
 
-fn lift(custom: &str) -> String {
+fn lift(steer: &str) -> String {
     format!(
-        "title = \"A lift\"\n[[group]]\nplace.point = [5, 0]\nvehicle = {{ kind = \"level\", max_speed = 2.0 }}\nsteer.custom = {custom}\n"
+        "title = \"A lift\"\n[[group]]\nplace.point = [5, 0]\nvehicle = {{ kind = \"level\", max_speed = 2.0 }}\nsteer = {steer}\n"
     )
 }
 
-fn scene(custom: &str) -> Scene {
-    let mut scene = Scene::parse("lift.toml", lift(custom)).unwrap();
+fn scene(steer: &str) -> Scene {
+    let mut scene = Scene::parse("lift.toml", lift(steer)).unwrap();
     plugins().equip(&mut scene);
     scene
 }
@@ -71,30 +74,30 @@ fn height(scene: &Scene) -> f32 {
 
 #[test]
 fn parameters_are_said_or_the_behaviours_own() {
-    assert!((height(&scene("\"climb\"")) - 3.0).abs() < 0.1);
+    assert!((height(&scene("{ climb = {} }")) - 3.0).abs() < 0.1);
     assert!((height(&scene("{ climb = { height = 5 } }")) - 5.0).abs() < 0.1);
     assert!((height(&plugins().open("lift").unwrap()) - 3.0).abs() < 0.1);
 }
 
 #[test]
 fn what_is_said_is_written_as_it_was() {
-    for said in ["\"climb\"", "{ climb = { height = 5 } }"] {
+    for said in ["{ climb = {} }", "{ climb = { height = 5 } }"] {
         let scene = scene(said);
         let again: Scene = scene.to_toml().unwrap().parse().unwrap();
         assert_eq!(scene, again);
     }
-    assert_eq!(scene("{ climb = {} }").groups[0].steer, Some(Steer::Custom(Custom::from("climb"))));
+    assert_eq!(scene("{ climb = {} }").groups[0].steer, Some(Steer::named("climb")));
 }
 
 #[test]
 fn what_does_not_fit_is_said_with_its_place() {
     for (said, kind, column, says) in [
-        ("\"clim\"", Kind::UnknownKey, 16, "there is no behaviour `clim`"),
-        ("{ climb = { heigth = 5 } }", Kind::UnknownKey, 37, "there is no key `heigth` here"),
-        ("{ climb = { height = 500 } }", Kind::OutOfRange, 37, "must be from 0 to 100"),
-        ("{ climb = { end = -1 } }", Kind::OutOfRange, 34, "must be 0 or more"),
-        ("{ climb = { height = \"high\" } }", Kind::WrongType, 37, "but should be a number"),
-        ("{ climb = { height = 13 } }", Kind::Panic, 16, "a plug-in panicked: behaviour `climb`: not thirteen"),
+        ("{ clim = {} }", Kind::UnknownKey, 18, "`clim` is not one of the choices here"),
+        ("{ climb = { heigth = 5 } }", Kind::UnknownKey, 30, "there is no key `heigth` here"),
+        ("{ climb = { height = 500 } }", Kind::OutOfRange, 30, "must be from 0 to 100"),
+        ("{ climb = { end = -1 } }", Kind::OutOfRange, 27, "must be 0 or more"),
+        ("{ climb = { height = \"high\" } }", Kind::WrongType, 30, "but should be a number"),
+        ("{ climb = { height = 13 } }", Kind::Panic, 19, "a plug-in panicked: behaviour `climb`: not thirteen"),
     ] {
         let error = scene(said).build().unwrap_err();
         assert!(error.message.contains(says) && error.message.contains("`group-1`"), "{said}: {error}");
@@ -109,7 +112,7 @@ fn a_panic_says_whose_it_is() {
     let (mut world, _) = scene("{ climb = { end = 1 } }").build().unwrap();
     let says = caught(|| (0..500).for_each(|_| world.step())).unwrap_err();
     assert_eq!(says, "behaviour `climb`: out of breath");
-    let mut scene = scene("\"climb\"");
+    let mut scene = scene("{ climb = {} }");
     scene.rules = Some("fuse".into());
     let (mut world, _) = scene.build().unwrap();
     let says = caught(|| (0..500).for_each(|_| world.step())).unwrap_err();
@@ -125,7 +128,7 @@ fn own_scenes_come_first_and_in_the_place_of_others() {
     assert_eq!((plugins.title("lift"), plugins.text("box")), (Some("A lift"), Some("# mine\n")));
     assert_eq!((plugins.title("circle"), plugins.text("nothing")), (gallery::title("circle"), None));
     assert_eq!(Plugins::new().names(), gallery::names().collect::<Vec<_>>());
-    let made = Scene { title: "In code".into(), ..scene("\"climb\"") };
+    let made = Scene { title: "In code".into(), ..scene("{ climb = {} }") };
     let plugins = plugins.scene_in_code("code", &made);
     assert_eq!((plugins.title("code"), plugins.open("code")), (Some("In code"), Ok(made)));
 }
@@ -134,8 +137,7 @@ fn own_scenes_come_first_and_in_the_place_of_others() {
 fn the_schema_knows_behaviours_and_their_parameters() {
     assert_eq!(Plugins::new().schema(), throng_scene::schema());
     let schema = plugins().schema();
-    // a name, or a table of one behaviour
-    let tables = schema["$defs"]["Custom"]["anyOf"].as_array().unwrap();
+    let tables = schema["$defs"]["Steer"]["oneOf"].as_array().unwrap();
     let vertical_velocity = tables
         .iter()
         .map(|table| &table["properties"]["climb"])
@@ -145,9 +147,9 @@ fn the_schema_knows_behaviours_and_their_parameters() {
     assert_eq!(vertical_velocity["properties"]["height"]["default"], 3.0);
     let sound = jsonschema::validator_for(&schema).unwrap();
     for (said, good) in [
-        ("\"climb\"", true),
+        ("{ climb = {} }", true),
         ("{ climb = { height = 5 } }", true),
-        ("\"swim\"", false),
+        ("\"climb\"", false),
         ("{ climb = { height = 500 } }", false),
     ] {
         let text: toml::Value = toml::from_str(&lift(said)).unwrap();

@@ -351,10 +351,10 @@ fn vehicles_are_as_said_and_their_bodies_as_fast() {
 
 #[test]
 fn a_program_adds_behaviours_of_its_own() {
-    let mut scene = scene("priority = [{ custom = \"hunt\" }]");
+    let mut scene = scene("priority = [{ hunt = {} }]");
     let error = scene.plan().unwrap_err();
     assert_eq!(error.kind, Kind::UnknownKey);
-    assert!(error.to_string().contains("there is no behaviour `hunt`"), "{error}");
+    assert!(error.to_string().contains("`hunt` is not one of the choices here"), "{error}");
     scene.plugins.behaviours.add("hunt", |cast| {
         assert!(cast.group("lost").is_err() && cast.agent("lost", 0).is_err() && cast.path("nowhere").is_none());
         Ok(throng_steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())

@@ -118,8 +118,7 @@ impl Behaviour for Faulty {
 
 #[test]
 fn a_panic_in_a_scene_is_told() {
-    let text =
-        "[[group]]\nplace.point = [0, 0]\nvehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.custom = \"faulty\"\n";
+    let text = "[[group]]\nplace.point = [0, 0]\nvehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.faulty = {}\n";
     let mut scene: Scene = text.parse().unwrap();
     scene.plugins.behaviours.add("faulty", |_| Ok(Faulty.into()));
     let mut engine = Engine::default();

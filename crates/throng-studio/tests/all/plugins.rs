@@ -35,7 +35,7 @@ impl Behaviour for Climb {
 }
 
 const LIFT: &str = "title = \"A lift\"\ntime = { until = \"limit\" }\n[[group]]\nname = \"goers\"\nplace.point = [0, 0]\n\
-                    vehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.custom = \"climb\"  # up\n";
+                    vehicle = { kind = \"level\", max_speed = 2.0 }\nsteer.climb = {}  # up\n";
 
 fn plugins() -> Arc<Plugins> {
     Arc::new(Plugins::new().behaviour::<Climb>().scene("lift", LIFT))
@@ -74,10 +74,10 @@ fn its_parameters_are_there_before_they_are_said() {
         own.or_else(|| section.sections.iter().find_map(|section| find(section, path)))
     }
     let sections = Tunable::new(&plugins).groups(&document);
-    let height = find(&sections[0], "group.0.steer.custom.climb.height").unwrap();
+    let height = find(&sections[0], "group.0.steer.climb.height").unwrap();
     assert_eq!(height.kind, ParameterKind::Number { value: 3.3, low: 0.0, high: 100.0, whole: false });
     assert_eq!((height.about.unit.as_deref(), height.given), (Some("m"), false));
-    assert_eq!(height.about.text, "Target height, metres.");
+    assert_eq!(height.about.text, "Target height, metres. Limit: 0 to 100.");
 }
 
 #[test]
@@ -106,11 +106,11 @@ fn its_slider_changes_what_runs() {
     }
     assert_eq!(last, Some(Tuned::Changed));
     assert!(
-        document.text().contains("steer.custom = { climb = { height = ") && document.text().contains("# up"),
+        document.text().contains("steer.climb = { height = ") && document.text().contains("# up"),
         "{}",
         document.text()
     );
-    document.set("group.0.steer.custom.climb.height", 5.0).unwrap();
+    document.set("group.0.steer.climb.height", 5.0).unwrap();
     engine.command(Command::Change { name: "lift".into(), scene: scene(&document) });
     engine.command(Command::Seek(400));
     let after = settle(&mut engine);
@@ -121,7 +121,7 @@ fn its_slider_changes_what_runs() {
 #[test]
 fn a_panic_is_told_with_its_name_and_the_studio_goes_on() {
     let mut document = Document::named("lift", &plugins()).unwrap();
-    document.set("group.0.steer.custom.climb.end", 1.5).unwrap();
+    document.set("group.0.steer.climb.end", 1.5).unwrap();
     let mut engine = Engine::default();
     let scene = |document: &Document| document.scene().unwrap().clone();
     engine.command(Command::Load { name: "lift".into(), scene: scene(&document), run: false });
@@ -147,7 +147,7 @@ fn a_panic_is_told_with_its_name_and_the_studio_goes_on() {
     assert_eq!((settle(&mut engine).step, engine.trouble()), (step - 1, None));
 
     // after the fix, the run continues from there
-    document.set("group.0.steer.custom.climb.end", 9.0).unwrap();
+    document.set("group.0.steer.climb.end", 9.0).unwrap();
     engine.command(Command::Change { name: "lift".into(), scene: scene(&document) });
     engine.command(Command::Seek(300));
     let after = settle(&mut engine);

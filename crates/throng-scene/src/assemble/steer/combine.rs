@@ -6,6 +6,7 @@ use super::single::noise;
 use super::{BehaviourContext, BuildBehaviour, angle, or};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
+use crate::registry::Steer;
 use crate::scene::steer::*;
 use throng::steer::BoxedBehaviour;
 use throng_steer::Neighbourhood;

@@ -7,14 +7,13 @@
 //! use throng_scene::Steer;
 //! use throng_scene::steer::{Arrive, Target};
 //!
-//! let in_code = Steer::Arrive(Arrive { target: Target::At([3.0, 4.0].into()), slowing_distance: Some(2.0), tolerance: None });
+//! let in_code = Steer::from(Arrive { target: Target::At([3.0, 4.0].into()), slowing_distance: Some(2.0), tolerance: None });
 //! let in_a_file: Steer = toml::from_str("arrive = { target = [3, 4], slowing_distance = 2 }")?;
 //! assert_eq!(in_code, in_a_file);
 //! # Ok::<(), toml::de::Error>(())
 //! ```
 
 mod combine;
-mod custom;
 mod group;
 mod place;
 mod position;
@@ -24,7 +23,6 @@ mod swarm;
 mod target;
 
 pub use combine::*;
-pub use custom::Custom;
 pub use group::*;
 pub use place::*;
 pub use position::Position;
@@ -33,8 +31,7 @@ pub use slip::*;
 pub use swarm::*;
 pub use target::{GroupFilter, Member, Target};
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use crate::registry::{Behaviours, Steer};
 
 /// Defines tables of parameters.
 macro_rules! parameters {
@@ -49,134 +46,145 @@ macro_rules! parameters {
 }
 pub(in crate::scene) use parameters;
 
-/// What an agent steers by: a behaviour, or a combination of behaviours.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Steer {
+/// Registers behaviours of throng: each with its description as the doc comment, and its name in files.
+macro_rules! behaviours {
+    ($($(#[doc = $about:literal])+ $described:ident = $name:literal,)*) => {
+        $(impl From<$described> for Steer {
+            fn from(described: $described) -> Self {
+                Self::written($name, &described)
+            }
+        })*
+
+        /// Adds the behaviours of throng to a registry.
+        pub(crate) fn register(behaviours: &mut Behaviours) {
+            $(behaviours.add_own::<$described>($name, concat!($($about),+).trim());)*
+        }
+    };
+}
+
+behaviours! {
     /// Moves to a target at top speed, and past it (Reynolds 1999).
-    Seek(Seek),
+    Seek = "seek",
     /// Moves straight away from a target (Reynolds 1999).
-    Flee(Flee),
+    Flee = "flee",
     /// Moves to a target, and stops there (Reynolds 1999).
-    Arrive(Arrive),
+    Arrive = "arrive",
     /// Moves to the predicted position of a quarry (Reynolds 1999).
-    Pursue(Pursue),
+    Pursue = "pursue",
     /// Moves away from the predicted position of a menace (Reynolds 1999).
-    Evade(Evade),
+    Evade = "evade",
     /// Passes a quarry at a distance (Reynolds 1999).
-    OffsetPursuit(OffsetPursuit),
+    OffsetPursuit = "offset_pursuit",
     /// Approaches a quarry, then moves as it moves (Reynolds 1999).
-    Shadow(Shadow),
+    Shadow = "shadow",
     /// Moves between two targets (Reynolds 1999).
-    Interpose(Interpose),
+    Interpose = "interpose",
     /// Keeps a place beside a leader, as wingmen do.
-    KeepStation(KeepStation),
+    KeepStation = "keep_station",
     /// Moves to a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
-    Dock(Dock),
+    Dock = "dock",
     /// Runs up to a leap, as gdx-ai's jump does.
-    Takeoff(Takeoff),
+    Takeoff = "takeoff",
     /// Wanders at random (Reynolds 1999).
-    Wander(Wander),
+    Wander = "wander",
     /// Wanders by noise (Reynolds 1999).
-    FractalWander(FractalWander),
+    FractalWander = "fractal_wander",
     /// Sweeps a region (Reynolds 1999).
-    Explore(Explore),
+    Explore = "explore",
     /// Wanders until it sees its food, then moves there (Reynolds 1999).
-    Forage(Forage),
+    Forage = "forage",
     /// Turns to a target; does not move.
-    Face(Face),
+    Face = "face",
     /// Turns to the orientation of another agent.
-    MatchOrientation(MatchOrientation),
+    MatchOrientation = "match_orientation",
     /// Turns to its direction of motion.
-    LookWhereYouGo(LookWhereYouGo),
+    LookWhereYouGo = "look_where_you_go",
     /// Moves away from events until they are forgotten.
-    Fear(Fear),
+    Fear = "fear",
     /// Turns to a direction.
-    HeadFor(HeadFor),
+    HeadFor = "head_for",
     /// Applies a constant force.
-    ConstantForce(ConstantForce),
+    ConstantForce = "constant_force",
     /// Moves away from the predicted positions of several agents.
-    EvadeAll(EvadeAll),
+    EvadeAll = "evade_all",
     /// Moves past the defenders of a target.
-    SlipThrough(SlipThrough),
+    SlipThrough = "slip_through",
     /// Moves with a flow (Reynolds 1999).
-    FollowFlow(FollowFlow),
+    FollowFlow = "follow_flow",
     /// Applies a force straight ahead.
-    MoveForward(MoveForward),
+    MoveForward = "move_forward",
     /// Reaches a speed, whatever its direction.
-    TargetSpeed(TargetSpeed),
+    TargetSpeed = "target_speed",
     /// Returns when it is too far from something.
-    Tether(Tether),
+    Tether = "tether",
     /// Keeps away from near neighbours (Reynolds 1999).
-    Separation(Separation),
+    Separation = "separation",
     /// Turns to the mean direction of near neighbours (Reynolds 1999).
-    Alignment(Alignment),
+    Alignment = "alignment",
     /// Moves to the centre of near neighbours (Reynolds 1999).
-    Cohesion(Cohesion),
+    Cohesion = "cohesion",
     /// Matches the mean velocity of near neighbours (Reynolds 1987).
-    MatchVelocity(MatchVelocity),
+    MatchVelocity = "match_velocity",
     /// Separation, alignment and cohesion together (Reynolds 1999).
-    Flocking(Flocking),
+    Flocking = "flocking",
     /// The flock of 1987 (Reynolds 1987).
-    Boids(Boids),
+    Boids = "boids",
     /// Turns aside from the first neighbour that will come too near, as OpenSteer does.
-    AvoidNeighbours(AvoidNeighbours),
+    AvoidNeighbours = "avoid_neighbours",
     /// Turns aside from a neighbour that is too close, as OpenSteer does.
-    CloseAvoidance(CloseAvoidance),
+    CloseAvoidance = "close_avoidance",
     /// Turns, brakes or speeds up for the first neighbour that will come too near (Reynolds 1999).
-    UnalignedAvoidance(UnalignedAvoidance),
+    UnalignedAvoidance = "unaligned_avoidance",
     /// Moves no faster than the neighbours right ahead (Reynolds 1999).
-    Queue(Queue),
+    Queue = "queue",
     /// Follows behind a leader, out of its way (Reynolds 1999).
-    FollowLeader(FollowLeader),
+    FollowLeader = "follow_leader",
     /// Keeps its place in a formation that moves with a leader.
-    KeepFormation(KeepFormation),
+    KeepFormation = "keep_formation",
     /// Avoids obstacles in its way (Reynolds 1999).
-    AvoidObstacles(AvoidObstacles),
+    AvoidObstacles = "avoid_obstacles",
     /// Avoids obstacles by a map of them, as OpenSteer's cars do.
-    AvoidMap(AvoidMap),
+    AvoidMap = "avoid_map",
     /// Moves away from what its whiskers touch, as in gdx-ai.
-    Whiskers(Whiskers),
+    Whiskers = "whiskers",
     /// Stays on one side of a surface (Reynolds 1999).
-    Contain(Contain),
+    Contain = "contain",
     /// Moves along a path (Reynolds 1999).
-    FollowPath(FollowPath),
+    FollowPath = "follow_path",
     /// Returns to a path that it is about to leave, as in OpenSteer.
-    StayOnPath(StayOnPath),
+    StayOnPath = "stay_on_path",
     /// Moves along a wall (Reynolds 1999).
-    FollowWall(FollowWall),
+    FollowWall = "follow_wall",
     /// Hides from another agent behind an obstacle (Reynolds 1999).
-    Hide(Hide),
+    Hide = "hide",
     /// Moves along a path among other agents (Reynolds 1999, "crowd path following").
-    CrowdPath(CrowdPath),
+    CrowdPath = "crowd_path",
     /// Moves through a door among other agents (Reynolds 1999, "queuing").
-    QueueAtDoor(QueueAtDoor),
+    QueueAtDoor = "queue_at_door",
     /// Moves by noise and guides, as insects do (Wang et al. 2014).
-    Swarm(Swarm),
+    Swarm = "swarm",
     /// The sum of all parts, each times its weight (Reynolds 1999).
-    WeightedSum(WeightedSum),
+    WeightedSum = "weighted_sum",
     /// The sum of parts in order, up to the vehicle's greatest force.
-    RunningSum(RunningSum),
+    RunningSum = "running_sum",
     /// The first part that has something to correct (Reynolds 1999).
-    Priority(Priority),
+    Priority = "priority",
     /// The first part that has something to correct, of parts drawn at random (Reynolds 1999).
-    Dithering(Dithering),
+    Dithering = "dithering",
     /// The force is a budget: the parts take from it in order (Reynolds 1987).
-    Allocation(Allocation),
+    Allocation = "allocation",
     /// Moves in the direction with the greatest interest minus danger (Fray 2015).
-    ContextSteering(ContextSteering),
+    ContextSteering = "context_steering",
     /// One behaviour at a time: a state machine.
-    Switch(Switch),
+    Switch = "switch",
     /// Evaluates a part only at intervals.
-    Amortised(Amortised),
+    Amortised = "amortised",
     /// Keeps the force of a part for some time.
-    Hold(Hold),
+    Hold = "hold",
     /// Adds noise to a part, so that the motion looks less mechanical.
-    Irregular(Irregular),
+    Irregular = "irregular",
     /// Limits the speed and force of a part.
-    Limited(Limited),
+    Limited = "limited",
     /// Stops where a part would collide with an agent.
-    StopAndWait(StopAndWait),
-    /// A behaviour that a program has added to the scene, by its name: see `Behaviours`.
-    Custom(Custom),
+    StopAndWait = "stop_and_wait",
 }
