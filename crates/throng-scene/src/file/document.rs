@@ -92,7 +92,7 @@ impl Document {
         let hint = || about(&problem.path).filter(|_| is_of_value(problem.kind)).map(Into::into);
         error.hint = problem.hint.or_else(hint);
         match self.tree() {
-            Ok(tree) => self.place(error, locate(&tree, &problem.path)),
+            Ok(tree) => self.place(error, locate(&tree, &problem.path, problem.is_key)),
             Err(_) => error,
         }
     }
@@ -134,12 +134,18 @@ fn surplus<'a>((key, value): (&'a Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>))
     Some((key.get_ref(), surplus.span()))
 }
 
-/// Returns the bytes of the value at a path, or of the nearest enclosing value in the file.
-fn locate(tree: &Spanned<DeTable<'_>>, path: &Path) -> Range<usize> {
+/// Returns the bytes of the value at a path, or of the nearest enclosing value in the file; or those of its key.
+fn locate(tree: &Spanned<DeTable<'_>>, path: &Path, is_key: bool) -> Range<usize> {
     let mut span = 0..0;
     let mut table = Some(tree.get_ref());
     let mut array = None;
-    for step in &path.steps {
+    for (k, step) in path.steps.iter().enumerate() {
+        if let (true, Step::Key(key), Some(items)) = (is_key && k + 1 == path.steps.len(), step, table)
+            && let Some((found, _)) = items.iter().find(|(found, _)| found.get_ref() == key)
+            && !found.span().is_empty()
+        {
+            return found.span();
+        }
         let value = match (step, table, array) {
             (Step::Key(key), Some(items), _) => items.get(key.as_str()),
             (Step::Index(index), _, Some(items)) => <[Spanned<DeValue>]>::get(items, *index),

@@ -65,6 +65,8 @@ impl fmt::Display for Path {
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
     pub path: Path,
+    /// Whether the problem is the last key of the path, not its value.
+    pub is_key: bool,
     pub kind: Kind,
     pub message: String,
     pub hint: Option<Box<str>>,
@@ -72,7 +74,7 @@ pub(crate) struct Problem {
 
 impl Problem {
     pub fn new(path: &Path, kind: Kind, message: impl Into<String>) -> Self {
-        Self { path: path.clone(), kind, message: message.into(), hint: None }
+        Self { path: path.clone(), is_key: false, kind, message: message.into(), hint: None }
     }
 
     pub fn hint(mut self, hint: impl Into<Box<str>>) -> Self {

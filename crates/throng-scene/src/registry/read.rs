@@ -59,8 +59,10 @@ impl Unmade {
     /// of the choice, for messages about plug-ins.
     pub(crate) fn at(self, at: &Path, inside: &Path, what: &str) -> Problem {
         match self {
-            Self::NoChoice(name, known) => placed(unknown_variant(&name, &known), inside),
-            Self::NoKey(key, known) => placed(unknown_key(&key, &known), &inside.name(&key)),
+            Self::NoChoice(name, known) => Problem { is_key: true, ..placed(unknown_variant(&name, &known), inside) },
+            Self::NoKey(key, known) => {
+                Problem { is_key: true, ..placed(unknown_key(&key, &known), &inside.name(&key)) }
+            }
             Self::Misread(path, message) => placed(explain(&message), &inside.join(&path)),
             Self::Refused(throng::Error::Limit { what, value, limit }) => {
                 let at = inside.key(&what.replace(' ', "_"));

@@ -92,8 +92,8 @@ fn what_is_said_is_written_as_it_was() {
 #[test]
 fn what_does_not_fit_is_said_with_its_place() {
     for (said, kind, column, says) in [
-        ("{ clim = {} }", Kind::UnknownKey, 18, "`clim` is not one of the choices here"),
-        ("{ climb = { heigth = 5 } }", Kind::UnknownKey, 30, "there is no key `heigth` here"),
+        ("{ clim = {} }", Kind::UnknownKey, 11, "`clim` is not one of the choices here"),
+        ("{ climb = { heigth = 5 } }", Kind::UnknownKey, 21, "there is no key `heigth` here"),
         ("{ climb = { height = 500 } }", Kind::OutOfRange, 30, "must be from 0 to 100"),
         ("{ climb = { end = -1 } }", Kind::OutOfRange, 27, "must be 0 or more"),
         ("{ climb = { height = \"high\" } }", Kind::WrongType, 30, "but should be a number"),

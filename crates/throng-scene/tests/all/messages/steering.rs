@@ -14,7 +14,7 @@ fn a_wrong_behaviour_is_named_with_its_place() {
         &steers("steer.sek = { target = \"goal\" }"),
         Kind::UnknownKey,
         &format!(
-            "a.toml:6:7: `sek` is not one of the choices here\n  6 | steer.sek = {{ target = \"goal\" }}\n    |       ^^^\n  \
+            "a.toml:6:7: group `walkers`: `sek` is not one of the choices here\n  6 | steer.sek = {{ target = \"goal\" }}\n    |       ^^^\n  \
              hint: did you mean `seek`? the choices here are: {}",
             keys.join(", ")
         ),
@@ -94,7 +94,7 @@ fn a_wrong_target_is_named_with_what_there_is() {
         &steers("steer.seek = { target = \"home\" }"),
         Kind::OutOfRange,
         r#"
-a.toml:6:25: this value cannot be: the text "home", but should be [x, y], [x, y, z], "goal", { group = "name", agent = 0 } or { nearest = "others" }
+a.toml:6:25: group `walkers`: this value cannot be: the text "home", but should be [x, y], [x, y, z], "goal", { group = "name", agent = 0 } or { nearest = "others" }
   6 | steer.seek = { target = "home" }
     |                         ^^^^^^
   hint: `target`: The target."#,
@@ -103,7 +103,7 @@ a.toml:6:25: this value cannot be: the text "home", but should be [x, y], [x, y,
         &steers("steer.seek = { target = [1, 2, 3, 4] }"),
         Kind::WrongType,
         r"
-a.toml:6:25: this has the wrong number of entries: 4, but should be [x, y] or [x, y, z]
+a.toml:6:25: group `walkers`: this has the wrong number of entries: 4, but should be [x, y] or [x, y, z]
   6 | steer.seek = { target = [1, 2, 3, 4] }
     |                         ^^^^^^^^^^^^
   hint: `target`: The target.",

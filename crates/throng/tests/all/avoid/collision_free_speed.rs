@@ -89,6 +89,6 @@ fn parameters_out_of_their_limits_are_named() {
     assert_eq!(wrong(CollisionFreeSpeed { time_gap: 0.0, ..right }), "time_gap");
     assert_eq!(wrong(CollisionFreeSpeed { strength: -1.0, ..right }), "strength");
     assert_eq!(wrong(CollisionFreeSpeed { range: 0.0, ..right }), "range");
-    assert_eq!(wrong(CollisionFreeSpeed { strength_obstacles: f32::NAN, ..right }), "strength of obstacles");
-    assert_eq!(wrong(CollisionFreeSpeed { range_obstacles: f32::INFINITY, ..right }), "range of obstacles");
+    assert_eq!(wrong(CollisionFreeSpeed { strength_obstacles: f32::NAN, ..right }), "strength_obstacles");
+    assert_eq!(wrong(CollisionFreeSpeed { range_obstacles: f32::INFINITY, ..right }), "range_obstacles");
 }
