@@ -213,7 +213,10 @@ fn errors_appear_before_anything_runs() {
     refuses("-m orcs", &["error: --models orcs: there is no model `orcs`", "did you mean `orca`?", "hrvo"]);
     refuses("-m rvo,rvo", &["--models: rvo is given twice"]);
     refuses("-m orca:horizon=4", &["--models orca:horizon=4", "did you mean `time_horizon`?"]);
-    refuses("-m orca:time_horizon=-1", &["orca:time_horizon=-1 with seed 1", "time_horizon is -1", "more than 0"]);
+    refuses(
+        "-m orca:time_horizon=-1",
+        &["--models orca:time_horizon=-1: orca.time_horizon is -1", "time_horizon is -1", "more than 0"],
+    );
     for (seeds, wanted) in [("5..1", "5 is more than 1"), ("a", "`a` is not a seed"), ("1,1", "1 is given twice")] {
         refuses(&format!("--seeds {seeds}"), &["--seeds", wanted, "hint: write 1..5, or 1,3,7"]);
     }
