@@ -178,7 +178,7 @@ fn a_panic_while_it_is_made_leaves_the_scene_before() {
     engine.command(Command::Load { name: "still".into(), scene: still.scene().unwrap().clone(), run: true });
     assert_eq!(&*settle(&mut engine).name, "circle");
     let Some(Trouble::Scene(error)) = engine.trouble() else { panic!("{:?}", engine.trouble()) };
-    assert_eq!((error.kind, error.at), (throng_scene::Kind::Panic, Some((7, 16))), "{error}");
+    assert_eq!((error.kind, error.at), (throng_scene::Kind::Panic, Some((7, 15))), "{error}");
     assert!(error.message.contains("behaviour `still`: not this one"), "{error}");
     // the window's own thread renders the thumbnail
     let mut gallery = Gallery::default();
