@@ -1,6 +1,5 @@
 //! The number of agents, and when they enter.
 
-use super::limits::name;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::{Group, Place, Scene, Source};
@@ -81,17 +80,17 @@ fn entering(path: &Path, i: usize, group: &Group) -> Result<u64, Problem> {
     for (k, source) in group.source.iter().enumerate() {
         let path = path.key("source").index(k);
         if source.rate.is_some() && source.interval.is_some() {
-            let message = format!("{} has both a rate and an interval", name(&path));
+            let message = format!("{} has both a rate and an interval", path.below_list());
             return Err(Problem::new(&path, Kind::Conflict, message).hint("keep one of them"));
         }
         if let Some(end) = source.end
             && end <= source.start
         {
-            let message = format!("{} ends at {end} s, but starts at {} s", name(&path), source.start);
+            let message = format!("{} ends at {end} s, but starts at {} s", path.below_list(), source.start);
             return Err(Problem::new(&path.key("end"), Kind::OutOfRange, message));
         }
         let Some(interval) = interval(source) else {
-            let message = format!("{} does not say how fast agents enter", name(&path));
+            let message = format!("{} does not say how fast agents enter", path.below_list());
             return Err(Problem::new(&path, Kind::MissingKey, message)
                 .hint("give `rate` (agents a second), `interval` (seconds), or `end` together with `count`"));
         };
@@ -99,7 +98,7 @@ fn entering(path: &Path, i: usize, group: &Group) -> Result<u64, Problem> {
         match source.count.into_iter().chain(until_end).min().or(group.count) {
             Some(n) => total = total.saturating_add(n),
             None => {
-                let message = format!("{} never ends", name(&path));
+                let message = format!("{} never ends", path.below_list());
                 return Err(Problem::new(&path, Kind::MissingKey, message)
                     .hint("give the source an `end` or a `count`, or the group a `count`"));
             }

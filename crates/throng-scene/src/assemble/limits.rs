@@ -51,7 +51,7 @@ pub(super) fn check(path: &Path, x: f64, limit: Limit) -> Result<(), Problem> {
     if limit.holds(x) {
         return Ok(());
     }
-    let message = format!("{} is {x}, but must be {}", name(path), limit.words());
+    let message = format!("{} is {x}, but must be {}", path.below_list(), limit.words());
     Err(Problem::new(path, Kind::OutOfRange, message))
 }
 
@@ -80,7 +80,7 @@ pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result
             check(&path.index(0), *low, limit)?;
             check(&path.index(1), *high, limit)?;
             if low > high {
-                let message = format!("{} goes from {low} down to {high}", name(&path));
+                let message = format!("{} goes from {low} down to {high}", path.below_list());
                 return Err(Problem::new(&path, Kind::OutOfRange, message).hint("give the lower bound first"));
             }
             Ok(())
@@ -93,30 +93,15 @@ pub(super) fn check_number(path: &Path, number: &Number, limit: Limit) -> Result
             check_some(&path.key("max"), normal.max, limit)?;
             let [low, high] = normal.bounds();
             if low > high {
-                let message = format!("{} has a least value of {low} above its greatest of {high}", name(&path));
+                let message = format!("{} has a least value of {low} above its greatest of {high}", path.below_list());
                 return Err(Problem::new(&path, Kind::OutOfRange, message));
             }
             if limit.holds(low) && limit.holds(high) {
                 return Ok(());
             }
-            let message = format!("{} can give {low} to {high}, but must be {}", name(&path), limit.words());
+            let message = format!("{} can give {low} to {high}, but must be {}", path.below_list(), limit.words());
             Err(Problem::new(&path, Kind::OutOfRange, message)
                 .hint("without `min` and `max` it reaches three deviations to each side: set them"))
         }
-    }
-}
-
-/// Returns a value's name in messages: its path below the group, obstacle or table.
-pub(crate) fn name(path: &Path) -> String {
-    let text = path.to_string();
-    match text.split_once("].") {
-        Some((head, rest))
-            if ["group[", "obstacle[", "mover[", "surface[", "path[", "field["]
-                .iter()
-                .any(|list| head.starts_with(list)) =>
-        {
-            rest.to_owned()
-        }
-        _ => text,
     }
 }

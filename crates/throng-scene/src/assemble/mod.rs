@@ -25,5 +25,4 @@ pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 
 pub(crate) use ground::{has_room, solid_shape};
-pub(crate) use limits::name;
 pub(crate) use steer::{BehaviourContext, BuildBehaviour, refused};

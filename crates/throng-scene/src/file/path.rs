@@ -46,6 +46,21 @@ impl Path {
         path.steps.push(Step::Index(index));
         path
     }
+
+    /// Returns the name of the value in messages: its path below the group, obstacle or table.
+    pub fn below_list(&self) -> String {
+        let text = self.to_string();
+        match text.split_once("].") {
+            Some((head, rest))
+                if ["group[", "obstacle[", "mover[", "surface[", "path[", "field["]
+                    .iter()
+                    .any(|list| head.starts_with(list)) =>
+            {
+                rest.to_owned()
+            }
+            _ => text,
+        }
+    }
 }
 
 impl fmt::Display for Path {

@@ -1,6 +1,5 @@
 //! Reads the given parameters of a choice as the type that declares them.
 
-use crate::assemble::name;
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem, explain, unknown_key, unknown_variant};
 use serde::de::DeserializeOwned;
@@ -66,7 +65,7 @@ impl Unmade {
             Self::Misread(path, message) => placed(explain(&message), &inside.join(&path)),
             Self::Refused(throng::Error::Limit { what, value, limit }) => {
                 let at = inside.key(&what.replace(' ', "_"));
-                let message = format!("{} is {value}, but must be {limit}", name(&at));
+                let message = format!("{} is {value}, but must be {limit}", at.below_list());
                 Problem::new(&at, Kind::OutOfRange, message)
             }
             Self::Refused(error) => Problem::new(at, Kind::World, format!("{what}: {error}")),

@@ -1,6 +1,7 @@
-//! The pages match the code: their scenes can be built, they name every key, and the model of docs/write-a-model.md
-//! runs.
+//! The pages match the code: their scenes can be built, they name every key, and the model of docs/write-a-model.md and
+//! the behaviour of docs/behaviours.md run.
 
+mod behaviour;
 mod model;
 
 use std::path::Path;
@@ -29,6 +30,17 @@ fn pages() -> Vec<(String, String)> {
     let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
     let pages = paths.iter().map(|path| (name(path), std::fs::read_to_string(path).unwrap()));
     pages.filter(|(name, _)| name != "errors.md").collect()
+}
+
+/// Checks that a page has this number of blocks of code that begin with `fence`, and that a file of tests has all their
+/// lines.
+fn assert_shown(page: &str, fence: &str, count: usize, file: &str) {
+    let blocks: Vec<&str> = page.split(fence).skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(blocks.len(), count, "blocks of {fence}");
+    let lines: Vec<&str> = file.lines().map(str::trim).collect();
+    for line in blocks.iter().flat_map(|code| code.lines()).map(str::trim) {
+        assert!(lines.contains(&line), "the page has a line that is not in the file of its test: {line}");
+    }
 }
 
 #[test]

@@ -66,11 +66,5 @@ fn the_scene_of_the_page_runs() -> Result<(), throng_scene::Error> {
 #[test]
 fn the_page_shows_this_model() {
     let page = include_str!("../../../../../docs/write-a-model.md");
-    let blocks: Vec<&str> = page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert_eq!(blocks.len(), 2, "the model, and a scene with it");
-    let file = include_str!("model.rs");
-    let lines: Vec<&str> = file.lines().map(str::trim).collect();
-    for line in blocks.iter().flat_map(|code| code.lines()).map(str::trim) {
-        assert!(lines.contains(&line), "docs/write-a-model.md has a line that is not in this file: {line}");
-    }
+    super::assert_shown(page, "```rust\n", 2, include_str!("model.rs"));
 }
