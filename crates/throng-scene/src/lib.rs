@@ -72,7 +72,9 @@ pub use error::{Error, Kind, abridged};
 pub use expectations::{Expectation, Expectations, Figure, Outcome};
 pub use import::{Imported, open};
 pub use random::{Purpose, Random};
-pub use registry::{Avoid, Behaviours, Catalogue, Choice, Model, Models, Plugins, Rulebook, Steer};
+pub use registry::{
+    Avoid, Behaviours, Catalogue, Choice, Described, Fields, Flow, Model, Models, Plugins, Rulebook, Steer,
+};
 pub use scene::*;
 
 /// The examples of the README, compiled and run as tests.

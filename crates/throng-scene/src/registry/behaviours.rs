@@ -1,13 +1,12 @@
 //! The steering behaviours, by name.
 
-use super::choice::{Catalogue, Choice, choice_schema};
+use super::choice::{Catalogue, Choice, Described, choice_schema};
 use super::read::{Unmade, read, read_value};
 use crate::assemble::{BehaviourContext, BuildBehaviour, refused};
 use crate::caught::{caught, named};
 use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use std::borrow::Cow;
 use std::fmt;
@@ -138,11 +137,7 @@ impl Behaviours {
     }
 
     /// Adds a behaviour of throng, which a scene describes as a `D`.
-    pub(crate) fn add_own<D: DeserializeOwned + JsonSchema + BuildBehaviour>(
-        &mut self,
-        name: &'static str,
-        about: &'static str,
-    ) {
+    pub(crate) fn add_own<D: Described + JsonSchema + BuildBehaviour>(&mut self, about: &'static str) {
         let make: MakeBehaviour = Arc::new(|given, making, at| {
             let described: D = read_value(given).map_err(|unmade| unmade.at(at, at, ""))?;
             let branch = described.make(making, at)?;
@@ -150,7 +145,7 @@ impl Behaviours {
             Ok(branch)
         });
         let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
-        self.0.push(Entry { name: name.into(), about, is_plugin: false, make, schema });
+        self.0.push(Entry { name: D::NAME.into(), about, is_plugin: false, make, schema });
     }
 
     /// Adds the behaviours that another set has from programs. They replace behaviours with the same names.

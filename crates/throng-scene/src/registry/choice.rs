@@ -1,7 +1,7 @@
 //! What a scene chooses by name from the registry, with the values that it gives.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::{self, Deserializer, MapAccess};
+use serde::de::{self, DeserializeOwned, Deserializer, MapAccess};
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
@@ -20,6 +20,12 @@ pub trait Catalogue {
 
     /// Returns the schema of all choices that throng itself has.
     fn schema(generator: &mut SchemaGenerator) -> Schema;
+}
+
+/// What a scene says of a choice of throng, and the name of the choice.
+pub trait Described: Serialize + DeserializeOwned {
+    /// The name of the choice.
+    const NAME: &'static str;
 }
 
 /// A choice by name, with the given parameters. The parameters that it leaves out have their defaults. In files `NAME =
@@ -63,17 +69,55 @@ impl<C> Choice<C> {
         self
     }
 
-    /// Returns the choice with this name and this description.
-    pub(crate) fn written(name: &str, description: &impl Serialize) -> Self {
+    /// Returns the choice with this description.
+    pub fn described<D: Described>(description: &D) -> Self {
         let mut parameters = Value::try_from(description).unwrap_or_else(|_| Value::Table(Table::new()));
         shorten(&mut parameters);
-        Self::new(name.to_owned(), parameters)
+        Self::new(D::NAME.to_owned(), parameters)
+    }
+
+    /// Returns the description of this choice as a `D`; `None` for another choice, and for parameters that a `D` does not
+    /// have.
+    ///
+    /// ```
+    /// use throng_scene::Flow;
+    /// use throng_scene::flow::{Noise, Whirl};
+    /// let flow: Flow = toml::from_str("whirl = { center = [1, 2], speed = 3 }")?;
+    /// assert_eq!(flow.read::<Whirl>().map(|whirl| whirl.speed), Some(3.0));
+    /// assert_eq!(flow.read::<Noise>(), None);
+    /// # Ok::<(), toml::de::Error>(())
+    /// ```
+    pub fn read<D: Described>(&self) -> Option<D> {
+        (self.name == D::NAME).then(|| self.parameters.clone().try_into().ok()).flatten()
     }
 
     pub(crate) fn new(name: String, parameters: Value) -> Self {
         Self { name, parameters, catalogue: PhantomData }
     }
 }
+
+/// Registers descriptions of choices: each with what it is as the doc comment, and its name in files.
+macro_rules! described {
+    ($choice:ident in $catalogue:ident: $($(#[doc = $about:literal])+ $described:ident = $name:literal,)*) => {
+        $(
+            impl $crate::registry::Described for $described {
+                const NAME: &'static str = $name;
+            }
+
+            impl From<$described> for $choice {
+                fn from(described: $described) -> Self {
+                    Self::described(&described)
+                }
+            }
+        )*
+
+        /// Adds the choices of throng to a registry.
+        pub(crate) fn register(catalogue: &mut $catalogue) {
+            $(catalogue.add_own::<$described>(concat!($($about),+).trim());)*
+        }
+    };
+}
+pub(crate) use described;
 
 /// Returns the schema of one choice of a catalogue.
 pub(super) fn choice_schema(name: &str, about: &str, parameters: Schema) -> Json {

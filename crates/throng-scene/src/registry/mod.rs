@@ -1,8 +1,9 @@
-//! What scenes can name: local models, behaviours, rules, and scenes. throng registers its own through the same type as
+//! What scenes can name: local models, behaviours, fields, rules, and scenes. throng registers its own through the same type as
 //! a plug-in.
 
 mod behaviours;
 mod choice;
+mod fields;
 mod model;
 mod models;
 mod plugins;
@@ -10,7 +11,9 @@ mod read;
 mod rulebook;
 
 pub use behaviours::{Behaviours, Steer};
-pub use choice::{Catalogue, Choice};
+pub(crate) use choice::described;
+pub use choice::{Catalogue, Choice, Described};
+pub use fields::{Fields, Flow};
 pub use model::Model;
 pub(crate) use models::ChosenModel;
 pub use models::{Avoid, Models};

@@ -1,6 +1,6 @@
 //! The local models, behaviours, rules and scenes of a program, by name.
 
-use super::{Behaviours, Models, Rulebook};
+use super::{Behaviours, Fields, Models, Rulebook};
 use crate::error::Error;
 use crate::gallery;
 use crate::scene::{Scene, SceneNames};
@@ -10,6 +10,7 @@ use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use throng::avoid::LocalModel;
+use throng::field::Field;
 use throng::parameters::Declared;
 use throng::steer::Behaviour;
 use throng::{Error as Refused, Rules};
@@ -17,7 +18,7 @@ use throng::{Error as Refused, Rules};
 /// The group of the program's own scenes in its gallery.
 const GROUP: &str = "plug-ins";
 
-/// What a program knows by name: local models, behaviours and rules that scene files can name, and scenes besides those
+/// What a program knows by name: local models, behaviours, fields and rules that scene files can name, and scenes besides those
 /// of the gallery. At first it holds those of throng, which are registered like those of a plug-in. The studio takes it,
 /// and so can every program that opens scenes.
 ///
@@ -62,6 +63,8 @@ pub struct Plugins {
     pub models: Models,
     /// The steering behaviours, for `steer`.
     pub behaviours: Behaviours,
+    /// The vector fields, for `flow`.
+    pub fields: Fields,
     /// The rules of games, for `rules`.
     pub rules: Rulebook,
     /// Names and texts, in the order in which they were added.
@@ -86,6 +89,13 @@ impl Plugins {
     /// [`NAME`](throng::parameters::Parameters::NAME).
     pub fn behaviour<B: Behaviour + Declared>(mut self) -> Self {
         self.behaviours.add_with(B::NAME, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
+        self
+    }
+
+    /// Adds a vector field, or replaces the field with the same name. The fields of its type are its parameters, and its
+    /// name in `flow.NAME` is [`NAME`](throng::parameters::Parameters::NAME). Its places are world coordinates.
+    pub fn field<F: Field + Declared>(mut self) -> Self {
+        self.fields.add_plugin::<F>();
         self
     }
 
@@ -178,6 +188,7 @@ impl Plugins {
         for (choice, added) in [
             ("Avoid", self.models.plugin_schemas(&mut generator)),
             ("Steer", self.behaviours.plugin_schemas(&mut generator)),
+            ("Flow", self.fields.plugin_schemas(&mut generator)),
         ] {
             if let Some(known) = root["$defs"][choice]["oneOf"].as_array_mut() {
                 known.retain(|choice| added.iter().all(|(name, _)| choice["properties"].get(*name).is_none()));

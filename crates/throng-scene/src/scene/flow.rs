@@ -2,6 +2,7 @@
 
 use super::steer::{ObstacleNames, Position, parameters};
 use super::{Number, Point, PointGoal, Region};
+use crate::registry::{Fields, Flow, described};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,45 +16,63 @@ pub struct Field {
     pub flow: Flow,
 }
 
-/// A velocity at every place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Flow {
+described! {
+    Flow in Fields:
     /// The same velocity everywhere, m/s.
-    Uniform(Position),
+    Uniform = "uniform",
     /// Around a place, at the same speed everywhere.
-    Whirl(Whirl),
+    Whirl = "whirl",
     /// To a place, or away from it.
-    Towards(Towards),
+    Towards = "towards",
     /// A field of the scene, by its name.
-    Named(String),
+    Named = "named",
     /// Velocities given at some places and interpolated between them (Jin et al. 2008).
-    Sketch(Sketch),
+    Sketch = "sketch",
     /// A sketch in space.
-    SketchInSpace(SketchInSpace),
+    SketchInSpace = "sketch_in_space",
     /// A field painted with a brush.
-    Paint(Paint),
+    Paint = "paint",
     /// A field encoded in the pixels of a picture (PNG).
-    Picture(Picture),
+    Picture = "picture",
     /// A field from a file: a table (CSV), or a vector field of Menge (text).
-    Table(Table),
+    Table = "table",
     /// The direction of the cheapest path to a goal, from everywhere.
-    ToGoal(ToGoal),
+    ToGoal = "to_goal",
     /// The direction of a path to a target through space, clear of obstacles: guides a swarm (Wang et al. 2014).
-    ThroughSpace(ThroughSpace),
+    ThroughSpace = "through_space",
     /// Random eddies without sources and sinks (curl noise, Bridson et al. 2007).
-    Noise(Noise),
+    Noise = "noise",
     /// The sum of fields.
-    Sum(Vec<FlowPart>),
+    Sum = "sum",
     /// The weighted mean of fields; directions and speeds are averaged separately.
-    Blend(Vec<FlowPart>),
+    Blend = "blend",
     /// Different fields at different times.
-    Keyframes(Keyframes),
+    Keyframes = "keyframes",
     /// A field that is deflected around obstacles.
-    AroundWalls(AroundWalls),
+    AroundWalls = "around_walls",
     /// A field sampled on a grid: fast to evaluate, however expensive the field is.
-    Sampled(Sampled),
+    Sampled = "sampled",
 }
+
+/// The same velocity everywhere, m/s.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct Uniform(pub Position);
+
+/// A field of the scene, by its name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct Named(pub String);
+
+/// The sum of fields.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct Sum(pub Vec<FlowPart>);
+
+/// The weighted mean of fields; directions and speeds are averaged separately.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub struct Blend(pub Vec<FlowPart>);
 
 parameters! {
     /// Around a place, at the same speed everywhere.

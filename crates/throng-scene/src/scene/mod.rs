@@ -26,7 +26,7 @@ pub use annotate::{Annotate, Annotation};
 pub use annulus::{Annulus, Lap};
 pub use body::{Body, Sides};
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
-pub use flow::{Field, Flow};
+pub use flow::Field;
 pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
 pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Preset, Speed};

@@ -1,10 +1,11 @@
 //! Declared parameters: defaults, limits, reading, writing, schema; and models of plug-ins, which are equal to those of
 //! throng.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use schemars::{SchemaGenerator, schema_for};
 use serde_json::json;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, Hrvo, LocalModel, Orca, Workspace};
+use throng::field::Field;
 use throng::parameters::{Angle, Parameters, parameters};
 use throng_scene::{Avoid, Kind, Model, Models, Plugins, Scene, caught, gallery};
 
@@ -232,4 +233,60 @@ fn a_choice_in_code_is_the_choice_in_a_file() {
     assert_eq!(whole, Avoid::named("orca").with("time_horizon", 2.0).with("neighbours", 5));
     let several = toml::from_str::<Avoid>("orca = {}\nrvo = {}").unwrap_err().to_string();
     assert!(several.contains("more than 1 element"), "{several}");
+}
+
+/// Blows along +x.
+#[parameters]
+#[derive(Debug)]
+struct Wind {
+    /// Its speed.
+    #[parameter(default = 1.0, unit = "m/s", least = 0, most = 10)]
+    speed: f32,
+    /// The x beyond which it panics.
+    #[parameter(default = 1e9)]
+    edge: f32,
+}
+
+impl Field for Wind {
+    fn velocity(&self, place: Vec3, _: f64) -> Vec3 {
+        assert!(place.x < self.edge, "no wind there");
+        Vec3::X * self.speed
+    }
+}
+
+fn windy(flow: &str) -> Scene {
+    // far from the origin: the field gets world coordinates
+    let text = format!("[[group]]\nplace.point = [1000, 0]\nfield.of = {{ {flow} }}");
+    let mut scene = Scene::parse("wind.toml", text).unwrap();
+    Plugins::new().field::<Wind>().equip(&mut scene);
+    scene
+}
+
+#[test]
+fn a_field_of_a_plug_in_leads_agents_and_has_errors_with_their_place() {
+    let x = |scene: &Scene| {
+        let (mut world, _) = scene.build().unwrap();
+        (0..100).for_each(|_| world.step());
+        world.agents().next().unwrap().position().x
+    };
+    let uniform = x(&windy("uniform = [1.5, 0]"));
+    assert!(uniform > 1003.0, "{uniform}");
+    assert_eq!(x(&windy("wind = { speed = 1.5 }")), uniform);
+    assert_eq!(x(&windy("sum = [{ of.wind = { speed = 1.5 } }]")), uniform);
+    for (flow, kind, says) in [
+        ("wind = { speed = 11 }", Kind::OutOfRange, "field.of.wind.speed is 11, but must be from 0 to 10"),
+        ("wind = { sped = 1 }", Kind::UnknownKey, "there is no key `sped` here"),
+        ("sum = [{ of.wind = { speed = true } }]", Kind::WrongType, "but should be a number"),
+        ("wnd = {}", Kind::UnknownKey, "`wnd` is not one of the choices here"),
+    ] {
+        let error = windy(flow).plan().unwrap_err();
+        assert!(error.message.contains(says), "{flow}: {error}");
+        assert_eq!((error.kind, error.at.map(|at| at.0)), (kind, Some(3)), "{flow}: {error}");
+    }
+    let schema = Plugins::new().field::<Wind>().schema();
+    let fields = schema["$defs"]["Flow"]["oneOf"].as_array().unwrap();
+    assert_eq!(fields.last().unwrap()["properties"]["wind"]["properties"]["speed"]["maximum"], json!(10));
+    let (mut world, _) = windy("wind = { edge = 1001 }").build().unwrap();
+    let says = caught(|| (0..100).for_each(|_| world.step())).unwrap_err();
+    assert_eq!(says, "field `wind`: no wind there");
 }

@@ -3,6 +3,7 @@
 use super::parts::{Change, Look, OutlineKind, Parts, Removal};
 use super::shapes::{Owner, circle, corners};
 use glam::DVec2;
+use throng_scene::flow::{AroundWalls, Blend, Keyframes, Paint, Sampled, Sketch, Sum};
 use throng_scene::{Flow, Scene};
 
 /// The time that the arrow of a velocity spans, seconds: its length is velocity times `AHEAD`.
@@ -22,48 +23,42 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
 
 fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
     let owner = |path: &str| Owner { kind: OutlineKind::Field, removal: Some(Removal::Path(path.to_owned())) };
-    match flow {
-        Flow::Sketch(sketch) => {
-            for (k, anchor) in sketch.anchors.iter().flatten().enumerate() {
-                let path = format!("{path}.sketch.anchors.{k}");
-                let (at, removal) = (DVec2::from(anchor.at), owner(&path).removal);
-                let velocity =
-                    Change::Point { path: format!("{path}.velocity"), from: anchor.velocity, rate: 1.0 / AHEAD };
-                let moved = vec![Change::point(format!("{path}.at"), anchor.at)];
-                parts.handle(at, Look::Dot, moved, removal.clone());
-                let tip = at + DVec2::from(anchor.velocity) * AHEAD;
-                parts.handle(tip, Look::Arrow(at), vec![velocity], removal);
-            }
-            for (k, stroke) in sketch.strokes.iter().flatten().enumerate() {
-                let path = format!("{path}.sketch.strokes.{k}");
-                corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
-            }
-            for (k, stamp) in sketch.stamps.iter().flatten().enumerate() {
-                let path = format!("{path}.sketch.stamps.{k}");
-                stamp_parts(parts, &path, DVec2::from(stamp.at), stamp.radius, &owner(&path));
-            }
+    if let Some(sketch) = flow.read::<Sketch>() {
+        for (k, anchor) in sketch.anchors.iter().flatten().enumerate() {
+            let path = format!("{path}.sketch.anchors.{k}");
+            let (at, removal) = (DVec2::from(anchor.at), owner(&path).removal);
+            let velocity = Change::Point { path: format!("{path}.velocity"), from: anchor.velocity, rate: 1.0 / AHEAD };
+            let moved = vec![Change::point(format!("{path}.at"), anchor.at)];
+            parts.handle(at, Look::Dot, moved, removal.clone());
+            let tip = at + DVec2::from(anchor.velocity) * AHEAD;
+            parts.handle(tip, Look::Arrow(at), vec![velocity], removal);
         }
-        Flow::Paint(paint) => {
-            for (k, stroke) in paint.strokes.iter().enumerate() {
-                let path = format!("{path}.paint.strokes.{k}");
-                corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
-            }
-            paint.on.iter().for_each(|flow| flow_parts(parts, &format!("{path}.paint.on"), flow));
+        for (k, stroke) in sketch.strokes.iter().flatten().enumerate() {
+            let path = format!("{path}.sketch.strokes.{k}");
+            corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
         }
-        Flow::AroundWalls(walls) => flow_parts(parts, &format!("{path}.around_walls.of"), &walls.of),
-        Flow::Sampled(sampled) => flow_parts(parts, &format!("{path}.sampled.of"), &sampled.of),
-        Flow::Keyframes(keys) => {
-            for (k, frame) in keys.frames.iter().enumerate() {
-                flow_parts(parts, &format!("{path}.keyframes.frames.{k}.of"), &frame.of);
-            }
+        for (k, stamp) in sketch.stamps.iter().flatten().enumerate() {
+            let path = format!("{path}.sketch.stamps.{k}");
+            stamp_parts(parts, &path, DVec2::from(stamp.at), stamp.radius, &owner(&path));
         }
-        Flow::Sum(some) | Flow::Blend(some) => {
-            let kind = if matches!(flow, Flow::Sum(_)) { "sum" } else { "blend" };
-            for (k, part) in some.iter().enumerate() {
-                flow_parts(parts, &format!("{path}.{kind}.{k}.of"), &part.of);
-            }
+    } else if let Some(paint) = flow.read::<Paint>() {
+        for (k, stroke) in paint.strokes.iter().enumerate() {
+            let path = format!("{path}.paint.strokes.{k}");
+            corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
         }
-        _ => {}
+        paint.on.iter().for_each(|flow| flow_parts(parts, &format!("{path}.paint.on"), flow));
+    } else if let Some(walls) = flow.read::<AroundWalls>() {
+        flow_parts(parts, &format!("{path}.around_walls.of"), &walls.of);
+    } else if let Some(sampled) = flow.read::<Sampled>() {
+        flow_parts(parts, &format!("{path}.sampled.of"), &sampled.of);
+    } else if let Some(keys) = flow.read::<Keyframes>() {
+        for (k, frame) in keys.frames.iter().enumerate() {
+            flow_parts(parts, &format!("{path}.keyframes.frames.{k}.of"), &frame.of);
+        }
+    } else if let Some(several) = flow.read().map(|Sum(of)| of).or_else(|| flow.read().map(|Blend(of)| of)) {
+        for (k, part) in several.iter().enumerate() {
+            flow_parts(parts, &format!("{path}.{}.{k}.of", flow.name), &part.of);
+        }
     }
 }
 

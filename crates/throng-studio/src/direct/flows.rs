@@ -6,7 +6,8 @@ use super::parts::{length, point, points};
 use crate::document::Edit;
 use glam::DVec2;
 use throng_draw::WorldBox;
-use throng_scene::{Flow, Scene};
+use throng_scene::flow::{AroundWalls, Named, Paint, Sampled, Sketch};
+use throng_scene::{Described, Flow, Scene};
 use toml_edit::InlineTable;
 
 /// The speed of a field without a given speed, m/s.
@@ -60,8 +61,8 @@ pub fn paint(
     bounds: WorldBox,
 ) -> Result<(), String> {
     let line = long(line)?;
-    let paint = match found(scene, g, &|flow| matches!(flow, Flow::Paint(_))) {
-        Some(path) => format!("{path}.paint"),
+    let paint = match found::<Paint>(scene, g) {
+        Some((path, _)) => format!("{path}.paint"),
         None => {
             let on = named(scene, g)?;
             let path = new_field(edit, scene, g, "paint")? + ".paint";
@@ -88,15 +89,13 @@ pub fn paint(
 /// # Errors
 /// The group follows neither a sketch nor paint.
 pub fn erase(edit: &mut Edit, scene: &Scene, g: usize, radius: f64, line: &[DVec2]) -> Result<(), String> {
-    if let Some(path) = found(scene, g, &|flow| matches!(flow, Flow::Paint(_))) {
+    if let Some((path, _)) = found::<Paint>(scene, g) {
         let line = [line, &line[..usize::from(line.len() == 1)]].concat();
         let stroke = [("points", points(&line)), ("radius", length(radius).into()), ("erase", true.into())];
         return edit.push(&format!("{path}.paint.strokes"), InlineTable::from_iter(stroke)).map(drop);
     }
-    let path =
-        found(scene, g, &|flow| matches!(flow, Flow::Sketch(_))).ok_or("the group follows no sketch and no paint")?;
+    let (path, sketch) = found::<Sketch>(scene, g).ok_or("the group follows no sketch and no paint")?;
     let touched = |at: &[f64; 2]| line.iter().any(|dab| dab.distance(DVec2::from(*at)) <= radius);
-    let Some(Flow::Sketch(sketch)) = at_path(scene, g) else { return Ok(()) };
     let gone = |touched: Vec<bool>| (0..touched.len()).rev().filter(move |&k| touched[k]).collect::<Vec<_>>();
     for k in gone(sketch.anchors.iter().flatten().map(|anchor| touched(&anchor.at)).collect()) {
         edit.remove(&format!("{path}.sketch.anchors.{k}"))?;
@@ -131,7 +130,7 @@ fn from_segment(a: DVec2, b: DVec2, at: DVec2) -> f64 {
 
 /// Returns the path of the sketch that a group follows. Creates the sketch if the group follows no field.
 fn sketch(edit: &mut Edit, scene: &Scene, g: usize) -> Result<String, String> {
-    let path = found(scene, g, &|flow| matches!(flow, Flow::Sketch(_)));
+    let path = found::<Sketch>(scene, g).map(|(path, _)| path);
     let path = match (path, scene.groups.get(g).is_some_and(|group| group.field.is_some())) {
         (Some(path), _) => path,
         (None, false) => new_field(edit, scene, g, "sketch")?,
@@ -157,46 +156,34 @@ fn new_field(edit: &mut Edit, scene: &Scene, g: usize, kind: &str) -> Result<Str
 fn named(scene: &Scene, g: usize) -> Result<Option<String>, String> {
     match scene.groups.get(g).and_then(|group| group.field.as_ref()).map(|field| field.of.as_ref()) {
         None => Ok(None),
-        Some(Some(Flow::Named(name))) => Ok(Some(name.clone())),
-        Some(_) => Err("the field of the group has no name: it cannot be painted on".into()),
+        Some(flow) => match flow.and_then(Flow::read) {
+            Some(Named(name)) => Ok(Some(name)),
+            None => Err("the field of the group has no name: it cannot be painted on".into()),
+        },
     }
 }
 
-fn of_group(scene: &Scene, g: usize) -> Option<(String, &Flow)> {
+/// Returns the path and the description of the first field of a kind: the field of the group, or a field that it is
+/// composed of.
+fn found<D: Described>(scene: &Scene, g: usize) -> Option<(String, D)> {
     let flow = scene.groups.get(g)?.field.as_ref()?.of.as_ref()?;
-    Some((format!("group.{g}.field.of"), flow))
+    within(scene, format!("group.{g}.field.of"), flow)
 }
 
-/// Returns the path of the first field of the wanted kind: the field of the group, or a field that it is composed of.
-fn found(scene: &Scene, g: usize, wanted: &dyn Fn(&Flow) -> bool) -> Option<String> {
-    let (path, flow) = of_group(scene, g)?;
-    Some(within(scene, path, flow, wanted)?.0)
-}
-
-/// Returns the sketch that a group follows.
-fn at_path(scene: &Scene, g: usize) -> Option<&Flow> {
-    let (path, flow) = of_group(scene, g)?;
-    Some(within(scene, path, flow, &|flow| matches!(flow, Flow::Sketch(_)))?.1)
-}
-
-fn within<'a>(
-    scene: &'a Scene,
-    path: String,
-    flow: &'a Flow,
-    wanted: &dyn Fn(&Flow) -> bool,
-) -> Option<(String, &'a Flow)> {
-    if wanted(flow) {
-        return Some((path, flow));
+fn within<D: Described>(scene: &Scene, path: String, flow: &Flow) -> Option<(String, D)> {
+    if let Some(described) = flow.read() {
+        return Some((path, described));
     }
-    match flow {
-        Flow::Named(name) => {
-            // a field refers only to fields above it, so the recursion ends
-            let k = scene.fields.iter().position(|field| field.name == *name)?;
-            within(scene, format!("field.{k}.flow"), &scene.fields[k].flow, wanted)
-        }
-        Flow::Paint(paint) => within(scene, path + ".paint.on", paint.on.as_deref()?, wanted),
-        Flow::AroundWalls(walls) => within(scene, path + ".around_walls.of", &walls.of, wanted),
-        Flow::Sampled(sampled) => within(scene, path + ".sampled.of", &sampled.of, wanted),
-        _ => None,
+    if let Some(Named(name)) = flow.read() {
+        // a field refers only to fields above it, so the recursion ends
+        let k = scene.fields.iter().position(|field| field.name == name)?;
+        return within(scene, format!("field.{k}.flow"), &scene.fields[k].flow);
     }
+    if let Some(paint) = flow.read::<Paint>() {
+        return within(scene, path + ".paint.on", paint.on.as_deref()?);
+    }
+    if let Some(walls) = flow.read::<AroundWalls>() {
+        return within(scene, path + ".around_walls.of", &walls.of);
+    }
+    within(scene, path + ".sampled.of", &flow.read::<Sampled>()?.of)
 }

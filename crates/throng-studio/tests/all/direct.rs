@@ -6,7 +6,8 @@ use glam::DVec2;
 use std::time::Duration;
 use throng_draw::WorldBox;
 use throng_record::{Frame, moment};
-use throng_scene::{Flow, Goal, Place, Region, Scene, Shape, gallery};
+use throng_scene::flow::{Named, Paint, Sketch};
+use throng_scene::{Goal, Place, Region, Scene, Shape, gallery};
 use throng_studio::direct::{DirectedWorld, Director, Event, Tool};
 use throng_studio::document::Document;
 use throng_studio::panels;
@@ -223,10 +224,7 @@ fn a_field_is_sketched_and_rubbed_out() {
     }
     assert_eq!(hand.scene().fields.len(), 1, "one sketch holds all parts");
     assert!(hand.scene().build().is_ok());
-    let sketch = |hand: &Hand| match &hand.scene().fields[0].flow {
-        Flow::Sketch(sketch) => sketch.clone(),
-        other => panic!("{other:?}"),
-    };
+    let sketch = |hand: &Hand| hand.scene().fields[0].flow.read::<Sketch>().unwrap();
     let said = sketch(&hand);
     let anchor = &said.anchors.as_ref().unwrap()[0];
     near(anchor.at, [-6.0, 0.0]);
@@ -252,14 +250,14 @@ fn a_way_is_painted_over_the_field_that_is_there() {
     hand.director.brush.radius = 1.5;
     assert_eq!(hand.drag(Tool::Brush, &[[-10.0, 0.0], [0.0, 5.0], [10.0, 0.0]]), Ok(true));
     hand.is_one_step_from(&before);
-    let Flow::Paint(paint) = &hand.scene().fields[1].flow else { panic!() };
+    let paint = hand.scene().fields[1].flow.read::<Paint>().unwrap();
     assert_eq!((paint.strokes.len(), paint.strokes[0].radius), (1, Some(1.5)));
-    assert!(matches!(paint.on.as_deref(), Some(Flow::Named(name)) if name == "bend"));
+    assert_eq!(*paint.on.unwrap(), Named("bend".into()).into());
     hand.drag(Tool::Eraser, &[[0.0, 5.0], [1.0, 5.0]]).unwrap();
     hand.drag(Tool::Anchor, &[[0.0, -6.0], [2.0, -6.0]]).unwrap();
-    let Flow::Paint(paint) = &hand.scene().fields[1].flow else { panic!() };
+    let paint = hand.scene().fields[1].flow.read::<Paint>().unwrap();
     assert_eq!(paint.strokes[1].erase, Some(true));
-    let Flow::Sketch(sketch) = &hand.scene().fields[0].flow else { panic!() };
+    let sketch = hand.scene().fields[0].flow.read::<Sketch>().unwrap();
     assert_eq!(sketch.anchors.as_ref().unwrap().len(), 6, "the field below the paint gets the anchor");
     assert!(hand.scene().build().is_ok());
 }

@@ -3,35 +3,41 @@
 use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check};
 use crate::file::Problem;
-use crate::scene::flow::{AroundWalls, FlowPart, Keyframes, Sampled};
+use crate::scene::flow::{AroundWalls, Blend, FlowPart, Keyframes, Sampled, Sum};
 use std::sync::Arc;
 use throng::space::Walls;
-use throng_field::{Blend, FieldPart, Sum};
+use throng_field::{Anchor, FieldPart};
 
-/// The parts of a sum or a blend.
-pub(super) struct FieldParts<'a> {
-    pub of: &'a [FlowPart],
-    pub blended: bool,
+impl BuildField for Sum {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let (parts, anchors) = at.parts(&self.0, Limit::Finite)?;
+        let made = throng_field::Sum::new(parts).map_err(|error| at.refused(&error))?;
+        Ok(BuiltField { field: Arc::new(made), anchors, cover: None })
+    }
 }
 
-impl BuildField for FieldParts<'_> {
+impl BuildField for Blend {
     fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
-        let (mut parts, mut anchors) = (vec![], vec![]);
-        for (i, part) in self.of.iter().enumerate() {
-            let at = at.index(i);
-            let limit = if self.blended { Limit::NotNegative } else { Limit::Finite };
+        let (parts, anchors) = at.parts(&self.0, Limit::NotNegative)?;
+        let made = throng_field::Blend::new(parts).map_err(|error| at.refused(&error))?;
+        Ok(BuiltField { field: Arc::new(made), anchors, cover: None })
+    }
+}
+
+impl FieldContext<'_> {
+    /// Returns the parts of a sum or a blend, with weights within a limit, and the anchors of all of them.
+    fn parts(&self, parts: &[FlowPart], limit: Limit) -> Result<(Vec<FieldPart>, Vec<Anchor>), Problem> {
+        let (mut made, mut anchors) = (vec![], vec![]);
+        for (i, part) in parts.iter().enumerate() {
+            let at = self.index(i);
             let weight = part.weight.unwrap_or(1.0);
             check(&at.path.key("weight"), weight, limit)?;
             let map = part.map.as_ref().map(|map| at.key("map").map(map)).transpose()?;
-            let made = at.key("of").make(&part.of)?;
-            anchors.extend(made.anchors);
-            parts.push(FieldPart { field: made.field, weight: weight as f32, map });
+            let of = at.key("of").make(&part.of)?;
+            anchors.extend(of.anchors);
+            made.push(FieldPart { field: of.field, weight: weight as f32, map });
         }
-        let field: Result<Arc<dyn throng::field::Field>, throng::Error> = match self.blended {
-            true => Blend::new(parts).map(|made| Arc::new(made) as _),
-            false => Sum::new(parts).map(|made| Arc::new(made) as _),
-        };
-        Ok(BuiltField { field: field.map_err(|error| at.refused(&error))?, anchors, cover: None })
+        Ok((made, anchors))
     }
 }
 

@@ -18,7 +18,8 @@ use super::steer::{Around, refused};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
-use crate::scene::flow::{Flow, Towards, Whirl};
+use crate::registry::Flow;
+use crate::scene::flow::{Named, Towards, Uniform, Whirl};
 use crate::scene::steer::Position;
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
@@ -26,13 +27,13 @@ use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 use throng::field::Field;
 use throng::space::Place;
-use throng_field::{Anchor, Map, Uniform};
+use throng_field::{Anchor, Map};
 
 pub(super) use govern::note_silence;
 
 /// A field that was made.
 #[derive(Clone)]
-pub(super) struct BuiltField {
+pub(crate) struct BuiltField {
     pub field: Arc<dyn Field>,
     /// The anchors of a sketch, metres from its origin; empty for other fields.
     pub anchors: Vec<Anchor>,
@@ -41,7 +42,7 @@ pub(super) struct BuiltField {
 }
 
 impl BuiltField {
-    fn of(field: impl Field + 'static) -> Self {
+    pub fn of(field: impl Field + 'static) -> Self {
         Self { field: Arc::new(field), anchors: vec![], cover: None }
     }
 }
@@ -65,7 +66,7 @@ pub(super) struct Flows<'a> {
 
 /// The context in which a field is built.
 #[derive(Clone)]
-struct FieldContext<'a> {
+pub(crate) struct FieldContext<'a> {
     flows: &'a Flows<'a>,
     /// The path to the field in the scene.
     path: Path,
@@ -78,7 +79,7 @@ struct FieldContext<'a> {
 }
 
 /// A description from which a field is built.
-trait BuildField {
+pub(crate) trait BuildField {
     fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem>;
 }
 
@@ -135,30 +136,17 @@ impl Flows<'_> {
 
 impl FieldContext<'_> {
     fn make(&self, flow: &Flow) -> Result<BuiltField, Problem> {
-        let (key, made): (&str, &dyn BuildField) = match flow {
-            Flow::Uniform(velocity) => {
-                let at = self.key("uniform");
-                velocity.0.iter().enumerate().try_for_each(|(i, x)| check(&at.path.index(i), *x, Limit::Finite))?;
-                return Ok(BuiltField::of(Uniform(Vec3::from_array(velocity.0.map(|x| x as f32)))));
-            }
-            Flow::Named(name) => return self.known(name),
-            Flow::Whirl(of) => ("whirl", of),
-            Flow::Towards(of) => ("towards", of),
-            Flow::Sketch(of) => ("sketch", of),
-            Flow::SketchInSpace(of) => ("sketch_in_space", of),
-            Flow::Paint(of) => ("paint", of),
-            Flow::Picture(of) => ("picture", of),
-            Flow::Table(of) => ("table", of),
-            Flow::ToGoal(of) => ("to_goal", of),
-            Flow::ThroughSpace(of) => ("through_space", of),
-            Flow::Noise(of) => ("noise", of),
-            Flow::Sum(of) => ("sum", &combine::FieldParts { of, blended: false }),
-            Flow::Blend(of) => ("blend", &combine::FieldParts { of, blended: true }),
-            Flow::Keyframes(of) => ("keyframes", of),
-            Flow::AroundWalls(of) => ("around_walls", of),
-            Flow::Sampled(of) => ("sampled", of),
-        };
-        made.make(&self.key(key))
+        self.flows.scene.plugins.fields.make(flow, self)
+    }
+
+    /// Returns the path to the field in the scene.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Returns the origin of the coordinates of the field.
+    pub fn origin(&self) -> DVec2 {
+        self.origin
     }
 
     /// Returns a field of the scene by its name.
@@ -182,11 +170,11 @@ impl FieldContext<'_> {
                 format!("there are: {}", names.join(", "))
             }
         };
-        Err(Problem::new(&self.path.key("named"), Kind::UnknownKey, message).hint(hint))
+        Err(Problem::new(&self.path, Kind::UnknownKey, message).hint(hint))
     }
 
     /// Returns the context of a key.
-    fn key(&self, key: &str) -> Self {
+    pub fn key(&self, key: &str) -> Self {
         Self { path: self.path.key(key), ..self.clone() }
     }
 
@@ -239,6 +227,20 @@ impl FieldContext<'_> {
         if !notes.contains(&note) {
             notes.push(note);
         }
+    }
+}
+
+impl BuildField for Uniform {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        let Position(velocity) = self.0;
+        velocity.iter().enumerate().try_for_each(|(i, x)| check(&at.path.index(i), *x, Limit::Finite))?;
+        Ok(BuiltField::of(throng_field::Uniform(Vec3::from_array(velocity.map(|x| x as f32)))))
+    }
+}
+
+impl BuildField for Named {
+    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+        at.known(&self.0)
     }
 }
 

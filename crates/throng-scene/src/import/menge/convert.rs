@@ -10,7 +10,7 @@ use super::xml::{Xml, children};
 use super::{people, profile, solids};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
-use crate::scene::flow::{Flow, Governed, Table};
+use crate::scene::flow::{Governed, Named, Table};
 use crate::scene::{Field, Group, Place, Scene, Time, Until, Walkable};
 use std::path::Path;
 
@@ -65,8 +65,8 @@ fn read(xml: &Xml, path: &Path, machine: &Machine, folder: &Path, notes: &mut No
         let field = field.map(|file| {
             let file = absolute(&folder.join(file));
             let name = format!("field-{}", fields.len() + 1);
-            fields.push(Field { name: name.clone(), flow: Flow::Table(Table { file }) });
-            Governed { of: Some(Flow::Named(name)), ratio: None, map: None, around: None }
+            fields.push(Field { name: name.clone(), flow: Table { file }.into() });
+            Governed { of: Some(Named(name).into()), ratio: None, map: None, around: None }
         });
         groups.push(Group {
             name: name(&crowd.profile, i, &groups),

@@ -31,7 +31,7 @@ pub use slip::*;
 pub use swarm::*;
 pub use target::{GroupFilter, Member, Target};
 
-use crate::registry::{Behaviours, Steer};
+use crate::registry::{Behaviours, Steer, described};
 
 /// Defines tables of parameters.
 macro_rules! parameters {
@@ -46,23 +46,8 @@ macro_rules! parameters {
 }
 pub(in crate::scene) use parameters;
 
-/// Registers behaviours of throng: each with its description as the doc comment, and its name in files.
-macro_rules! behaviours {
-    ($($(#[doc = $about:literal])+ $described:ident = $name:literal,)*) => {
-        $(impl From<$described> for Steer {
-            fn from(described: $described) -> Self {
-                Self::written($name, &described)
-            }
-        })*
-
-        /// Adds the behaviours of throng to a registry.
-        pub(crate) fn register(behaviours: &mut Behaviours) {
-            $(behaviours.add_own::<$described>($name, concat!($($about),+).trim());)*
-        }
-    };
-}
-
-behaviours! {
+described! {
+    Steer in Behaviours:
     /// Moves to a target at top speed, and past it (Reynolds 1999).
     Seek = "seek",
     /// Moves straight away from a target (Reynolds 1999).

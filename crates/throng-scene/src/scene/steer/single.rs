@@ -1,7 +1,7 @@
 //! Behaviours of a single agent, or of an agent towards a target.
 
 use super::{Position, Steer, Target, parameters};
-use crate::scene::Flow;
+use crate::registry::Flow;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Swarms of insects.
 
 use super::{ObstacleNames, Target, parameters};
-use crate::scene::Flow;
+use crate::registry::Flow;
 use crate::scene::flow::Noise;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

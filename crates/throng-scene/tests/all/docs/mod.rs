@@ -1,7 +1,8 @@
-//! The pages match the code: their scenes can be built, they name every key, and the model of docs/write-a-model.md and
-//! the behaviour of docs/behaviours.md run.
+//! The pages match the code: their scenes can be built, they name every key, and the model, the behaviour and the field of
+//! the pages on each run.
 
 mod behaviour;
+mod field;
 mod model;
 
 use std::path::Path;
