@@ -219,8 +219,7 @@ fn a_sketch_has_no_heights() {
         "sketch.anchors = [{ at = [0, 0, 1], velocity = [1, 0] }]",
         "paint = { min = [0, 0, 0], max = [9, 9], strokes = [] }",
     ] {
-        let message =
-            format!("[[field]]\nname = \"f\"\nflow.{flow}\n{CROWD}").parse::<Scene>().unwrap_err().to_string();
+        let message = error_of(&format!("flow.{flow}"));
         assert!(message.contains("3, but should be two numbers"), "{message}");
     }
 }
