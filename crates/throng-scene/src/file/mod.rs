@@ -13,3 +13,4 @@ pub(crate) use path::{Path, Problem};
 pub(crate) use read::{LARGEST, missing, read_bytes, read_text, too_large};
 pub(crate) use serde_message::{explain, nearest, unknown_key, unknown_variant};
 pub(crate) use set::quoted;
+pub(crate) use value::Value as FileValue;

@@ -1,11 +1,12 @@
 //! Reads the given parameters of a choice as the type that declares them.
 
 use crate::error::{Error, Kind};
-use crate::file::{Path, Problem, explain, unknown_key, unknown_variant};
+use crate::file::{FileValue, Path, Problem, explain, unknown_key, unknown_variant};
 use serde::de::DeserializeOwned;
 use serde_path_to_error::Segment;
 use throng::parameters::Declared;
-use toml::Value;
+use toml::de::DeTable;
+use toml::{Table, Value};
 
 /// Why a choice was not made.
 pub(crate) enum Unmade {
@@ -35,17 +36,24 @@ pub(super) fn read<P: Declared>(given: &Value, more: &[&str]) -> Result<P, Unmad
 
 /// Reads a value.
 pub(super) fn read_value<T: DeserializeOwned>(given: &Value) -> Result<T, Unmade> {
-    serde_path_to_error::deserialize(given.clone()).map_err(|error| {
-        let mut path = Path::default();
-        for segment in error.path() {
-            match segment {
-                Segment::Seq { index } => path = path.index(*index),
-                Segment::Map { key } | Segment::Enum { variant: key } => path = path.name(key),
-                Segment::Unknown => {}
-            }
+    given.clone().try_into().map_err(|error| misread::<T>(given, &error))
+}
+
+/// Returns the place and the message of an error, as the reader of files states them: it knows more than `error`.
+fn misread<T: DeserializeOwned>(given: &Value, error: &toml::de::Error) -> Unmade {
+    let text = Table::from_iter([("value".to_owned(), given.clone())]).to_string();
+    let value = DeTable::parse(&text).ok().and_then(|tree| tree.into_inner().remove("value"));
+    match value.map(|value| serde_path_to_error::deserialize::<_, T>(FileValue(value))) {
+        Some(Err(error)) => {
+            let below = |path: Path, segment: &Segment| match segment {
+                Segment::Seq { index } => path.index(*index),
+                Segment::Map { key } | Segment::Enum { variant: key } => path.name(key),
+                Segment::Unknown => path,
+            };
+            Unmade::Misread(error.path().iter().fold(Path::default(), below), error.inner().message.clone())
         }
-        Unmade::Misread(path, error.inner().message().to_owned())
-    })
+        _ => Unmade::Misread(Path::default(), error.message().to_owned()),
+    }
 }
 
 impl Unmade {

@@ -219,7 +219,8 @@ fn a_sketch_has_no_heights() {
         "sketch.anchors = [{ at = [0, 0, 1], velocity = [1, 0] }]",
         "paint = { min = [0, 0, 0], max = [9, 9], strokes = [] }",
     ] {
-        let message = error_of(&format!("flow.{flow}"));
+        let scene: Scene = format!("[[field]]\nname = \"f\"\nflow.{flow}\n{CROWD}").parse().unwrap();
+        let message = scene.plan().unwrap_err().to_string();
         assert!(message.contains("3, but should be two numbers"), "{message}");
     }
 }
