@@ -32,8 +32,8 @@ const SKIPPED: &[(&str, usize, &str)] = &[
 /// Generated pages: other tests compare them with the program.
 const GENERATED: [&str; 3] = ["commands.md", "errors.md", "scene-format.md"];
 
-/// The languages of blocks that contain no commands.
-const OTHER: [&str; 6] = ["toml", "toml,no_run", "rust", "text", "python", "html"];
+/// The languages of blocks that contain no commands. Tests of throng-scene compile the blocks of `rust,ignore`.
+const OTHER: [&str; 7] = ["toml", "toml,no_run", "rust", "rust,ignore", "text", "python", "html"];
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
