@@ -56,9 +56,11 @@ impl<C> Choice<C> {
 
     /// Returns the choice of a type, with the parameters that differ from their defaults.
     pub fn of<P: Declared + Default>(chosen: &P) -> Self {
-        let usual = written(&P::default());
-        let given = written(chosen).into_iter().filter(|(key, value)| usual.get(key) != Some(value));
-        Self::new(P::NAME.to_owned(), Value::Table(given.collect()))
+        let (usual, mut given) = (in_short(&P::default()), in_short(chosen));
+        if let (Value::Table(usual), Value::Table(given)) = (&usual, &mut given) {
+            given.retain(|key, value| usual.get(key) != Some(value));
+        }
+        Self::new(P::NAME.to_owned(), given)
     }
 
     /// Returns the choice with one more parameter, or another value of it. It has no effect on a list.
@@ -71,9 +73,7 @@ impl<C> Choice<C> {
 
     /// Returns the choice with this description.
     pub fn described<D: Described>(description: &D) -> Self {
-        let mut parameters = Value::try_from(description).unwrap_or_else(|_| Value::Table(Table::new()));
-        shorten(&mut parameters);
-        Self::new(D::NAME.to_owned(), parameters)
+        Self::new(D::NAME.to_owned(), written(description))
     }
 
     /// Returns the description of this choice as a `D`; `None` for another choice, and for parameters that a `D` does not
@@ -130,11 +130,17 @@ pub(super) fn choice_schema(name: &str, about: &str, parameters: Schema) -> Json
     })
 }
 
-/// Returns parameters as files write them.
-pub(super) fn written<P: Declared>(parameters: &P) -> Table {
-    let mut table = Table::try_from(parameters).unwrap_or_default();
-    table.iter_mut().for_each(|(_, value)| shorten(value));
-    table
+/// Returns what files write. What they cannot write, such as a whole number that is too large, becomes a text that says
+/// so: the choice is then refused with this text.
+fn written(description: &impl Serialize) -> Value {
+    Value::try_from(description).unwrap_or_else(|error| Value::String(format!("cannot be written: {error}")))
+}
+
+/// Returns parameters as files write them, with the digits of single precision.
+pub(super) fn in_short<P: Declared>(parameters: &P) -> Value {
+    let mut value = written(parameters);
+    shorten(&mut value);
+    value
 }
 
 /// Gives each number that was in single precision the digits that it was written with.

@@ -1,6 +1,6 @@
 //! The local models, by name.
 
-use super::choice::{Catalogue, Choice, choice_schema, written};
+use super::choice::{Catalogue, Choice, choice_schema, in_short};
 use super::read::{self, Unmade, read_value};
 use crate::caught::{caught, named};
 use crate::file::{Path, Problem};
@@ -135,7 +135,7 @@ impl Entry {
             },
             complete: |given| {
                 let (model, neighbours, neighbour_distance) = read::<M>(given)?;
-                let mut all = written(&model);
+                let Value::Table(mut all) = in_short(&model) else { return Ok(Table::new()) };
                 let neighbours = match neighbours {
                     Neighbours::Nearest(count) => Value::Integer(count.into()),
                     Neighbours::All => Value::String("all".into()),
