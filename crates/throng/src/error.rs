@@ -82,14 +82,6 @@ impl Error {
         Self::unless(value > 0.0 && value.is_finite(), what, value, "greater than 0 and finite")
     }
 
-    /// Returns [`Error::Limit`] unless a number is at least 0 and finite.
-    ///
-    /// # Errors
-    /// The number is not at least 0 and finite.
-    pub fn unless_not_negative(what: &'static str, value: f32) -> Result<(), Self> {
-        Self::unless(value >= 0.0 && value.is_finite(), what, value, "at least 0 and finite")
-    }
-
     /// Returns [`Error::Limit`] unless a number is finite.
     ///
     /// # Errors

@@ -1,15 +1,14 @@
 //! The steering behaviours, by name.
 
-use super::choice::{Catalogue, Choice, Described, choice_schema};
+use super::choice::{Catalogue, Choice, Described};
+use super::entries::{Entries, Entry};
 use super::read::{Unmade, read, read_value};
 use crate::assemble::{BehaviourContext, BuildBehaviour, refused};
 use crate::caught::{caught, named};
 use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value as Json;
-use std::borrow::Cow;
-use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
@@ -53,18 +52,8 @@ pub type Steer = Choice<Behaviours>;
 /// assert!(world.relative_columns().altitude[0] > 2.9);
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
-#[derive(Clone)]
-pub struct Behaviours(Vec<Entry>);
-
-/// A behaviour of the registry.
-#[derive(Clone)]
-struct Entry {
-    name: Cow<'static, str>,
-    about: &'static str,
-    is_plugin: bool,
-    make: MakeBehaviour,
-    schema: fn(&mut SchemaGenerator) -> Schema,
-}
+#[derive(Clone, Debug)]
+pub struct Behaviours(Entries<MakeBehaviour>);
 
 /// Makes a behaviour for a group of a scene, from what the scene says at this path.
 type MakeBehaviour = Arc<dyn Fn(&Value, &BehaviourContext<'_>, &Path) -> Result<BoxedBehaviour, Problem> + Send + Sync>;
@@ -126,14 +115,8 @@ impl Behaviours {
                 .map_err(|unmade| unmade.at(at, at, &format!("behaviour `{of}`")))?;
             Ok(NamedBehaviour { name: of.clone(), branch }.into())
         });
-        self.0.retain(|entry| *entry.name != *name);
-        self.0.push(Entry {
-            name: name.to_string().into(),
-            about: P::ABOUT,
-            is_plugin: true,
-            make,
-            schema: |generator| generator.subschema_for::<P>(),
-        });
+        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<P>();
+        self.0.add(Entry { name: name.to_string().into(), about: P::ABOUT, is_plugin: true, schema, make });
     }
 
     /// Adds a behaviour of throng, which a scene describes as a `D`.
@@ -145,19 +128,17 @@ impl Behaviours {
             Ok(branch)
         });
         let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
-        self.0.push(Entry { name: D::NAME.into(), about, is_plugin: false, make, schema });
+        self.0.add(Entry { name: D::NAME.into(), about, is_plugin: false, schema, make });
     }
 
     /// Adds the behaviours that another set has from programs. They replace behaviours with the same names.
     pub fn extend(&mut self, more: Self) {
-        let more: Vec<Entry> = more.0.into_iter().filter(|entry| entry.is_plugin).collect();
-        self.0.retain(|entry| more.iter().all(|other| other.name != entry.name));
-        self.0.extend(more);
+        self.0.extend(more.0);
     }
 
     /// Returns the names of all behaviours.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().map(|entry| &*entry.name)
+        self.0.names()
     }
 
     /// Makes the behaviour that a scene chooses at a path.
@@ -167,39 +148,30 @@ impl Behaviours {
         making: &BehaviourContext<'_>,
         at: &Path,
     ) -> Result<BoxedBehaviour, Problem> {
-        match self.0.iter().find(|entry| entry.name == steer.name) {
-            Some(entry) => (entry.make)(&steer.parameters, making, &at.name(&entry.name)),
-            None => {
-                let problem = Unmade::no_choice(&steer.name, self.names()).at(at, &at.name(&steer.name), "");
-                Err(match steer.name.as_str() {
-                    "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
-                    _ => problem,
-                })
+        let inside = at.name(&steer.name);
+        let entry = self.0.find(&steer.name).map_err(|unmade| {
+            let problem = unmade.at(at, &inside, "");
+            match steer.name.as_str() {
+                "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
+                _ => problem,
             }
-        }
+        })?;
+        (entry.make)(&steer.parameters, making, &inside)
     }
 
     /// Returns the name of each behaviour of a plug-in, and the schema of its choice.
     pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Json)> {
-        let plugins = self.0.iter().filter(|entry| entry.is_plugin);
-        plugins.map(|entry| (&*entry.name, entry.choice(generator))).collect()
-    }
-}
-
-impl Entry {
-    /// Returns the schema of the choice of this behaviour.
-    fn choice(&self, generator: &mut SchemaGenerator) -> Json {
-        choice_schema(&self.name, self.about, (self.schema)(generator))
+        self.0.plugin_schemas(generator)
     }
 }
 
 impl Default for Behaviours {
     /// Returns the behaviours of throng.
     fn default() -> Self {
-        let mut behaviours = Self(Vec::new());
+        let mut behaviours = Self(Entries::default());
         crate::scene::steer::register(&mut behaviours);
         crate::games::register(&mut behaviours);
-        behaviours.0.iter_mut().for_each(|entry| entry.is_plugin = false);
+        behaviours.0.own();
         behaviours
     }
 }
@@ -209,10 +181,8 @@ impl Catalogue for Behaviours {
     const EXAMPLE: &'static str = "steer.wander = { .. }";
 
     fn schema(generator: &mut SchemaGenerator) -> Schema {
-        let choices: Vec<Json> = Self::default().0.iter().map(|entry| entry.choice(generator)).collect();
-        json_schema!({
-            "description": "What an agent steers by: a behaviour, or a combination of behaviours.", "oneOf": choices
-        })
+        let description = "What an agent steers by: a behaviour, or a combination of behaviours.";
+        Self::default().0.schema(description, generator)
     }
 }
 
@@ -250,11 +220,5 @@ impl Behaviour for NamedBehaviour {
 
     fn check(&self) -> Result<(), Error> {
         named("behaviour", &self.name, || self.branch.check())
-    }
-}
-
-impl fmt::Debug for Behaviours {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_set().entries(self.names()).finish()
     }
 }

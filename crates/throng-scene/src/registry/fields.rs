@@ -1,14 +1,14 @@
 //! The vector fields, by name.
 
-use super::choice::{Catalogue, Choice, Described, choice_schema};
+use super::choice::{Catalogue, Choice, Described};
+use super::entries::{Entries, Entry};
 use super::read::{Unmade, read, read_value};
 use crate::assemble::{BuildField, BuiltField, FieldContext};
 use crate::caught::{caught, named};
 use crate::file::Problem;
 use glam::{DVec2, Vec2, Vec3};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value as Json;
-use std::fmt;
 use throng::field::{Adaptive, Field};
 use throng::parameters::Declared;
 use toml::Value;
@@ -17,18 +17,8 @@ use toml::Value;
 pub type Flow = Choice<Fields>;
 
 /// The fields that scene files can name: those of throng, then those that a program adds.
-#[derive(Clone)]
-pub struct Fields(Vec<Entry>);
-
-/// A field of the registry.
-#[derive(Clone)]
-struct Entry {
-    name: &'static str,
-    about: &'static str,
-    is_plugin: bool,
-    make: MakeField,
-    schema: fn(&mut SchemaGenerator) -> Schema,
-}
+#[derive(Clone, Debug)]
+pub struct Fields(Entries<MakeField>);
 
 /// Makes a field from what the scene says in this context.
 type MakeField = fn(&Value, &FieldContext<'_>) -> Result<BuiltField, Problem>;
@@ -41,14 +31,8 @@ impl Fields {
             let field = made.map_err(|unmade| unmade.at(at.path(), at.path(), &what(F::NAME)))?;
             Ok(BuiltField::of(PluginField { field, origin: at.origin() }))
         };
-        self.0.retain(|entry| entry.name != F::NAME);
-        self.0.push(Entry {
-            name: F::NAME,
-            about: F::ABOUT,
-            is_plugin: true,
-            make,
-            schema: |generator| generator.subschema_for::<F>(),
-        });
+        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<F>();
+        self.0.add(Entry { name: F::NAME.into(), about: F::ABOUT, is_plugin: true, schema, make });
     }
 
     /// Adds a field of throng, which a scene describes as a `D`.
@@ -58,41 +42,31 @@ impl Fields {
             described.make(at)
         };
         let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
-        self.0.push(Entry { name: D::NAME, about, is_plugin: false, make, schema });
+        self.0.add(Entry { name: D::NAME.into(), about, is_plugin: false, schema, make });
     }
 
     /// Returns the names of all fields.
-    pub fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
-        self.0.iter().map(|entry| entry.name)
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.names()
     }
 
     /// Makes the field that a scene chooses in a context.
     pub(crate) fn make(&self, flow: &Flow, at: &FieldContext<'_>) -> Result<BuiltField, Problem> {
         let inside = at.key(&flow.name);
-        match self.0.iter().find(|entry| entry.name == flow.name) {
-            Some(entry) => (entry.make)(&flow.parameters, &inside),
-            None => Err(Unmade::no_choice(&flow.name, self.names()).at(at.path(), inside.path(), "")),
-        }
+        let entry = self.0.find(&flow.name).map_err(|unmade| unmade.at(at.path(), inside.path(), ""))?;
+        (entry.make)(&flow.parameters, &inside)
     }
 
     /// Returns the name of each field of a plug-in, and the schema of its choice.
     pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Json)> {
-        let plugins = self.0.iter().filter(|entry| entry.is_plugin);
-        plugins.map(|entry| (entry.name, entry.choice(generator))).collect()
-    }
-}
-
-impl Entry {
-    /// Returns the schema of the choice of this field.
-    fn choice(&self, generator: &mut SchemaGenerator) -> Json {
-        choice_schema(self.name, self.about, (self.schema)(generator))
+        self.0.plugin_schemas(generator)
     }
 }
 
 impl Default for Fields {
     /// Returns the fields of throng.
     fn default() -> Self {
-        let mut fields = Self(Vec::new());
+        let mut fields = Self(Entries::default());
         crate::scene::flow::register(&mut fields);
         fields
     }
@@ -103,14 +77,7 @@ impl Catalogue for Fields {
     const EXAMPLE: &'static str = "flow.whirl = { .. }";
 
     fn schema(generator: &mut SchemaGenerator) -> Schema {
-        let choices: Vec<Json> = Self::default().0.iter().map(|entry| entry.choice(generator)).collect();
-        json_schema!({ "description": "A velocity at every place.", "oneOf": choices })
-    }
-}
-
-impl fmt::Debug for Fields {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_set().entries(self.names()).finish()
+        Self::default().0.schema("A velocity at every place.", generator)
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod behaviours;
 mod choice;
+mod entries;
 mod fields;
 mod model;
 mod models;

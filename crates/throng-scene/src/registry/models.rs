@@ -1,12 +1,13 @@
 //! The local models, by name.
 
-use super::choice::{Catalogue, Choice, choice_schema, in_short};
+use super::choice::{Catalogue, Choice, in_short};
+use super::entries::{Entries, Entry};
 use super::read::{self, Unmade, read_value};
 use crate::caught::{caught, named};
 use crate::file::{Path, Problem};
 use crate::scene::Neighbours;
 use glam::{Vec2, Vec3};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 use std::borrow::Cow;
@@ -23,18 +24,14 @@ pub type Avoid = Choice<Models>;
 
 /// The local models that scene files can name: those of throng, then those that a program adds.
 #[derive(Clone, Debug)]
-pub struct Models(Vec<Entry>);
+pub struct Models(Entries<MakeModel>);
 
-/// A local model of the registry.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    name: &'static str,
-    about: &'static str,
-    is_plugin: bool,
+/// Makes a local model from what the scene says.
+#[derive(Clone, Copy)]
+struct MakeModel {
     read: fn(&Value) -> Result<ChosenModel, Unmade>,
     /// Adds the defaults of the parameters that are not given.
     complete: fn(&Value) -> Result<Table, Unmade>,
-    schema: fn(&mut SchemaGenerator) -> Schema,
 }
 
 /// A local model with its parameters, and the neighbour search of its agents.
@@ -48,8 +45,8 @@ pub(crate) struct ChosenModel {
 
 impl Models {
     /// Returns the names of all models.
-    pub fn names(&self) -> impl Iterator<Item = &'static str> + '_ {
-        self.0.iter().map(|entry| entry.name)
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.names()
     }
 
     /// Adds a model of a plug-in, or replaces the model with the same name. A panic in it names it.
@@ -58,27 +55,21 @@ impl Models {
             let (model, neighbours, neighbour_distance) = caught(|| read::<M>(given)).map_err(Unmade::Panicked)??;
             Ok(ChosenModel { model: Arc::new(PluginModel(model)), neighbours, neighbour_distance })
         };
-        self.0.retain(|entry| entry.name != M::NAME);
-        self.0.push(Entry { is_plugin: true, read, ..Entry::of::<M>() });
-    }
-
-    fn find(&self, name: &str) -> Option<&Entry> {
-        self.0.iter().find(|entry| entry.name == name)
+        let own = entry::<M>();
+        self.0.add(Entry { is_plugin: true, make: MakeModel { read, ..own.make }, ..own });
     }
 
     /// Makes the model of a choice at this path of the scene.
     pub(crate) fn make(&self, avoid: &Avoid, at: &Path) -> Result<ChosenModel, Problem> {
-        let Some(entry) = self.find(&avoid.name) else {
-            return Err(Unmade::no_choice(&avoid.name, self.names()).at(at, &at.name(&avoid.name), ""));
-        };
-        (entry.read)(&avoid.parameters).map_err(|unmade| unmade.at(at, &at.name(entry.name), &what(entry.name)))
+        let chosen = self.0.find(&avoid.name).and_then(|entry| (entry.make.read)(&avoid.parameters));
+        chosen.map_err(|unmade| unmade.at(at, &at.name(&avoid.name), &what(&avoid.name)))
     }
 
     /// Checks that the model of a choice, if it is known, has the given parameters and can read them. Their limits are
     /// checked when the model is made.
     pub(crate) fn check_keys(&self, avoid: &Avoid, at: &Path) -> Result<(), Problem> {
-        match self.find(&avoid.name).map(|entry| (entry.read)(&avoid.parameters)) {
-            Some(Err(unread @ (Unmade::NoKey(..) | Unmade::Misread(..)))) => {
+        match self.0.find(&avoid.name).and_then(|entry| (entry.make.read)(&avoid.parameters)) {
+            Err(unread @ (Unmade::NoKey(..) | Unmade::Misread(..))) => {
                 Err(unread.at(at, &at.name(&avoid.name), &what(&avoid.name)))
             }
             _ => Ok(()),
@@ -87,21 +78,20 @@ impl Models {
 
     /// Returns a choice with the defaults of all parameters that it leaves out; or as it is, if it cannot be made.
     pub(crate) fn complete(&self, avoid: &Avoid) -> Avoid {
-        let complete = self.find(&avoid.name).and_then(|entry| (entry.complete)(&avoid.parameters).ok());
-        complete.map_or_else(|| avoid.clone(), |all| Avoid::new(avoid.name.clone(), Value::Table(all)))
+        let complete = self.0.find(&avoid.name).and_then(|entry| (entry.make.complete)(&avoid.parameters));
+        complete.map_or_else(|_| avoid.clone(), |all| Avoid::new(avoid.name.clone(), Value::Table(all)))
     }
 
     /// Returns the name of each model of a plug-in, and the schema of its choice.
-    pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&'static str, Json)> {
-        let plugins = self.0.iter().filter(|entry| entry.is_plugin);
-        plugins.map(|entry| (entry.name, entry.choice(generator))).collect()
+    pub(super) fn plugin_schemas(&self, generator: &mut SchemaGenerator) -> Vec<(&str, Json)> {
+        self.0.plugin_schemas(generator)
     }
 }
 
 impl Default for Models {
     /// Returns the models of throng.
     fn default() -> Self {
-        let mut models = Self(Vec::new());
+        let mut models = Self(Entries::default());
         throng::avoid::register(&mut models);
         models
     }
@@ -109,7 +99,7 @@ impl Default for Models {
 
 impl Register for Models {
     fn add<M: LocalModel + Declared + Default>(&mut self) {
-        self.0.push(Entry::of::<M>());
+        self.0.add(entry::<M>());
     }
 }
 
@@ -118,40 +108,31 @@ impl Catalogue for Models {
     const EXAMPLE: &'static str = "avoid.orca = { .. }";
 
     fn schema(generator: &mut SchemaGenerator) -> Schema {
-        let choices: Vec<Json> = Self::default().0.iter().map(|entry| entry.choice(generator)).collect();
-        json_schema!({ "description": "The local model of a group.", "oneOf": choices })
+        Self::default().0.schema("The local model of a group.", generator)
     }
 }
 
-impl Entry {
-    fn of<M: LocalModel + Declared + Default>() -> Self {
-        Self {
-            name: M::NAME,
-            about: M::ABOUT,
-            is_plugin: false,
-            read: |given| {
-                let (model, neighbours, neighbour_distance) = read::<M>(given)?;
-                Ok(ChosenModel { model: Arc::new(model), neighbours, neighbour_distance })
-            },
-            complete: |given| {
-                let (model, neighbours, neighbour_distance) = read::<M>(given)?;
-                let Value::Table(mut all) = in_short(&model) else { return Ok(Table::new()) };
-                let neighbours = match neighbours {
-                    Neighbours::Nearest(count) => Value::Integer(count.into()),
-                    Neighbours::All => Value::String("all".into()),
-                };
-                all.insert(SIGHT[0].into(), neighbours);
-                all.insert(SIGHT[1].into(), Value::Float(neighbour_distance));
-                Ok(all)
-            },
-            schema: |generator| generator.subschema_for::<WithSight<M>>(),
-        }
-    }
-
-    /// Returns the schema of the choice of this model.
-    fn choice(&self, generator: &mut SchemaGenerator) -> Json {
-        choice_schema(self.name, self.about, (self.schema)(generator))
-    }
+/// Returns the entry of a model of throng.
+fn entry<M: LocalModel + Declared + Default>() -> Entry<MakeModel> {
+    let make = MakeModel {
+        read: |given| {
+            let (model, neighbours, neighbour_distance) = read::<M>(given)?;
+            Ok(ChosenModel { model: Arc::new(model), neighbours, neighbour_distance })
+        },
+        complete: |given| {
+            let (model, neighbours, neighbour_distance) = read::<M>(given)?;
+            let Value::Table(mut all) = in_short(&model) else { return Ok(Table::new()) };
+            let neighbours = match neighbours {
+                Neighbours::Nearest(count) => Value::Integer(count.into()),
+                Neighbours::All => Value::String("all".into()),
+            };
+            all.insert(SIGHT[0].into(), neighbours);
+            all.insert(SIGHT[1].into(), Value::Float(neighbour_distance));
+            Ok(all)
+        },
+    };
+    let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<WithSight<M>>();
+    Entry { name: M::NAME.into(), about: M::ABOUT, is_plugin: false, schema, make }
 }
 
 /// Returns the kind and name of a model, for messages.

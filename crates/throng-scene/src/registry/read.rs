@@ -57,11 +57,6 @@ fn misread<T: DeserializeOwned>(given: &Value, error: &toml::de::Error) -> Unmad
 }
 
 impl Unmade {
-    /// Returns the error for a name that does not exist.
-    pub(super) fn no_choice<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Self {
-        Self::NoChoice(name.to_owned(), known.map(str::to_owned).collect())
-    }
-
     /// Returns the problem of a choice at the path `at` with its parameters at `inside`. `what` is the kind and the name
     /// of the choice, for messages about plug-ins.
     pub(crate) fn at(self, at: &Path, inside: &Path, what: &str) -> Problem {
