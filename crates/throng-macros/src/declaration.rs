@@ -1,271 +1,370 @@
 //! Declared types: from the struct or enum as written to its implementations.
 
-use crate::limit::{Limit, Number};
-use proc_macro2::TokenStream;
+use crate::field::{Declared, Fields, first_paragraph, text};
+use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse::{Parse, ParseStream};
-use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, Field, Fields, Ident, ItemEnum, ItemStruct, Lit, LitStr, Meta, Token, Type};
+use syn::{Expr, Ident, ItemEnum, ItemStruct, Token, Type};
 
-/// The name in scene files that the attribute of a type gives.
-pub struct Name(Option<String>);
+/// What the attribute of a type gives.
+#[derive(Default)]
+pub struct Given {
+    /// The name in scene files.
+    name: Option<String>,
+    /// The field that files can write as a list instead of a table.
+    list: Option<Ident>,
+}
 
-impl Parse for Name {
+impl Parse for Given {
     fn parse(input: ParseStream) -> syn::Result<Self> {
-        if input.is_empty() {
-            return Ok(Self(None));
+        let mut given = Self::default();
+        while !input.is_empty() {
+            let key: Ident = input.parse()?;
+            input.parse::<Token![=]>()?;
+            match key.to_string().as_str() {
+                "name" => given.name = Some(text(&input.parse::<Expr>()?)?),
+                "list" => given.list = Some(input.parse()?),
+                _ => return Err(syn::Error::new(key.span(), "the keys are `name` and `list`")),
+            }
+            if !input.is_empty() {
+                input.parse::<Token![,]>()?;
+            }
         }
-        let key: Ident = input.parse()?;
-        if key != "name" {
-            return Err(syn::Error::new(key.span(), "the only key is `name`: #[parameters(name = \"orca_3d\")]"));
-        }
-        input.parse::<Token![=]>()?;
-        Ok(Self(Some(input.parse::<LitStr>()?.value())))
+        Ok(given)
     }
 }
 
-/// A field with what its attribute gives.
-struct Declared {
-    field: Field,
-    default: Option<Expr>,
-    is_required: bool,
-    unit: Option<String>,
-    limit: Limit,
-}
-
-impl Declared {
-    /// Takes the attribute `#[parameter(..)]` off a field.
-    fn of(mut field: Field) -> syn::Result<Self> {
-        let (own, kept): (Vec<_>, Vec<_>) =
-            field.attrs.into_iter().partition(|attribute| attribute.path().is_ident("parameter"));
-        field.attrs = kept;
-        let mut declared = Self { field, default: None, is_required: false, unit: None, limit: Limit::default() };
-        for attribute in own {
-            attribute.parse_nested_meta(|meta| {
-                if meta.path.is_ident("required") {
-                    declared.is_required = true;
-                    return Ok(());
-                }
-                let value: Expr = meta.value()?.parse()?;
-                let number = || Number::of(&value).map(Some);
-                match meta.path.require_ident()?.to_string().as_str() {
-                    "default" => declared.default = Some(value),
-                    "unit" => declared.unit = Some(text(&value)?),
-                    "above" => declared.limit.above = number()?,
-                    "least" => declared.limit.least = number()?,
-                    "most" => declared.limit.most = number()?,
-                    _ => return Err(meta.error("a parameter has: required, default, unit, above, least, most")),
-                }
-                Ok(())
-            })?;
-        }
-        Ok(declared)
-    }
-
-    /// Whether its values are numbers that are checked.
-    fn is_number(&self) -> bool {
-        let is_float = match &self.field.ty {
-            Type::Path(found) => found
-                .path
-                .segments
-                .last()
-                .is_some_and(|last| ["f32", "f64", "Angle"].iter().any(|name| last.ident == name)),
-            _ => false,
-        };
-        is_float || !self.limit.is_empty()
-    }
-
-    /// Returns the default.
-    fn default(&self) -> TokenStream {
-        match &self.default {
-            Some(value) => quote!(#value),
-            None => quote!(::core::default::Default::default()),
-        }
-    }
-
-    /// Returns the function that returns the default, and its name, for a type of which another field is required.
-    fn default_function(&self, of: &Ident) -> Option<(TokenStream, String)> {
-        let Field { ident, ty, .. } = &self.field;
-        let name = format_ident!("default_of_{}", ident.as_ref()?);
-        let default = self.default();
-        let function = quote!(fn #name() -> #ty { #default });
-        (!self.is_required).then(|| (function, format!("{of}::{name}")))
-    }
-
-    /// Returns the field with the attributes of the schema, and with its limit in its doc line. `default` is the path of
-    /// the function that returns its default.
-    fn written(&self, default: Option<&str>) -> TokenStream {
-        let Self { field, unit, limit, .. } = self;
-        let default = default.filter(|_| cfg!(feature = "schema")).map(|path| quote!(#[serde(default = #path)]));
-        let sentence = (!limit.is_empty()).then(|| limit.sentence()).map(|sentence| quote!(#[doc = #sentence]));
-        let mut keys = limit.schema();
-        keys.extend(unit.as_ref().map(|unit| quote!("unit" = #unit)));
-        let about = self.about();
-        let extended = (!keys.is_empty()).then(|| quote!(, extend(#(#keys),*)));
-        let schema = cfg!(feature = "schema").then(|| quote!(#[schemars(description = #about #extended)]));
-        let Field { attrs, vis, ident, ty, .. } = field;
-        quote!(#(#attrs)* #sentence #default #schema #vis #ident: #ty)
-    }
-
-    /// Returns the doc line, with the limit.
-    fn about(&self) -> String {
-        first_paragraph(&self.field.attrs) + &self.limit.sentence()
-    }
-
-    /// Returns the value of type `throng::parameters::Parameter`.
-    fn described(&self) -> TokenStream {
-        let name = self.field.ident.as_ref().map(ToString::to_string).unwrap_or_default();
-        let about = self.about();
-        let unit = self.unit.as_deref().unwrap_or_default();
-        let limit = self.limit.value();
-        quote!(::throng::parameters::Parameter { name: #name, about: #about, unit: #unit, limit: #limit })
-    }
-}
-
-/// Returns a struct with the implementations of `Default` and `Parameters`.
-pub fn of_struct(Name(name): Name, item: ItemStruct) -> syn::Result<TokenStream> {
+/// Returns a struct with its implementations.
+pub fn of_struct(Given { name, list }: &Given, item: ItemStruct) -> syn::Result<TokenStream> {
     let ItemStruct { attrs, vis, ident, generics, fields, .. } = item;
-    let (fields, is_unit) = match fields {
-        Fields::Named(fields) => (fields.named, false),
-        Fields::Unit => (Punctuated::new(), true),
-        Fields::Unnamed(_) => return Err(syn::Error::new_spanned(ident, "parameters are named fields")),
-    };
     if !generics.params.is_empty() {
         return Err(syn::Error::new_spanned(generics, "parameters have no generics"));
     }
-    let declared = fields.into_iter().map(Declared::of).collect::<syn::Result<Vec<_>>>()?;
-    let name = name.unwrap_or_else(|| snake_case(&ident.to_string()));
+    let name = name.clone().unwrap_or_else(|| snake_case(&ident.to_string()));
     let about = first_paragraph(&attrs);
-    let is_required = declared.iter().any(|declared| declared.is_required);
-    let functions: Vec<_> =
-        declared.iter().map(|field| field.default_function(&ident).filter(|_| is_required)).collect();
-    let paths = functions.iter().map(|function| function.as_ref().map(|(_, path)| path.as_str()));
-    let written = declared.iter().zip(paths).map(|(declared, path)| declared.written(path));
-    let described = declared.iter().map(Declared::described);
-    let defaults = declared.iter().map(|declared| {
-        let (ident, value) = (&declared.field.ident, declared.default());
-        quote!(#ident: #value)
-    });
-    let default = if is_required {
-        let functions = functions.iter().flatten().map(|(function, _)| function);
-        cfg!(feature = "schema").then(|| quote!(impl #ident { #(#functions)* }))
-    } else {
-        Some(quote!(impl ::core::default::Default for #ident {
-            fn default() -> Self {
-                Self { #(#defaults,)* }
-            }
-        }))
-    };
-    let checks = declared.iter().enumerate().filter(|(_, declared)| declared.is_number()).map(|(k, declared)| {
-        let ident = &declared.field.ident;
-        quote!(Self::PARAMETERS[#k].check(&self.#ident)?;)
-    });
-    let keys = if is_required { quote!(deny_unknown_fields) } else { quote!(default, deny_unknown_fields) };
-    let readable = readable(&about, &keys);
-    let item = if is_unit {
-        let read_as_table = readable.map(|readable| as_empty_table(&ident, &readable));
-        quote!(#(#attrs)* #vis struct #ident; #read_as_table)
-    } else {
-        quote!(#(#attrs)* #readable #vis struct #ident { #(#written,)* })
+    let (item, parameters, value) = match fields {
+        syn::Fields::Unnamed(fields) if fields.unnamed.len() == 1 => {
+            let field = &fields.unnamed[0];
+            let item = quote!(#(#attrs)* #vis struct #ident(#field););
+            (item, quote!(&[]), transparent(&ident, &field.ty))
+        }
+        syn::Fields::Unnamed(_) => {
+            return Err(syn::Error::new_spanned(ident, "parameters are named fields, or one field without a name"));
+        }
+        syn::Fields::Unit => {
+            let fields = Fields::none();
+            let (default, value) = (constructor(&ident, &fields), table(&ident, &about, &fields, None));
+            (quote!(#(#attrs)* #vis struct #ident; #default), quote!(&[]), value)
+        }
+        syn::Fields::Named(named) => {
+            let fields = Fields::of(named.named)?;
+            let (written, default) = (fields.written(), constructor(&ident, &fields));
+            let value = table(&ident, &about, &fields, list.as_ref());
+            let item = quote!(#(#attrs)* #vis struct #ident { #written } #default);
+            (item, fields.parameters(), value)
+        }
     };
     Ok(quote! {
         #item
 
-        #default
+        #value
 
         impl ::throng::parameters::Parameters for #ident {
             const NAME: &'static str = #name;
             const ABOUT: &'static str = #about;
-            const PARAMETERS: &'static [::throng::parameters::Parameter] = &[#(#described,)*];
+            const PARAMETERS: &'static [::throng::parameters::Parameter] = #parameters;
+        }
+    })
+}
+
+/// Returns the implementation of `Default`, or, if files must give some parameters, the constructor that takes them.
+fn constructor(ident: &Ident, fields: &Fields) -> TokenStream {
+    let values = fields.0.iter().map(|field| {
+        let (name, default) = (&field.ident, field.default());
+        if field.is_required { quote!(#name: #name.into()) } else { quote!(#name: #default) }
+    });
+    let values = quote!(Self { #(#values,)* });
+    let required: Vec<&Declared> = fields.0.iter().filter(|field| field.is_required).collect();
+    if required.is_empty() {
+        return quote!(impl ::core::default::Default for #ident {
+            fn default() -> Self {
+                #values
+            }
+        });
+    }
+    let taken = required.iter().map(|field| {
+        let (name, ty) = (&field.ident, &field.ty);
+        quote!(#name: impl ::core::convert::Into<#ty>)
+    });
+    quote!(impl #ident {
+        /// Returns the value with these parameters. The other parameters have their defaults.
+        pub fn new(#(#taken),*) -> Self {
+            #values
+        }
+    })
+}
+
+/// Returns the implementation of `Value` for a struct with one field without a name: files write the field.
+fn transparent(ident: &Ident, ty: &Type) -> TokenStream {
+    let given = local("given");
+    quote! {
+        impl ::throng::parameters::Value for #ident {
+            const KIND: ::throng::parameters::Kind = <#ty as ::throng::parameters::Value>::KIND;
+
+            fn read<G: ::throng::parameters::Given>(
+                #given: &G,
+                _: ::core::option::Option<Self>,
+            ) -> ::core::result::Result<Self, G::Error> {
+                ::throng::parameters::Value::read(#given, ::core::option::Option::None).map(Self)
+            }
+
+            fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
+                ::throng::parameters::Value::write(&self.0)
+            }
 
             fn check_limits(&self) -> ::core::result::Result<(), ::throng::Error> {
-                #(#checks)*
+                ::throng::parameters::Value::check_limits(&self.0)
+            }
+        }
+    }
+}
+
+/// Returns the implementation of `Value` for a struct: files write a table, or the field `list` alone.
+fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>) -> TokenStream {
+    let (given, usual) = (local("given"), local("usual"));
+    let names: Vec<&Ident> = fields.0.iter().map(|field| &field.ident).collect();
+    let title = ident.to_string();
+    let described = quote!(::throng::parameters::Table {
+        name: #title,
+        about: #about,
+        parameters: <Self as ::throng::parameters::Parameters>::PARAMETERS,
+    });
+    let parameters = quote!(<Self as ::throng::parameters::Parameters>::PARAMETERS);
+    let defaults = fields.0.iter().map(Declared::usual);
+    let read = fields.read(&parameters);
+    let made = if fields.0.is_empty() { quote!(Self) } else { quote!(Self { #read }) };
+    let (kind, read_list) = match list.and_then(|list| fields.0.iter().find(|field| field.ident == *list)) {
+        Some(Declared { ident: list, ty, .. }) => (
+            quote!(ListOrTable(&<#ty as ::throng::parameters::Value>::KIND, || #described)),
+            Some(quote! {
+                if #given.is_list() {
+                    let #list = ::throng::parameters::Value::read(#given, #list)?;
+                    return ::core::result::Result::Ok(Self::new(#list));
+                }
+            }),
+        ),
+        None => (quote!(Table(|| #described)), None),
+    };
+    let usual_values = (!fields.0.is_empty()).then(|| {
+        quote! {
+            let (#(#names,)*) = match #usual {
+                ::core::option::Option::Some(Self { #(#names),* }) => (#(::core::option::Option::Some(#names),)*),
+                ::core::option::Option::None => (#(#defaults,)*),
+            };
+        }
+    });
+    let usual = if fields.0.is_empty() { quote!(_) } else { quote!(#usual) };
+    let places = names.iter().map(|name| quote!(&self.#name));
+    let (write, check) = (fields.write(places.clone()), fields.check(&parameters, places));
+    quote! {
+        impl ::throng::parameters::Value for #ident {
+            const KIND: ::throng::parameters::Kind = ::throng::parameters::Kind::#kind;
+
+            fn read<G: ::throng::parameters::Given>(
+                #given: &G,
+                #usual: ::core::option::Option<Self>,
+            ) -> ::core::result::Result<Self, G::Error> {
+                #usual_values
+                #read_list
+                #given.table(&#described)?;
+                ::core::result::Result::Ok(#made)
+            }
+
+            fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
+                #write
+            }
+
+            fn check_limits(&self) -> ::core::result::Result<(), ::throng::Error> {
+                #check
                 ::core::result::Result::Ok(())
             }
         }
-    })
-}
-
-/// Returns the implementations for a struct without fields, which files write as an empty table.
-fn as_empty_table(ident: &Ident, readable: &TokenStream) -> TokenStream {
-    let name = ident.to_string();
-    quote! {
-        const _: () = {
-            use ::std::borrow::Cow;
-            use ::throng::parameters::schemars::{JsonSchema, Schema, SchemaGenerator};
-            use ::throng::parameters::serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-            #readable
-            #[derive(Default)]
-            struct Empty {}
-
-            impl Serialize for #ident {
-                fn serialize<S: Serializer>(&self, serializer: S) -> ::core::result::Result<S::Ok, S::Error> {
-                    Empty {}.serialize(serializer)
-                }
-            }
-
-            impl<'de> Deserialize<'de> for #ident {
-                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> ::core::result::Result<Self, D::Error> {
-                    Empty::deserialize(deserializer).map(|_| Self)
-                }
-            }
-
-            impl JsonSchema for #ident {
-                fn schema_name() -> Cow<'static, str> {
-                    Cow::Borrowed(#name)
-                }
-
-                fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-                    Empty::json_schema(generator)
-                }
-            }
-        };
     }
 }
 
-/// Returns an enum of names in files.
-pub fn of_enum(item: &ItemEnum) -> TokenStream {
-    let readable = readable(&first_paragraph(&item.attrs), &quote!(rename_all = "snake_case"));
-    quote!(#readable #item)
+/// Returns an enum with its implementation of `Value`: a choice of names, or of tables and values by their names.
+pub fn of_enum(item: ItemEnum) -> syn::Result<TokenStream> {
+    if item.variants.iter().all(|variant| matches!(variant.fields, syn::Fields::Unit)) {
+        Ok(names(&item))
+    } else {
+        choice(item)
+    }
 }
 
-/// Returns the attributes of a type that is read and written and has a schema, if the feature is on.
-fn readable(about: &str, keys: &TokenStream) -> Option<TokenStream> {
-    cfg!(feature = "schema").then(|| {
-        let [serde, schemars] = ["::throng::parameters::serde", "::throng::parameters::schemars"];
-        quote! {
-            #[derive(
-                ::throng::parameters::serde::Serialize,
-                ::throng::parameters::serde::Deserialize,
-                ::throng::parameters::schemars::JsonSchema,
-            )]
-            #[serde(crate = #serde, #keys)]
-            #[schemars(crate = #schemars, description = #about)]
+/// Returns an enum of names.
+fn names(item: &ItemEnum) -> TokenStream {
+    let (given, ident) = (local("given"), &item.ident);
+    let variants: Vec<&Ident> = item.variants.iter().map(|variant| &variant.ident).collect();
+    let names: Vec<String> = variants.iter().map(|variant| snake_case(&variant.to_string())).collect();
+    let abouts = item.variants.iter().map(|variant| first_paragraph(&variant.attrs));
+    let positions = 0..names.len().saturating_sub(1);
+    let (title, about) = (ident.to_string(), first_paragraph(&item.attrs));
+    let (last, first) = variants.split_last().map_or((None, &[][..]), |(last, first)| (Some(last), first));
+    quote! {
+        #item
+
+        impl #ident {
+            const NAMES: ::throng::parameters::Names = ::throng::parameters::Names {
+                name: #title,
+                about: #about,
+                names: &[#(::throng::parameters::Name { name: #names, about: #abouts }),*],
+            };
+        }
+
+        impl ::throng::parameters::Value for #ident {
+            const KIND: ::throng::parameters::Kind = ::throng::parameters::Kind::Name(|| Self::NAMES);
+
+            fn read<G: ::throng::parameters::Given>(
+                #given: &G,
+                _: ::core::option::Option<Self>,
+            ) -> ::core::result::Result<Self, G::Error> {
+                ::core::result::Result::Ok(match #given.name(&Self::NAMES)? {
+                    #(#positions => Self::#first,)*
+                    _ => Self::#last,
+                })
+            }
+
+            fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
+                let name = match self { #(Self::#variants => #names),* };
+                ::core::option::Option::Some(::throng::parameters::Written::Text(name.into()))
+            }
+        }
+    }
+}
+
+/// Returns an enum of choices: each variant is a table, or one value.
+fn choice(mut item: ItemEnum) -> syn::Result<TokenStream> {
+    let (given, inner) = (local("given"), local("inner"));
+    let ident = item.ident.clone();
+    let (title, about) = (ident.to_string(), first_paragraph(&item.attrs));
+    let (mut parameters, mut reads, mut writes, mut checks) = (vec![], vec![], vec![], vec![]);
+    for (k, variant) in item.variants.iter_mut().enumerate() {
+        let name = &variant.ident;
+        let key = snake_case(&name.to_string());
+        let about = first_paragraph(&variant.attrs);
+        let own = quote!(Self::CHOICES[#k]);
+        match &mut variant.fields {
+            syn::Fields::Unnamed(fields) if fields.unnamed.len() == 1 => {
+                let field = Declared::of_variant(&mut variant.attrs, &key, &fields.unnamed[0])?;
+                parameters.push(field.described());
+                let value = local("value");
+                reads.push(quote! {
+                    let #value = ::throng::parameters::Value::read(&#inner, ::core::option::Option::None)?;
+                    #inner.check(&#own, &#value)?;
+                    Self::#name(#value)
+                });
+                writes.push(quote!(Self::#name(value) => (#key, ::throng::parameters::Value::write(value))));
+                checks.push(quote!(Self::#name(value) => #own.check(value)));
+            }
+            syn::Fields::Unnamed(_) => {
+                return Err(syn::Error::new_spanned(name, "a choice has named fields, or one field without a name"));
+            }
+            fields => {
+                let named = match std::mem::replace(fields, syn::Fields::Unit) {
+                    syn::Fields::Named(named) => named.named,
+                    _ => syn::punctuated::Punctuated::new(),
+                };
+                let declared = Fields::of(named)?;
+                let constant = format_ident!("{}", key.to_uppercase());
+                let of = declared.parameters();
+                let described = quote!(::throng::parameters::Table {
+                    name: #title,
+                    about: #about,
+                    parameters: {
+                        const #constant: &[::throng::parameters::Parameter] = #of;
+                        #constant
+                    },
+                });
+                parameters.push(Declared::table(&key, &about, &described));
+                let table = quote!({
+                    let table: ::throng::parameters::Table = #described;
+                    table.parameters
+                });
+                let names: Vec<&Ident> = declared.0.iter().map(|field| &field.ident).collect();
+                let defaults = declared.0.iter().map(Declared::usual);
+                let read = declared.read_from(&inner, &quote!(parameters));
+                let (pattern, made) = if declared.0.is_empty() {
+                    (quote!(Self::#name), quote!(Self::#name))
+                } else {
+                    (quote!(Self::#name { #(#names),* }), quote!(Self::#name { #read }))
+                };
+                let parameters = (!declared.0.is_empty()).then(|| {
+                    quote! {
+                        let parameters = #table;
+                        let (#(#names,)*) = (#(#defaults,)*);
+                    }
+                });
+                reads.push(quote! {
+                    #inner.table(&#described)?;
+                    #parameters
+                    #made
+                });
+                let places = names.iter().map(|name| quote!(#name));
+                let (write, check) = (declared.write(places.clone()), declared.check(&quote!(parameters), places));
+                writes.push(quote!(#pattern => (#key, #write)));
+                let parameters = (!declared.0.is_empty()).then(|| quote!(let parameters = #table;));
+                checks.push(quote!(#pattern => {
+                    #parameters
+                    #check
+                    ::core::result::Result::Ok(())
+                }));
+                if !declared.0.is_empty() {
+                    let written = declared.written();
+                    *fields = syn::Fields::Named(syn::parse_quote!({ #written }));
+                }
+            }
+        }
+    }
+    let described = quote!(::throng::parameters::Table { name: #title, about: #about, parameters: Self::CHOICES });
+    let positions = 0..reads.len();
+    let last = reads.pop();
+    let positions = positions.take(reads.len());
+    Ok(quote! {
+        #item
+
+        impl #ident {
+            const CHOICES: &'static [::throng::parameters::Parameter] = &[#(#parameters),*];
+        }
+
+        impl ::throng::parameters::Value for #ident {
+            const KIND: ::throng::parameters::Kind = ::throng::parameters::Kind::Choice(|| #described);
+
+            fn read<G: ::throng::parameters::Given>(
+                #given: &G,
+                _: ::core::option::Option<Self>,
+            ) -> ::core::result::Result<Self, G::Error> {
+                let (choice, #inner) = #given.choice(&#described)?;
+                ::core::result::Result::Ok(match choice {
+                    #(#positions => { #reads })*
+                    _ => { #last }
+                })
+            }
+
+            fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
+                let (name, value) = match self { #(#writes,)* };
+                value.map(|value| ::throng::parameters::Written::Table([(name.into(), value)].into()))
+            }
+
+            fn check_limits(&self) -> ::core::result::Result<(), ::throng::Error> {
+                match self { #(#checks,)* }
+            }
         }
     })
 }
 
-/// Returns the first paragraph of a doc comment in one line.
-fn first_paragraph(attributes: &[Attribute]) -> String {
-    let lines = attributes.iter().filter(|attribute| attribute.path().is_ident("doc")).filter_map(|attribute| {
-        let Meta::NameValue(pair) = &attribute.meta else { return None };
-        text(&pair.value).ok()
-    });
-    let lines: Vec<String> = lines.collect();
-    let lines = lines.iter().map(|line| line.trim()).take_while(|line| !line.is_empty());
-    lines.collect::<Vec<_>>().join(" ")
-}
-
-/// Returns the text of a literal.
-fn text(value: &Expr) -> syn::Result<String> {
-    match value {
-        Expr::Lit(found) => match &found.lit {
-            Lit::Str(text) => Ok(text.value()),
-            _ => Err(syn::Error::new_spanned(value, "a text in quotes is wanted here")),
-        },
-        _ => Err(syn::Error::new_spanned(value, "a text in quotes is wanted here")),
-    }
+/// Returns the name of a local variable that no field can hide.
+pub fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
 }
 
 /// Returns a name in camel case in snake case.

@@ -55,6 +55,8 @@ pub struct Limit {
     pub above: Option<Number>,
     pub least: Option<Number>,
     pub most: Option<Number>,
+    /// Whether values may be infinite.
+    pub is_infinite: bool,
 }
 
 impl Limit {
@@ -96,18 +98,13 @@ impl Limit {
             None => quote!(::core::option::Option::None),
         };
         let (above, least, most, words) = (option(&self.above), option(&self.least), option(&self.most), self.words());
-        quote!(::throng::parameters::Limit { above: #above, least: #least, most: #most, words: #words })
-    }
-
-    /// Returns the keys of the JSON schema: `"exclusiveMinimum" = 0`.
-    pub fn schema(&self) -> Vec<TokenStream> {
-        let pairs = [("exclusiveMinimum", &self.above), ("minimum", &self.least), ("maximum", &self.most)];
-        pairs
-            .into_iter()
-            .filter_map(|(key, number)| {
-                let Number { tokens, .. } = number.as_ref()?;
-                Some(quote!(#key = #tokens))
-            })
-            .collect()
+        let is_infinite = self.is_infinite;
+        quote!(::throng::parameters::Limit {
+            above: #above,
+            least: #least,
+            most: #most,
+            is_infinite: #is_infinite,
+            words: #words,
+        })
     }
 }

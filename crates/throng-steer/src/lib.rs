@@ -14,7 +14,7 @@
 //! use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 //! use throng_steer::Arrive;
 //!
-//! let behaviour = Arrive::from(Target::Point(Vec3::new(3.0, 4.0, 0.0)));
+//! let behaviour = Arrive::new(Target::Point(Vec3::new(3.0, 4.0, 0.0)));
 //! let (vehicle, mut motion) = (Vehicle::default(), Motion::default());
 //! let mut memory = vec![0.0; behaviour.memory()];
 //! for step in 0..500 {
@@ -40,6 +40,22 @@ pub use noise::Noise;
 pub use place::*;
 pub use prediction::Prediction;
 pub use single::*;
+
+use throng::Error;
+use throng::parameters::Parameters;
+use throng::steer::BoxedBehaviour;
+
+/// A collection of behaviours by name.
+pub trait Behaviours {
+    /// Adds a behaviour, or parameters from which a behaviour is made. Its name is [`Parameters::NAME`].
+    fn add<P: Parameters + TryInto<BoxedBehaviour, Error: Into<Error>> + 'static>(&mut self);
+}
+
+/// Adds the behaviours of this crate to a collection.
+pub fn register(behaviours: &mut impl Behaviours) {
+    behaviours.add::<Seek>();
+    behaviours.add::<Arrive>();
+}
 
 /// The page about behaviours that users write: its example is a test.
 #[cfg(doctest)]

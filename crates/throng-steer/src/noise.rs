@@ -3,32 +3,32 @@
 //! Perlin, An image synthesizer, SIGGRAPH 1985: random slopes at the whole numbers, smooth between them. An octave has
 //! twice the frequency of the octave before it. Each agent and each behaviour has independent noise.
 
-use throng::Error;
+use throng::parameters::parameters;
 use throng::random::{Purpose, Rng};
 
-/// A random value that changes smoothly with time, between -1 and 1.
+/// Perlin noise: a value that changes randomly over time, between -1 and 1.
 ///
 /// ```
 /// use throng_steer::Noise;
 /// let gentle = Noise { period: 3.0, octaves: 1, ..Noise::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// Seconds from one random slope to the next, of the slowest octave. Limit: > 0.
+    /// Seconds from one random slope to the next, of the slowest octave.
+    #[parameter(default = 2.0, unit = "s", above = 0)]
     pub period: f32,
-    /// Number of octaves. Limit: 1 to 8.
+    /// Number of octaves.
+    #[parameter(default = 3, least = 1, most = 8)]
     pub octaves: u32,
-    /// Amplitude of each octave as a part of that of the octave before it. Limit: 0 to 1.
+    /// Amplitude of each octave relative to the one before.
+    #[parameter(default = 0.5, least = 0, most = 1)]
     pub gain: f32,
-    /// Turbulence: the absolute values of the octaves are added, less their mean, so that the curve has creases where
-    /// it turns (Perlin 1985). The result is seldom far below zero and now and then far above it.
+    /// Whether the noise is turbulence, with creases where it turns.
+    ///
+    /// The absolute values of the octaves are added, less their mean (Perlin 1985). The result is seldom far below zero
+    /// and now and then far above it.
     pub turbulent: bool,
-}
-
-impl Default for Noise {
-    fn default() -> Self {
-        Self { period: 2.0, octaves: 3, gain: 0.5, turbulent: false }
-    }
 }
 
 impl Noise {
@@ -47,16 +47,6 @@ impl Noise {
             frequency *= 2.0;
         }
         sum / most
-    }
-
-    /// Checks the parameters.
-    ///
-    /// # Errors
-    /// [`Error::Limit`] names the parameter.
-    pub fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("period of noise", self.period)?;
-        Error::unless((1..=8).contains(&self.octaves), "octaves of noise", self.octaves, "from 1 to 8")?;
-        Error::unless((0.0..=1.0).contains(&self.gain), "gain of noise", self.gain, "from 0 to 1")
     }
 }
 

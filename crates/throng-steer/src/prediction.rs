@@ -1,39 +1,49 @@
 //! How far ahead of a quarry a pursuer aims.
 
-use throng::Error;
+use throng::parameters::parameters;
 use throng::steer::{Kinematics, SteeringInput};
 
-/// How many seconds ahead the position of a quarry or a menace is predicted (Reynolds, Steering behaviors for
-/// autonomous characters, GDC 1999, "Pursuit").
+/// How far ahead the position of another agent is predicted (Reynolds 1999, "Pursuit").
 ///
 /// ```
+/// use throng::parameters::Value;
 /// use throng_steer::Prediction;
 /// let still = Prediction::Constant(0.0);
-/// assert!(still.check().is_ok());
+/// assert!(still.check_limits().is_ok());
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Prediction {
-    /// A constant number of seconds. Limit: >= 0.
+    /// A constant number of seconds.
+    #[parameter(unit = "s", least = 0)]
     Constant(f32),
-    /// In proportion to the distance.
+    /// A time in proportion to the distance.
     Distance {
-        /// Seconds per metre: Reynolds' turning parameter. Limit: >= 0.
+        /// Seconds a metre: Reynolds' turning parameter.
+        #[parameter(required, unit = "s/m", least = 0)]
         per_metre: f32,
-        /// The upper bound, seconds. Limit: >= 0.
+        /// Greatest time, seconds.
+        #[parameter(required, unit = "s", least = 0)]
         most: f32,
     },
-    /// The time in which the agent covers the distance, by nine cases: whether the quarry is ahead, aside or behind,
-    /// and whether it goes the same way, across, or the opposite way (OpenSteer's steerForPursuit). The time jumps from
-    /// one case to the next, and the aim with it; the vehicle smooths the jump. The other predictions are continuous.
+    /// The time in which the agent covers the distance, times a factor by the position (ahead, aside or behind) and the
+    /// heading of the other agent.
+    ///
+    /// Nine cases (OpenSteer's steerForPursuit). The time jumps from one case to the next, and the aim with it; the
+    /// vehicle smooths the jump. The other predictions are continuous.
     Cases {
-        /// The upper bound, seconds. Limit: >= 0.
+        /// Greatest time, seconds.
+        #[parameter(default = LONGEST, unit = "s", least = 0)]
         most: f32,
     },
 }
 
+/// Default greatest time, seconds.
+const LONGEST: f32 = 10.0;
+
 impl Default for Prediction {
     fn default() -> Self {
-        Self::Cases { most: 10.0 }
+        Self::Cases { most: LONGEST }
     }
 }
 
@@ -77,20 +87,6 @@ impl Prediction {
             }
             _ => self.of_quarry(view, menace),
         }
-    }
-
-    /// Checks the parameters.
-    ///
-    /// # Errors
-    /// [`Error::Limit`] names the parameter.
-    pub fn check(&self) -> Result<(), Error> {
-        let (per_metre, most) = match *self {
-            Self::Constant(seconds) => (0.0, seconds),
-            Self::Distance { per_metre, most } => (per_metre, most),
-            Self::Cases { most } => (0.0, most),
-        };
-        Error::unless(per_metre >= 0.0, "prediction per metre", per_metre, "0 or more")?;
-        Error::unless(most >= 0.0 && most.is_finite(), "prediction", most, "0 or more and finite")
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use throng::Error;
 use throng::avoid::{AvoidanceInput, AvoidanceReason, Cause, HalfPlane, LocalModel, Workspace};
-use throng::parameters::{Parameters, parameters};
+use throng::parameters::{Value, parameters};
 
 /// Keeps its direction, and brakes for the first agent that it would meet.
 #[parameters]

@@ -35,11 +35,6 @@ impl Path {
         path
     }
 
-    /// Returns the path extended by a path below it.
-    pub fn join(&self, below: &Self) -> Self {
-        Self { steps: [&self.steps[..], &below.steps[..]].concat() }
-    }
-
     /// Returns the path extended by a position in a list.
     pub fn index(&self, index: usize) -> Self {
         let mut path = self.clone();

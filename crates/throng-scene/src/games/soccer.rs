@@ -159,7 +159,7 @@ impl Behaviour for Player {
         let home = Vec3::new(*x, *y, 0.0);
         let ball = self.ball.find(view)?;
         if ball.position.distance(home) > NEAR_HOME {
-            return Arrive { slowing_distance: 3.0, ..Arrive::from(Target::Point(home)) }.steer(view, &mut [], why);
+            return Arrive { slowing_distance: 3.0, ..Arrive::new(Target::Point(home)) }.steer(view, &mut [], why);
         }
         // a player's own side is the side of its home
         let own = (home.x - self.middle.x).signum();

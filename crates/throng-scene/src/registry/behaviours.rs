@@ -2,9 +2,11 @@
 
 use super::choice::{Catalogue, Choice, Described};
 use super::entries::{Entries, Entry};
-use super::read::{Unmade, read, read_value};
-use crate::assemble::{BehaviourContext, BuildBehaviour, refused};
-use crate::caught::{caught, named};
+use super::given::{FileGiven, made_by_plugin, read_value, refused};
+use super::names::Names;
+use super::schema::of_parameters;
+use crate::assemble::{BehaviourContext, BuildBehaviour};
+use crate::caught::named;
 use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -12,8 +14,9 @@ use serde_json::Value as Json;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
-use throng::parameters::{Declared, parameters};
+use throng::parameters::{Parameters, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
+use throng_steer::Behaviours as Register;
 use toml::Value;
 
 /// What an agent steers by: a behaviour, or a combination of behaviours. Its name, and what its table says.
@@ -97,7 +100,7 @@ impl Behaviours {
     /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
     /// # Ok::<(), throng_scene::Error>(())
     /// ```
-    pub fn add_with<P: Declared>(
+    pub fn add_with<P: Parameters + 'static>(
         &mut self,
         name: impl Into<String>,
         make: impl Fn(P, &SceneNames<'_>) -> Result<BoxedBehaviour, Error> + Send + Sync + 'static,
@@ -105,24 +108,22 @@ impl Behaviours {
         let name: Arc<str> = name.into().into();
         let of = name.clone();
         let make: MakeBehaviour = Arc::new(move |given, making, at| {
-            let made = caught(|| {
-                let branch = make(read(given, &[])?, making.names()).map_err(Unmade::Refused)?;
-                branch.check().map_err(Unmade::Refused)?;
+            let branch = made_by_plugin(at, &format!("behaviour `{of}`"), || {
+                let parameters = FileGiven::new(given, at).with_names(making).parameters()?;
+                let branch = make(parameters, Names::names(making))?;
+                branch.check()?;
                 Ok(branch)
-            });
-            let branch = made
-                .unwrap_or_else(|says| Err(Unmade::Panicked(says)))
-                .map_err(|unmade| unmade.at(at, at, &format!("behaviour `{of}`")))?;
+            })?;
             Ok(NamedBehaviour { name: of.clone(), branch }.into())
         });
-        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<P>();
+        let schema = of_parameters::<P>;
         self.0.add(Entry { name: name.to_string().into(), about: P::ABOUT, is_plugin: true, schema, make });
     }
 
     /// Adds a behaviour of throng, which a scene describes as a `D`.
     pub(crate) fn add_own<D: Described + JsonSchema + BuildBehaviour>(&mut self, about: &'static str) {
         let make: MakeBehaviour = Arc::new(|given, making, at| {
-            let described: D = read_value(given).map_err(|unmade| unmade.at(at, at, ""))?;
+            let described: D = read_value(given, at)?;
             let branch = described.make(making, at)?;
             branch.check().map_err(|error| refused(at, &error))?;
             Ok(branch)
@@ -149,12 +150,9 @@ impl Behaviours {
         at: &Path,
     ) -> Result<BoxedBehaviour, Problem> {
         let inside = at.name(&steer.name);
-        let entry = self.0.find(&steer.name).map_err(|unmade| {
-            let problem = unmade.at(at, &inside, "");
-            match steer.name.as_str() {
-                "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
-                _ => problem,
-            }
+        let entry = self.0.find(&steer.name, &inside).map_err(|problem| match steer.name.as_str() {
+            "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
+            _ => problem,
         })?;
         (entry.make)(&steer.parameters, making, &inside)
     }
@@ -165,10 +163,24 @@ impl Behaviours {
     }
 }
 
+impl Register for Behaviours {
+    fn add<P: Parameters + TryInto<BoxedBehaviour, Error: Into<Error>> + 'static>(&mut self) {
+        let make: MakeBehaviour = Arc::new(|given, making, at| {
+            let parameters: P = FileGiven::new(given, at).with_names(making).parameters()?;
+            let branch: BoxedBehaviour = parameters.try_into().map_err(|error| refused(at, &error.into()))?;
+            branch.check().map_err(|error| refused(at, &error))?;
+            Ok(branch)
+        });
+        let schema = of_parameters::<P>;
+        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema, make });
+    }
+}
+
 impl Default for Behaviours {
     /// Returns the behaviours of throng.
     fn default() -> Self {
         let mut behaviours = Self(Entries::default());
+        throng_steer::register(&mut behaviours);
         crate::scene::steer::register(&mut behaviours);
         crate::games::register(&mut behaviours);
         behaviours.0.own();

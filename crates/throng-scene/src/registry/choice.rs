@@ -1,14 +1,16 @@
 //! What a scene chooses by name from the registry, with the values that it gives.
 
+use super::given::FileGiven;
+use crate::error::{Error, Kind};
+use crate::file::Path;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{self, DeserializeOwned, Deserializer, MapAccess};
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value as Json, json};
 use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
-use throng::parameters::{Declared, shortest};
+use throng::parameters::{Parameters, Written};
 use toml::{Table, Value};
 
 /// A part of the registry that scenes choose from.
@@ -54,13 +56,12 @@ impl<C> Choice<C> {
         Self::new(name.into(), Value::Table(Table::new()))
     }
 
-    /// Returns the choice of a type, with the parameters that differ from their defaults.
-    pub fn of<P: Declared + Default>(chosen: &P) -> Self {
-        let (usual, mut given) = (in_short(&P::default()), in_short(chosen));
-        if let (Value::Table(usual), Value::Table(given)) = (&usual, &mut given) {
-            given.retain(|key, value| usual.get(key) != Some(value));
-        }
-        Self::new(P::NAME.to_owned(), given)
+    /// Returns the choice of a type, with the parameters that differ from their defaults. Parameters that name a part of
+    /// the scene are left out: add them by [`with`](Self::with).
+    pub fn of<P: Parameters + Default>(chosen: &P) -> Self {
+        let (usual, mut given) = (table_of(&P::default()), table_of(chosen));
+        given.retain(|key, value| usual.get(key) != Some(value));
+        Self::new(P::NAME.to_owned(), Value::Table(given))
     }
 
     /// Returns the choice with one more parameter, or another value of it. It has no effect on a list.
@@ -91,6 +92,27 @@ impl<C> Choice<C> {
         (self.name == D::NAME).then(|| self.parameters.clone().try_into().ok()).flatten()
     }
 
+    /// Returns the parameters as a `P`. They name no part of a scene.
+    ///
+    /// # Errors
+    /// It is another choice, a `P` does not have these parameters, or a value is outside its limit.
+    ///
+    /// ```
+    /// use throng::avoid::Orca;
+    /// use throng_scene::Avoid;
+    /// let avoid: Avoid = toml::from_str("orca = { time_horizon = 2 }")?;
+    /// assert_eq!(avoid.parameters_as::<Orca>().map(|orca| orca.time_horizon), Ok(2.0));
+    /// # Ok::<(), toml::de::Error>(())
+    /// ```
+    pub fn parameters_as<P: Parameters>(&self) -> Result<P, Error> {
+        if self.name != P::NAME {
+            let message = format!("this is `{}`, not `{}`", self.name, P::NAME);
+            return Err(Error::new(Kind::UnknownKey, message));
+        }
+        let read = FileGiven::new(&self.parameters, &Path::of(P::NAME)).parameters();
+        read.map_err(|problem| Error { hint: problem.hint, ..Error::new(problem.kind, problem.message) })
+    }
+
     pub(crate) fn new(name: String, parameters: Value) -> Self {
         Self { name, parameters, catalogue: PhantomData }
     }
@@ -119,37 +141,32 @@ macro_rules! described {
 }
 pub(crate) use described;
 
-/// Returns the schema of one choice of a catalogue.
-pub(super) fn choice_schema(name: &str, about: &str, parameters: Schema) -> Json {
-    json!({
-        "description": about,
-        "type": "object",
-        "properties": { name: parameters },
-        "required": [name],
-        "additionalProperties": false
-    })
-}
-
 /// Returns what files write. What they cannot write, such as a whole number that is too large, becomes a text that says
 /// so: the choice is then refused with this text.
 fn written(description: &impl Serialize) -> Value {
     Value::try_from(description).unwrap_or_else(|error| Value::String(format!("cannot be written: {error}")))
 }
 
-/// Returns parameters as files write them, with the digits of single precision.
-pub(super) fn in_short<P: Declared>(parameters: &P) -> Value {
-    let mut value = written(parameters);
-    shorten(&mut value);
-    value
+/// Returns parameters as files write them.
+pub(super) fn table_of(parameters: &impl Parameters) -> Table {
+    match parameters.write().map(value_of) {
+        Some(Value::Table(table)) => table,
+        _ => Table::new(),
+    }
 }
 
-/// Gives each number that was in single precision the digits that it was written with.
-fn shorten(value: &mut Value) {
-    match value {
-        Value::Float(x) if f64::from(*x as f32) == *x => *x = shortest(*x as f32),
-        Value::Array(items) => items.iter_mut().for_each(shorten),
-        Value::Table(items) => items.iter_mut().for_each(|(_, item)| shorten(item)),
-        _ => {}
+/// Returns a value as files write it.
+fn value_of(written: Written) -> Value {
+    match written {
+        Written::Number(number) => number.into(),
+        // a greater number is not a default, and is refused when it is read
+        Written::Whole(number) => i64::try_from(number).unwrap_or(i64::MAX).into(),
+        Written::Flag(flag) => flag.into(),
+        Written::Text(text) => text.into_owned().into(),
+        Written::List(items) => Value::Array(items.into_iter().map(value_of).collect()),
+        Written::Table(entries) => {
+            Value::Table(entries.into_iter().map(|(key, value)| (key.into_owned(), value_of(value))).collect())
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! The entries of a part of the registry, by name: those of throng, then those that a program adds.
 
-use super::choice::choice_schema;
-use super::read::Unmade;
+use super::given::placed;
+use super::schema::of_choice;
+use crate::file::{Path, Problem, unknown_variant};
 use schemars::{Schema, SchemaGenerator, json_schema};
 use serde_json::Value as Json;
 use std::borrow::Cow;
@@ -44,10 +45,13 @@ impl<M> Entries<M> {
         self.0.iter().map(|entry| &*entry.name)
     }
 
-    /// Returns an entry by its name, or the error with the names that exist.
-    pub fn find(&self, name: &str) -> Result<&Entry<M>, Unmade> {
+    /// Returns an entry by its name, or the error at this path with the names that exist.
+    pub fn find(&self, name: &str, at: &Path) -> Result<&Entry<M>, Problem> {
         let found = self.0.iter().find(|entry| entry.name == name);
-        found.ok_or_else(|| Unmade::NoChoice(name.to_owned(), self.names().map(str::to_owned).collect()))
+        found.ok_or_else(|| {
+            let known: Vec<String> = self.names().map(str::to_owned).collect();
+            Problem { is_key: true, ..placed(unknown_variant(name, &known), at) }
+        })
     }
 
     /// Returns the schema of a choice of one of the entries.
@@ -66,7 +70,7 @@ impl<M> Entries<M> {
 impl<M> Entry<M> {
     /// Returns the schema of the choice of this entry.
     fn choice(&self, generator: &mut SchemaGenerator) -> Json {
-        choice_schema(&self.name, self.about, (self.schema)(generator))
+        of_choice(&self.name, self.about, (self.schema)(generator).to_value())
     }
 }
 

@@ -2,15 +2,16 @@
 
 use super::choice::{Catalogue, Choice, Described};
 use super::entries::{Entries, Entry};
-use super::read::{Unmade, read, read_value};
+use super::given::{FileGiven, made_by_plugin, read_value};
+use super::schema::of_parameters;
 use crate::assemble::{BuildField, BuiltField, FieldContext};
-use crate::caught::{caught, named};
+use crate::caught::named;
 use crate::file::Problem;
 use glam::{DVec2, Vec2, Vec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value as Json;
 use throng::field::{Adaptive, Field};
-use throng::parameters::Declared;
+use throng::parameters::Parameters;
 use toml::Value;
 
 /// A velocity at every place: its name, and what its table says.
@@ -25,20 +26,20 @@ type MakeField = fn(&Value, &FieldContext<'_>) -> Result<BuiltField, Problem>;
 
 impl Fields {
     /// Adds a field of a plug-in, or replaces the field with the same name. A panic in it names it.
-    pub(super) fn add_plugin<F: Field + Declared>(&mut self) {
+    pub(super) fn add_plugin<F: Field + Parameters + 'static>(&mut self) {
         let make: MakeField = |given, at| {
-            let made = caught(|| read::<F>(given, &[])).unwrap_or_else(|says| Err(Unmade::Panicked(says)));
-            let field = made.map_err(|unmade| unmade.at(at.path(), at.path(), &what(F::NAME)))?;
+            let path = at.path();
+            let field: F = made_by_plugin(path, &what(F::NAME), || Ok(FileGiven::new(given, path).parameters()?))?;
             Ok(BuiltField::of(PluginField { field, origin: at.origin() }))
         };
-        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<F>();
+        let schema = of_parameters::<F>;
         self.0.add(Entry { name: F::NAME.into(), about: F::ABOUT, is_plugin: true, schema, make });
     }
 
     /// Adds a field of throng, which a scene describes as a `D`.
     pub(crate) fn add_own<D: Described + JsonSchema + BuildField>(&mut self, about: &'static str) {
         let make: MakeField = |given, at| {
-            let described: D = read_value(given).map_err(|unmade| unmade.at(at.path(), at.path(), ""))?;
+            let described: D = read_value(given, at.path())?;
             described.make(at)
         };
         let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
@@ -53,7 +54,7 @@ impl Fields {
     /// Makes the field that a scene chooses in a context.
     pub(crate) fn make(&self, flow: &Flow, at: &FieldContext<'_>) -> Result<BuiltField, Problem> {
         let inside = at.key(&flow.name);
-        let entry = self.0.find(&flow.name).map_err(|unmade| unmade.at(at.path(), inside.path(), ""))?;
+        let entry = self.0.find(&flow.name, inside.path())?;
         (entry.make)(&flow.parameters, &inside)
     }
 
@@ -93,7 +94,7 @@ struct PluginField<F> {
     origin: DVec2,
 }
 
-impl<F: Field + Declared> Field for PluginField<F> {
+impl<F: Field + Parameters + 'static> Field for PluginField<F> {
     fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
         let place = (place.truncate().as_dvec2() + self.origin).as_vec2().extend(place.z);
         named("field", F::NAME, || self.field.velocity(place, time))

@@ -1,21 +1,20 @@
 //! The local models, by name.
 
-use super::choice::{Catalogue, Choice, in_short};
+use super::choice::{Catalogue, Choice, table_of};
 use super::entries::{Entries, Entry};
-use super::read::{self, Unmade, read_value};
-use crate::caught::{caught, named};
+use super::given::{FileGiven, Unmade, made_by_plugin};
+use super::schema::{definition, of_table, schema_of};
+use crate::caught::named;
 use crate::file::{Path, Problem};
 use crate::scene::Neighbours;
 use glam::{Vec2, Vec3};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::Deserialize;
-use serde_json::{Value as Json, json};
-use std::borrow::Cow;
-use std::marker::PhantomData;
+use schemars::{Schema, SchemaGenerator};
+use serde_json::Value as Json;
+use std::any::type_name;
 use std::sync::Arc;
 use throng::Error;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, AvoidanceReason, LocalModel, Models as Register, Workspace};
-use throng::parameters::{Declared, Limit, Parameter, shortest};
+use throng::parameters::{Given, Kind, Limit, Parameter, Parameters, Value as _, Written, shortest};
 use toml::{Table, Value};
 
 /// The local model of a group: its name and its parameters. Besides those of its type, every model has the two of the
@@ -26,12 +25,14 @@ pub type Avoid = Choice<Models>;
 #[derive(Clone, Debug)]
 pub struct Models(Entries<MakeModel>);
 
-/// Makes a local model from what the scene says.
+/// Makes a local model from what the scene says at a path.
 #[derive(Clone, Copy)]
 struct MakeModel {
-    read: fn(&Value) -> Result<ChosenModel, Unmade>,
+    make: fn(&Value, &Path) -> Result<ChosenModel, Problem>,
+    /// Checks the keys and the kinds of values.
+    check_keys: fn(&Value, &Path) -> Result<(), Problem>,
     /// Adds the defaults of the parameters that are not given.
-    complete: fn(&Value) -> Result<Table, Unmade>,
+    complete: fn(&Value) -> Result<Table, Problem>,
 }
 
 /// A local model with its parameters, and the neighbour search of its agents.
@@ -50,35 +51,33 @@ impl Models {
     }
 
     /// Adds a model of a plug-in, or replaces the model with the same name. A panic in it names it.
-    pub(super) fn add_plugin<M: LocalModel + Declared + Default>(&mut self) {
-        let read = |given: &Value| {
-            let (model, neighbours, neighbour_distance) = caught(|| read::<M>(given)).map_err(Unmade::Panicked)??;
+    pub(super) fn add_plugin<M: LocalModel + Parameters + Default>(&mut self) {
+        let make = |given: &Value, at: &Path| {
+            let (model, neighbours, neighbour_distance) =
+                made_by_plugin(at, &what(M::NAME), || read::<M>(FileGiven::new(given, at)))?;
             Ok(ChosenModel { model: Arc::new(PluginModel(model)), neighbours, neighbour_distance })
         };
         let own = entry::<M>();
-        self.0.add(Entry { is_plugin: true, make: MakeModel { read, ..own.make }, ..own });
+        self.0.add(Entry { is_plugin: true, make: MakeModel { make, ..own.make }, ..own });
     }
 
     /// Makes the model of a choice at this path of the scene.
     pub(crate) fn make(&self, avoid: &Avoid, at: &Path) -> Result<ChosenModel, Problem> {
-        let chosen = self.0.find(&avoid.name).and_then(|entry| (entry.make.read)(&avoid.parameters));
-        chosen.map_err(|unmade| unmade.at(at, &at.name(&avoid.name), &what(&avoid.name)))
+        let at = at.name(&avoid.name);
+        (self.0.find(&avoid.name, &at)?.make.make)(&avoid.parameters, &at)
     }
 
     /// Checks that the model of a choice, if it is known, has the given parameters and can read them. Their limits are
     /// checked when the model is made.
     pub(crate) fn check_keys(&self, avoid: &Avoid, at: &Path) -> Result<(), Problem> {
-        match self.0.find(&avoid.name).and_then(|entry| (entry.make.read)(&avoid.parameters)) {
-            Err(unread @ (Unmade::NoKey(..) | Unmade::Misread(..))) => {
-                Err(unread.at(at, &at.name(&avoid.name), &what(&avoid.name)))
-            }
-            _ => Ok(()),
-        }
+        let at = at.name(&avoid.name);
+        self.0.find(&avoid.name, &at).map_or(Ok(()), |entry| (entry.make.check_keys)(&avoid.parameters, &at))
     }
 
     /// Returns a choice with the defaults of all parameters that it leaves out; or as it is, if it cannot be made.
     pub(crate) fn complete(&self, avoid: &Avoid) -> Avoid {
-        let complete = self.0.find(&avoid.name).and_then(|entry| (entry.make.complete)(&avoid.parameters));
+        let found = self.0.find(&avoid.name, &Path::default());
+        let complete = found.and_then(|entry| (entry.make.complete)(&avoid.parameters));
         complete.map_or_else(|_| avoid.clone(), |all| Avoid::new(avoid.name.clone(), Value::Table(all)))
     }
 
@@ -98,7 +97,7 @@ impl Default for Models {
 }
 
 impl Register for Models {
-    fn add<M: LocalModel + Declared + Default>(&mut self) {
+    fn add<M: LocalModel + Parameters + Default>(&mut self) {
         self.0.add(entry::<M>());
     }
 }
@@ -113,15 +112,22 @@ impl Catalogue for Models {
 }
 
 /// Returns the entry of a model of throng.
-fn entry<M: LocalModel + Declared + Default>() -> Entry<MakeModel> {
+fn entry<M: LocalModel + Parameters + Default>() -> Entry<MakeModel> {
     let make = MakeModel {
-        read: |given| {
-            let (model, neighbours, neighbour_distance) = read::<M>(given)?;
+        make: |given, at| {
+            let (model, neighbours, neighbour_distance) =
+                read::<M>(FileGiven::new(given, at)).map_err(|unmade| unmade.at(at, &what(M::NAME)))?;
             Ok(ChosenModel { model: Arc::new(model), neighbours, neighbour_distance })
         },
+        check_keys: |given, at| match read::<M>(FileGiven::new(given, at).without_limits()) {
+            Err(Unmade::Unread(problem)) => Err(problem),
+            _ => Ok(()),
+        },
         complete: |given| {
-            let (model, neighbours, neighbour_distance) = read::<M>(given)?;
-            let Value::Table(mut all) = in_short(&model) else { return Ok(Table::new()) };
+            let at = Path::default();
+            let (model, neighbours, neighbour_distance) =
+                read::<M>(FileGiven::new(given, &at)).map_err(|unmade| unmade.at(&at, &what(M::NAME)))?;
+            let mut all = table_of(&model);
             let neighbours = match neighbours {
                 Neighbours::Nearest(count) => Value::Integer(count.into()),
                 Neighbours::All => Value::String("all".into()),
@@ -131,8 +137,7 @@ fn entry<M: LocalModel + Declared + Default>() -> Entry<MakeModel> {
             Ok(all)
         },
     };
-    let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<WithSight<M>>();
-    Entry { name: M::NAME.into(), about: M::ABOUT, is_plugin: false, schema, make }
+    Entry { name: M::NAME.into(), about: M::ABOUT, is_plugin: false, schema: schema::<M>, make }
 }
 
 /// Returns the kind and name of a model, for messages.
@@ -148,109 +153,74 @@ const COUNT: Parameter = Parameter {
     name: SIGHT[0],
     about: "The maximum number of neighbours taken into account, the nearest first. Limit: 1 to 1000.",
     unit: "",
-    limit: Limit { above: None, least: Some(1.0), most: Some(1000.0), words: "from 1 to 1000" },
+    limit: Limit { above: None, least: Some(1.0), most: Some(1000.0), is_infinite: false, words: "from 1 to 1000" },
+    kind: Kind::Whole,
+    is_required: false,
+    default: || Some(Written::Whole(NEIGHBOURS.into())),
 };
-/// The doc line of the number of neighbours, for models that do not avoid.
+/// The doc line of the number of neighbours, for models that do not avoid: their agents may see all agents, as flocks do.
 const OR_ALL: &str = "The maximum number of neighbours taken into account, the nearest first, 1 to 1000; or `\"all\"` \
                       within the distance, for flocks.";
-const DISTANCE: Parameter = Parameter {
-    name: SIGHT[1],
-    about: "Reach of the neighbour search, metres between centres. Limit: > 0.",
-    unit: "m",
-    limit: Limit { above: Some(0.0), least: None, most: None, words: "more than 0" },
-};
 
-/// The neighbour search of a model that avoids.
-#[derive(Deserialize)]
-struct Nearest {
-    neighbours: Option<u32>,
-    neighbour_distance: Option<f64>,
-}
-
-/// The neighbour search of a model that does not avoid: its agents may see all agents, as flocks do.
-#[derive(Deserialize)]
-struct OrAll {
-    neighbours: Option<Neighbours>,
-    neighbour_distance: Option<f64>,
+/// Returns the parameter for the reach of the neighbour search.
+const fn distance<M: LocalModel + Default>() -> Parameter {
+    Parameter {
+        name: SIGHT[1],
+        about: "Reach of the neighbour search, metres between centres. Limit: > 0.",
+        unit: "m",
+        limit: Limit { above: Some(0.0), least: None, most: None, is_infinite: false, words: "more than 0" },
+        kind: Kind::Number,
+        is_required: false,
+        default: || Some(Written::Number(shortest(M::default().neighbour_distance()))),
+    }
 }
 
 /// Reads a model, the number of neighbours and the reach of the neighbour search.
-fn read<M: LocalModel + Declared + Default>(given: &Value) -> Result<(M, Neighbours, f64), Unmade> {
-    let (mut own, mut sight) = (given.clone(), Table::new());
-    if let Value::Table(own) = &mut own {
-        sight.extend(SIGHT.iter().filter_map(|key| own.remove_entry(*key)));
-    }
-    let sight = Value::Table(sight);
-    let model: M = read::read(&own, &SIGHT)?;
-    model.check().map_err(Unmade::Refused)?;
-    let (neighbours, distance) = if model.avoids() {
-        let Nearest { neighbours, neighbour_distance } = read_value(&sight)?;
-        (neighbours.map(Neighbours::Nearest), neighbour_distance)
-    } else {
-        let OrAll { neighbours, neighbour_distance } = read_value(&sight)?;
-        (neighbours, neighbour_distance)
+fn read<M: LocalModel + Parameters + Default>(given: FileGiven<'_>) -> Result<(M, Neighbours, f64), Unmade> {
+    let given = given.with_keys(&SIGHT);
+    let model: M = given.parameters()?;
+    model.check()?;
+    let neighbours = match given.get(SIGHT[0]) {
+        None => Neighbours::Nearest(NEIGHBOURS),
+        Some(count) if model.avoids() => Neighbours::Nearest(u32::read(&count, None)?),
+        Some(count) => count.plain()?,
     };
-    let neighbours = neighbours.unwrap_or(Neighbours::Nearest(NEIGHBOURS));
-    if let Neighbours::Nearest(count) = &neighbours {
-        COUNT.check(count).map_err(Unmade::Refused)?;
+    if let (Neighbours::Nearest(count), Some(given)) = (neighbours, given.get(SIGHT[0])) {
+        given.check(&COUNT, &count)?;
     }
-    let distance = distance.unwrap_or_else(|| shortest(model.neighbour_distance()));
-    DISTANCE.check(&distance).map_err(Unmade::Refused)?;
+    let usual = shortest(model.neighbour_distance());
+    let distance = given.parameter(&distance::<M>(), Some(usual))?;
     Ok((model, neighbours, distance))
 }
 
-/// The schema of the parameters of a model and of its neighbour search.
-struct WithSight<M>(PhantomData<M>);
-
-impl<M: LocalModel + Declared + Default> JsonSchema for WithSight<M> {
-    fn schema_name() -> Cow<'static, str> {
-        M::schema_name()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let model = M::default();
-        let (count, about) = match model.avoids() {
-            true => (u32::json_schema(generator), COUNT.about),
-            false => (generator.subschema_for::<Neighbours>(), OR_ALL),
-        };
-        let distance = f64::json_schema(generator);
-        let mut schema = M::json_schema(generator);
-        let properties = schema.ensure_object().entry("properties").or_insert_with(|| json!({}));
-        let more = [
-            (COUNT.name, about, count, json!(NEIGHBOURS)),
-            (DISTANCE.name, DISTANCE.about, distance, json!(shortest(model.neighbour_distance()))),
-        ];
-        for (name, about, mut property, default) in more {
-            property.insert("description".into(), about.into());
-            property.insert("default".into(), default);
-            properties[name] = property.to_value();
+/// Returns the schema of the parameters of a model and of its neighbour search.
+fn schema<M: LocalModel + Parameters + Default>(generator: &mut SchemaGenerator) -> Schema {
+    let name = type_name::<M>().rsplit("::").next().unwrap_or_default();
+    let schema = definition(name, M::ABOUT, generator, |generator| {
+        let sight = [COUNT, distance::<M>()];
+        let mut table = of_table(M::ABOUT, M::PARAMETERS.iter().chain(&sight), generator);
+        if !M::default().avoids() {
+            let mut count = generator.subschema_for::<Neighbours>().to_value();
+            count["description"] = OR_ALL.into();
+            count["default"] = NEIGHBOURS.into();
+            table["properties"][COUNT.name] = count;
         }
-        for (_, property) in properties.as_object_mut().into_iter().flatten() {
-            in_double_precision(property);
-        }
-        schema
-    }
-}
-
-/// Gives a number in single precision the digits and the format that it has in files.
-fn in_double_precision(property: &mut Json) {
-    if property["format"] == "float" {
-        property["format"] = "double".into();
-        property["default"] = property["default"].as_f64().map(|x| shortest(x as f32)).into();
-    }
+        table
+    });
+    schema_of(schema)
 }
 
 /// A model of a plug-in: panics in it name it.
 #[derive(Debug)]
 struct PluginModel<M>(M);
 
-impl<M: LocalModel + Declared + Default> PluginModel<M> {
+impl<M: LocalModel + Parameters + Default> PluginModel<M> {
     fn named<T>(&self, code: impl FnOnce(&M) -> T) -> T {
         named("model", M::NAME, || code(&self.0))
     }
 }
 
-impl<M: LocalModel + Declared + Default> LocalModel for PluginModel<M> {
+impl<M: LocalModel + Parameters + Default> LocalModel for PluginModel<M> {
     fn velocity(&self, view: &AvoidanceInput<'_>, workspace: &mut Workspace) -> Vec2 {
         self.named(|model| model.velocity(view, workspace))
     }

@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::Arc;
 use throng::avoid::LocalModel;
 use throng::field::Field;
-use throng::parameters::Declared;
+use throng::parameters::Parameters;
 use throng::steer::Behaviour;
 use throng::{Error as Refused, Rules};
 
@@ -79,7 +79,7 @@ impl Plugins {
 
     /// Adds a local model, or replaces the model with the same name. The fields of its type are its parameters
     /// ([`throng::parameters`]), and its name in `avoid.NAME` is [`NAME`](throng::parameters::Parameters::NAME).
-    pub fn model<M: LocalModel + Declared + Default>(mut self) -> Self {
+    pub fn model<M: LocalModel + Parameters + Default>(mut self) -> Self {
         self.models.add_plugin::<M>();
         self
     }
@@ -87,14 +87,14 @@ impl Plugins {
     /// Adds a behaviour, or replaces the behaviour with the same name. The fields of its type are its parameters
     /// ([`throng::parameters`]), and its name in `steer.NAME` is
     /// [`NAME`](throng::parameters::Parameters::NAME).
-    pub fn behaviour<B: Behaviour + Declared>(mut self) -> Self {
+    pub fn behaviour<B: Behaviour + Parameters + 'static>(mut self) -> Self {
         self.behaviours.add_with(B::NAME, |behaviour: B, _: &SceneNames<'_>| Ok(behaviour.into()));
         self
     }
 
     /// Adds a vector field, or replaces the field with the same name. The fields of its type are its parameters, and its
     /// name in `flow.NAME` is [`NAME`](throng::parameters::Parameters::NAME). Its places are world coordinates.
-    pub fn field<F: Field + Declared>(mut self) -> Self {
+    pub fn field<F: Field + Parameters + 'static>(mut self) -> Self {
         self.fields.add_plugin::<F>();
         self
     }

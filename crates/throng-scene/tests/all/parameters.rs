@@ -2,11 +2,10 @@
 //! throng.
 
 use glam::{Vec2, Vec3};
-use schemars::{SchemaGenerator, schema_for};
 use serde_json::json;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, Hrvo, LocalModel, Orca, Workspace};
 use throng::field::Field;
-use throng::parameters::{Angle, Parameters, parameters};
+use throng::parameters::{Angle, Parameters, Value, parameters};
 use throng_scene::flow::Noise;
 use throng_scene::{Avoid, Flow, Kind, Model, Models, Plugins, Scene, caught, gallery};
 
@@ -92,19 +91,38 @@ fn limits_are_checked_with_the_numbers_of_the_file() {
     assert_eq!(error.to_string(), "to is NaN, but must be a finite number");
 }
 
+/// Reads the text of a choice.
+fn read<P: Parameters>(text: &str) -> Result<P, throng_scene::Error> {
+    toml::from_str::<Avoid>(text).unwrap().parameters_as()
+}
+
 #[test]
 fn files_use_degrees_and_names() {
-    let read: LooksAround = toml::from_str("angle = 90\nside = \"right\"\ntime = 2").unwrap();
-    let expected =
+    let turned =
         LooksAround { angle: Angle::degrees(90.0), side: Side::Right, time: Some(2.0), ..LooksAround::default() };
-    assert_eq!(read, expected);
-    let again: LooksAround = toml::from_str(&toml::to_string(&read).unwrap()).unwrap();
-    assert_eq!(again, read);
-    assert_eq!(toml::from_str::<Going>("to = 3").unwrap(), Going { to: 3.0, speed: 1.5 });
-    let missing = toml::from_str::<Going>("speed = 3").unwrap_err().to_string();
-    assert!(missing.contains("missing field `to`"), "{missing}");
-    let unknown = toml::from_str::<Going>("to = 3\nfast = true").unwrap_err().to_string();
-    assert!(unknown.contains("unknown field `fast`"), "{unknown}");
+    assert_eq!(read("look = { angle = 90, side = \"right\", time = 2 }").as_ref(), Ok(&turned));
+    let written = Avoid::of(&turned);
+    assert_eq!(written, toml::from_str("look = { angle = 90, side = \"right\", time = 2 }").unwrap());
+    assert_eq!(written.parameters_as().as_ref(), Ok(&turned));
+    assert_eq!(read("going = { to = 3 }"), Ok(Going { to: 3.0, speed: 1.5 }));
+    assert_eq!(Going::new(3.0_f32), Going { to: 3.0, speed: 1.5 });
+    for (text, says) in [
+        ("going = { speed = 3 }", "the key `to` is missing here"),
+        ("going = { to = 3, fast = true }", "there is no key `fast` here"),
+        ("going = { to = 3, speed = -1 }", "going.speed is -1, but must be more than 0"),
+        ("going = 3", "this is the wrong type: the whole number 3, but should be a table such as { key = value }"),
+        ("gone = {}", "this is `gone`, not `going`"),
+    ] {
+        assert_eq!(read::<Going>(text).unwrap_err().message, says, "{text}");
+    }
+    for (text, says) in [
+        ("look = { side = \"left\" }", "`left` is not one of the choices here"),
+        ("look = { looks = 5e9 }", "but should be a whole number that is not negative"),
+        ("look = { looks = 5_000_000_000 }", "but should be a whole number that is not negative"),
+    ] {
+        let error = read::<LooksAround>(text).unwrap_err().message;
+        assert!(error.contains(says), "{text}: {error}");
+    }
 }
 
 /// Every angle that a file can state in tenths of a degree is written as it was.
@@ -116,19 +134,38 @@ fn angles_keep_their_digits() {
     }
 }
 
+impl LocalModel for LooksAround {
+    fn velocity(&self, view: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
+        view.preferred
+    }
+
+    fn wall_range(&self, radius: f32, _: f32) -> f32 {
+        radius
+    }
+}
+
+impl Field for Going {
+    fn velocity(&self, _: Vec3, _: f64) -> Vec3 {
+        Vec3::X * self.to
+    }
+}
+
 #[test]
 fn the_schema_has_limits_units_and_defaults() {
-    let schema = schema_for!(LooksAround).to_value();
-    assert_eq!(schema["description"], "How an agent looks about.");
-    let angle = &schema["properties"]["angle"];
+    let schema = Plugins::new().model::<LooksAround>().field::<Going>().schema();
+    let of = |choice: &str, name: &str| {
+        let choices = schema["$defs"][choice]["oneOf"].as_array().unwrap();
+        choices.iter().find_map(|choice| choice["properties"].get(name)).unwrap().clone()
+    };
+    let look = of("Avoid", "look");
+    assert_eq!(look["description"], "How an agent looks about.");
+    let angle = &look["properties"]["angle"];
     assert_eq!((&angle["minimum"], &angle["maximum"], &angle["unit"]), (&json!(0), &json!(180), &json!("°")));
     assert_eq!((&angle["type"], &angle["default"]), (&json!("number"), &json!(60.0)));
-    assert_eq!(schema["properties"]["shift"]["exclusiveMinimum"], json!(-0.5));
-    assert_eq!(schema_for!(Going).to_value()["required"], json!(["to"]));
-    // a definition that others refer to
-    let mut generator = SchemaGenerator::default();
-    generator.subschema_for::<Side>();
-    assert_eq!(generator.definitions()["Side"]["oneOf"][0]["const"], "far_left");
+    assert_eq!(look["properties"]["shift"]["exclusiveMinimum"], json!(-0.5));
+    assert_eq!(look["properties"]["side"]["oneOf"][0]["const"], "far_left");
+    assert_eq!(look["properties"]["side"]["default"], "far_left");
+    assert_eq!(of("Flow", "going")["required"], json!(["to"]));
 }
 
 /// HRVO as a plug-in would have it.

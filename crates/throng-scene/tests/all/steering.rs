@@ -41,7 +41,7 @@ fn what_is_not_said_is_the_librarys_default() {
     assert_eq!(plan(&scene("wander = {}")).settings.origin, DVec2::new(100.0, 55.0));
     assert_steers("seek = { target = \"goal\" }", throng_steer::Seek { target: goal });
     assert_steers("flee = { target = \"goal\" }", throng_steer::Flee::from(goal));
-    assert_steers("arrive = { target = \"goal\" }", throng_steer::Arrive::from(goal));
+    assert_steers("arrive = { target = \"goal\" }", throng_steer::Arrive::new(goal));
     assert_steers("pursue = { quarry = \"goal\" }", throng_steer::Pursue::from(goal));
     assert_steers("evade = { menace = \"goal\" }", throng_steer::Evade::from(goal));
     assert_steers("wander = {}", throng_steer::Wander::default());

@@ -3,6 +3,7 @@
 use crate::Noise;
 use throng::Error;
 use throng::motion::{Steering, turned};
+use throng::parameters::Value;
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 
 /// Varies the direction and the speed of a part's preferred velocity by noise: people do not walk quite straight or
@@ -12,7 +13,7 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Tr
 /// use throng::steer::Target;
 /// use throng_steer::{Arrive, Irregular, Noise};
 /// let noise = Noise { turbulent: true, ..Noise::default() };
-/// let tired = Irregular { angle: 0.2, speed: 0.08, noise, of: Arrive::from(Target::Goal).into() };
+/// let tired = Irregular { angle: 0.2, speed: 0.08, noise, of: Arrive::new(Target::Goal).into() };
 /// ```
 #[derive(Clone, Debug)]
 pub struct Irregular {
@@ -47,7 +48,7 @@ impl Behaviour for Irregular {
     fn check(&self) -> Result<(), Error> {
         Error::unless((0.0..=1.5).contains(&self.angle), "angle of wavering", self.angle, "from 0 to 1.5")?;
         Error::unless((0.0..=1.0).contains(&self.speed), "wavering of speed", self.speed, "from 0 to 1")?;
-        self.noise.check()?;
+        self.noise.check_limits()?;
         self.of.check()
     }
 }

@@ -17,7 +17,7 @@ use throng::steer::{
 /// let market = Target::Point(glam::Vec3::X * 20.0);
 /// let shopper = Switch(vec![
 ///     State { behaviour: Wander::default().into(), exits: vec![(Condition::After(30.0), 1)] },
-///     State { behaviour: Arrive::from(market).into(), exits: vec![(Condition::Done, 0)] },
+///     State { behaviour: Arrive::new(market).into(), exits: vec![(Condition::Done, 0)] },
 /// ]);
 /// ```
 #[derive(Clone, Debug)]

@@ -44,11 +44,8 @@ pub fn crowd_path(follow: FollowPath) -> BoxedBehaviour {
 pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> BoxedBehaviour {
     let go = |to: Target| -> BoxedBehaviour {
         let avoid = AvoidObstacles { towards: to, gap: 0.05, seconds: 1.0, ..AvoidObstacles::from(walls.clone()) };
-        Priority {
-            epsilon: 0.0,
-            parts: vec![avoid.into(), Arrive { slowing_distance: 0.0, ..Arrive::from(to) }.into()],
-        }
-        .into()
+        Priority { epsilon: 0.0, parts: vec![avoid.into(), Arrive { slowing_distance: 0.0, ..Arrive::new(to) }.into()] }
+            .into()
     };
     let through = Condition::Nearer(door, 0.5);
     let states =

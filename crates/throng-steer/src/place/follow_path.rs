@@ -82,7 +82,7 @@ impl Behaviour for FollowPath {
         let aim = path.at(now.along + ahead * self.direction.sign());
         self.tell(now, ahead, why);
         if !path.is_cyclic() && left <= ahead {
-            let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(aim)) };
+            let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::new(Target::Point(aim)) };
             return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
         }
         let future = view.motion.position_in(self.seconds);

@@ -95,7 +95,7 @@ impl Behaviour for Hide {
             return None;
         };
         *which = (index + 1) as f32;
-        let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::from(Target::Point(place)) };
+        let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::new(Target::Point(place)) };
         let round = self.avoid.avoid(Some(view.to(place)), view, memory, why);
         let said = round.or_else(|| arrive.steer(view, &mut [], why));
         from.iter().for_each(|from| why.note(|| SteeringReason::Expects(from.position)));

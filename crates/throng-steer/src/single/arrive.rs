@@ -3,36 +3,38 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Goes to a target at the top speed, slows down in proportion to the distance, and stops there.
+/// Moves to a target, and stops there (Reynolds 1999).
 ///
-/// The agent does not overshoot, whatever the time step: if the vehicle could not brake within the slowing distance, or
+/// It slows down in proportion to the distance. The agent does not overshoot, whatever the time step: if the vehicle could not brake within the slowing distance, or
 /// responds too slowly, it slows down earlier.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 /// use throng_steer::Arrive;
-/// let arrive = Arrive { slowing_distance: 2.0, ..Arrive::from(Target::Point(Vec3::X)) };
+/// let arrive = Arrive { slowing_distance: 2.0, ..Arrive::new(Target::Point(Vec3::X)) };
 /// let steering = arrive.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert!((SteeringInput::default().chosen(steering).x - 0.9).abs() < 1e-6, "half way through, half the speed");
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrive {
     /// The target.
+    #[parameter(required)]
     pub target: Target,
-    /// Distance at which the agent begins to slow down, metres. Limit: >= 0.
+    /// Distance at which it starts to slow down, metres.
+    #[parameter(default = SLOWING_DISTANCE, unit = "m", least = 0)]
     pub slowing_distance: f32,
-    /// Distance at which the agent has arrived, metres: it stops at once. Limit: >= 0.
+    /// Distance that counts as arrival, metres: it stops at once.
+    #[parameter(default = 0.01, unit = "m", least = 0)]
     pub tolerance: f32,
 }
 
-impl From<Target> for Arrive {
-    fn from(target: Target) -> Self {
-        Self { target, slowing_distance: 1.0, tolerance: 0.01 }
-    }
-}
+/// Default distance at which behaviours start to slow down, metres.
+pub(crate) const SLOWING_DISTANCE: f32 = 1.0;
 
 /// Part of the top speed below which the agent counts as standing: at that speed it does not drift out of any tolerance
 /// within hours.
@@ -50,8 +52,7 @@ impl Behaviour for Arrive {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")?;
-        Error::unless(self.tolerance >= 0.0, "tolerance", self.tolerance, "0 or more")
+        self.check_limits()
     }
 }
 

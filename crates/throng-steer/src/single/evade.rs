@@ -4,6 +4,7 @@ use crate::Prediction;
 use crate::approach::nearest_time;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::Value;
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
 /// Flees from the predicted position of a menace. The prediction is at most half of the time until the closest
@@ -43,6 +44,6 @@ impl Behaviour for Evade {
 
     fn check(&self) -> Result<(), Error> {
         Error::unless(self.panic_distance > 0.0, "panic distance", self.panic_distance, "greater than 0")?;
-        self.prediction.check()
+        self.prediction.check_limits()
     }
 }

@@ -5,6 +5,7 @@ use crate::Noise;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::Value;
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
 /// Wanders: the angle by which the agent turns aside is noise over time (Perlin 1985).
@@ -38,6 +39,6 @@ impl Behaviour for FractalWander {
 
     fn check(&self) -> Result<(), Error> {
         Error::unless((0.0..=1.5).contains(&self.angle), "angle of wandering", self.angle, "from 0 to 1.5")?;
-        self.noise.check()
+        self.noise.check_limits()
     }
 }

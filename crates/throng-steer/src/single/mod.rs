@@ -27,6 +27,8 @@ mod tether;
 mod wander;
 
 pub use arrive::Arrive;
+#[allow(unused_imports, reason = "until all behaviours declare their parameters")]
+pub(crate) use arrive::SLOWING_DISTANCE;
 pub(super) use arrive::{approach, settling_time};
 pub use constant_force::ConstantForce;
 pub use dock::Dock;

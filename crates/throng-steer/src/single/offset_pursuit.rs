@@ -4,6 +4,7 @@ use crate::Prediction;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::Value;
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
 /// Passes a quarry at a distance, as in a strafing run, or to look at it.
@@ -68,6 +69,6 @@ impl Behaviour for OffsetPursuit {
 
     fn check(&self) -> Result<(), Error> {
         Error::unless(self.distance >= 0.0, "distance to pass at", self.distance, "0 or more")?;
-        self.prediction.check()
+        self.prediction.check_limits()
     }
 }

@@ -3,6 +3,7 @@
 use crate::Prediction;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::Value;
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
 /// Goes to the predicted position of a quarry.
@@ -33,6 +34,6 @@ impl Behaviour for Pursue {
     }
 
     fn check(&self) -> Result<(), Error> {
-        self.prediction.check()
+        self.prediction.check_limits()
     }
 }

@@ -1,9 +1,12 @@
 //! Seek: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Goes to a target at the top speed, and past it. Nothing to correct if the target does not exist.
+/// Moves to a target at top speed, and past it (Reynolds 1999).
+///
+/// Nothing to correct if the target does not exist.
 ///
 /// ```
 /// use glam::Vec3;
@@ -13,9 +16,11 @@ use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 /// let steering = seek.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it is elsewhere");
 /// assert!(steering.force.x == 0.0 && steering.force.y > 0.0);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seek {
     /// The target.
+    #[parameter(required)]
     pub target: Target,
 }
 

@@ -69,9 +69,9 @@ fn single() -> Vec<Named> {
         ("pass, near", OffsetPursuit { quarry: POINT, prediction: predicts, distance: 0.5 }.into()),
         ("keep station", KeepStation { leader: LEADER, offset, slowing_distance: 2.0 }.into()),
         ("keep station, at once", KeepStation { leader: AGENT, offset: -offset, slowing_distance: 0.0 }.into()),
-        ("arrive", Arrive::from(POINT).into()),
+        ("arrive", Arrive::new(POINT).into()),
         ("arrive, about", Arrive { target: Target::Goal, slowing_distance: 3.0, tolerance: 1.0 }.into()),
-        ("arrive, at once", Arrive { slowing_distance: 0.0, tolerance: 0.0, ..Arrive::from(AGENT) }.into()),
+        ("arrive, at once", Arrive { slowing_distance: 0.0, tolerance: 0.0, ..Arrive::new(AGENT) }.into()),
         ("interpose", Interpose { between: [LEADER, AGENT], ratio: 0.5, slowing_distance: 1.0 }.into()),
         ("interpose, nearer to", Interpose { between: [NEAR, POINT], ratio: 0.2, slowing_distance: 3.0 }.into()),
         ("shadow", Shadow { quarry: AGENT, distance: 1.0, slowing_distance: 1.0 }.into()),
@@ -150,7 +150,7 @@ fn group() -> Vec<Named> {
         ("queue, slow", slow.into()),
         (
             "queue, facing",
-            Queue::new(sum([(1.0, Arrive::from(POINT).into()), (1.0, Face { target: NEAR }.into())])).into(),
+            Queue::new(sum([(1.0, Arrive::new(POINT).into()), (1.0, Face { target: NEAR }.into())])).into(),
         ),
         ("follow the leader", FollowLeader::from(LEADER).into()),
         ("follow the leader, in file", file.into()),
@@ -176,7 +176,7 @@ fn combined() -> Vec<Named> {
     let chance = Condition::Any(vec![Condition::Chance(0.4), Condition::Figure(0, 6.0, 9.0)]);
     let bored = State { behaviour: wander(), exits: vec![(Condition::After(0.5), 1), (crowded, 2)] };
     let goes = State {
-        behaviour: Arrive { tolerance: 0.5, ..Arrive::from(POINT) }.into(),
+        behaviour: Arrive { tolerance: 0.5, ..Arrive::new(POINT) }.into(),
         exits: vec![(Condition::Done, 0), (Condition::Farther(POINT, 3.0), 2), (Condition::Nearer(AGENT, 1.0), 3)],
     };
     let flees = State { behaviour: shy(), exits: vec![(Condition::All(vec![Condition::Done, lucky]), 3), (chance, 0)] };
@@ -580,8 +580,8 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         Evade { panic_distance: x, ..Evade::from(POINT) }.into(),
         OffsetPursuit { quarry: POINT, prediction: Prediction::default(), distance: x }.into(),
         stations.into(),
-        Arrive { slowing_distance: x, ..Arrive::from(POINT) }.into(),
-        Arrive { tolerance: x, ..Arrive::from(POINT) }.into(),
+        Arrive { slowing_distance: x, ..Arrive::new(POINT) }.into(),
+        Arrive { tolerance: x, ..Arrive::new(POINT) }.into(),
         Interpose { between: [POINT; 2], ratio: x, slowing_distance: 1.0 }.into(),
         Interpose { between: [POINT; 2], ratio: 1.0, slowing_distance: x }.into(),
         shadow.into(),

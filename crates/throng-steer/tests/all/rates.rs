@@ -93,7 +93,7 @@ fn of_one() {
     check(vec![
         ("seek", Seek { target: at(15.0, 12.0) }.into()),
         ("flee", Flee { panic_distance: 5.0, ..Flee::from(LEADER) }.into()),
-        ("arrive", Arrive::from(at(1.0, 2.0)).into()),
+        ("arrive", Arrive::new(at(1.0, 2.0)).into()),
         ("pursue", Pursue::from(LEADER).into()),
         (
             "pursue by distance",
@@ -197,12 +197,12 @@ fn in_places() {
     check(vec![
         (
             "avoid obstacles",
-            first(AvoidObstacles { towards: goal, ..AvoidObstacles::from(solid()) }.into(), Arrive::from(goal).into()),
+            first(AvoidObstacles { towards: goal, ..AvoidObstacles::from(solid()) }.into(), Arrive::new(goal).into()),
         ),
         ("avoid map", AvoidMap::new(map(), wander()).into()),
         ("avoid map, straight", AvoidMap { curved: false, ..AvoidMap::new(map(), wander()) }.into()),
-        ("avoid map to a place", AvoidMap::new(map(), Arrive::from(goal)).into()),
-        ("whiskers", first(steady.into(), Arrive::from(goal).into())),
+        ("avoid map to a place", AvoidMap::new(map(), Arrive::new(goal)).into()),
+        ("whiskers", first(steady.into(), Arrive::new(goal).into())),
         ("contain", first(Contain::inside(Sphere::new(Vec3::ZERO, 6.0).unwrap()).into(), wander())),
         (
             "follow wall",
@@ -222,7 +222,7 @@ fn in_places() {
 #[test]
 fn combined() {
     let wander = || -> BoxedBehaviour { Wander::default().into() };
-    let go = || -> BoxedBehaviour { Arrive::from(at(3.0, 2.0)).into() };
+    let go = || -> BoxedBehaviour { Arrive::new(at(3.0, 2.0)).into() };
     let apart = || -> BoxedBehaviour { Separation::default().into() };
     let noise = Noise::default();
     check(vec![

@@ -45,7 +45,7 @@ proptest! {
     ) {
         prop_assume!(place.length() > 0.5);
         let vehicle = Vehicle { response, smoothing, max_force: force, ..Vehicle::default() };
-        let arrive = Arrive { slowing_distance: slowing, ..Arrive::from(at(place)) };
+        let arrive = Arrive { slowing_distance: slowing, ..Arrive::new(at(place)) };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), vehicle, arrive)]);
         let mut past = f32::NEG_INFINITY;
         stage.run(90.0, |stage| past = past.max((stage.actors[0].motion.position - place).dot(place.normalize())));

@@ -25,7 +25,7 @@ fn all(by: Quat) -> Vec<BoxedBehaviour> {
         Evade::from(other).into(),
         OffsetPursuit { quarry: other, prediction: Prediction::default(), distance: 2.0 }.into(),
         KeepStation { leader: other, offset: Vec3::new(-1.0, 2.0, 0.5), slowing_distance: 2.0 }.into(),
-        Arrive::from(point).into(),
+        Arrive::new(point).into(),
         Interpose { between: [other, point], ratio: 0.3, slowing_distance: 1.0 }.into(),
         Shadow { quarry: other, distance: 1.0, slowing_distance: 1.0 }.into(),
         Dock { place, direction: by * Vec3::Y, speed: 0.0, time: None }.into(),

@@ -18,7 +18,7 @@ use super::collision_free_speed::{optimal_speed, speed_limit};
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// The anticipation velocity model (Xu, Chraibi, Seyfried, 2021), as in JuPedSim.

@@ -8,7 +8,7 @@
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, HalfPlane, LocalModel, Workspace, orca};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// Acceleration-velocity obstacles (van den Berg, Snape, Guy, Manocha, 2011): ORCA for bodies that reach a new velocity

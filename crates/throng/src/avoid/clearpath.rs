@@ -6,7 +6,7 @@
 
 use super::{AvoidanceInput, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// Reciprocal velocity obstacles that end at a time horizon, solved exactly (ClearPath; Guy et al., 2009).

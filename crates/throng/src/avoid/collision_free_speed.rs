@@ -14,7 +14,7 @@
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceReason, Cause, HalfPlane, LocalModel, Workspace};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim.

@@ -7,7 +7,7 @@
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011).

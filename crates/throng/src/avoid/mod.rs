@@ -301,14 +301,12 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
 }
 
 /// A collection of local models by name.
-#[cfg(feature = "schema")]
 pub trait Models {
     /// Adds a model. Its name is [`Parameters::NAME`](crate::parameters::Parameters::NAME).
-    fn add<M: LocalModel + crate::parameters::Declared + Default>(&mut self);
+    fn add<M: LocalModel + crate::parameters::Parameters + Default>(&mut self);
 }
 
 /// Adds the models of the engine to a collection.
-#[cfg(feature = "schema")]
 pub fn register(models: &mut impl Models) {
     models.add::<Orca>();
     models.add::<Orca3d>();

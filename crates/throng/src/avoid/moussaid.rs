@@ -17,7 +17,7 @@ use super::collision_free_speed::RANGES;
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// The social force model measured in experiments (Moussaid and others, 2009). Distances are between centres.

@@ -12,7 +12,7 @@ use super::{
     orca_simd, turning,
 };
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 use std::any::Any;
 

@@ -8,7 +8,7 @@
 use super::half_space::{HalfSpace, closest_velocity_in_space, least_violation_in_space};
 use super::{AvoidanceInput, AvoidanceNeighbour, LocalModel, Workspace};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::{Vec2, Vec3};
 
 /// Optimal reciprocal collision avoidance in space, for agents that fly.

@@ -21,7 +21,7 @@
 use super::imminence::{LEAST_GAP, of_disc, of_segment};
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace, descent};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// The power law of human interaction with an implicit step (Karamouzas, Skinner, Guy, 2014; Karamouzas, Sohre, Narain,

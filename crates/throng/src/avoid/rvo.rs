@@ -8,7 +8,7 @@
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, Forbidden, LocalModel, Workspace, sampling};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).

@@ -17,7 +17,7 @@ use super::collision_free_speed::RANGES;
 use super::separation::exponential;
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, LocalModel, Workspace};
 use crate::Error;
-use crate::parameters::{Angle, Parameters, parameters};
+use crate::parameters::{Angle, Value, parameters};
 use glam::Vec2;
 
 /// The social force model (Helbing, Molnar, 1995). Distances are between centres.

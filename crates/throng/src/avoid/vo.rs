@@ -7,7 +7,7 @@
 
 use super::{AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Forbidden, LocalModel, Workspace, closest_outside};
 use crate::Error;
-use crate::parameters::{Parameters, parameters};
+use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
 /// Velocity obstacles (Fiorini, Shiller, 1998): every agent takes all of the avoidance, and oscillates.

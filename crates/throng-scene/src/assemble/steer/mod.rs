@@ -6,6 +6,7 @@ mod around;
 mod check;
 mod combine;
 mod group;
+mod names;
 mod place;
 mod single;
 mod slip;
@@ -20,9 +21,9 @@ pub(super) use target::in_world;
 pub(super) use vehicle::{vehicle, wrap_around};
 
 use super::flow::Flows;
-use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::registry::Steer;
+pub(super) use crate::registry::refused;
 use crate::scene::{Group, Scene, SceneNames};
 use throng::steer::BoxedBehaviour;
 
@@ -48,11 +49,6 @@ pub(crate) trait BuildBehaviour {
 }
 
 impl BehaviourContext<'_> {
-    /// Returns the names that a behaviour of a plug-in can refer to.
-    pub fn names(&self) -> &SceneNames<'_> {
-        self.cast
-    }
-
     /// Returns the behaviour of the group.
     pub fn steering(&self) -> Result<Option<BoxedBehaviour>, Problem> {
         let Some(steer) = &self.scene.groups[self.group].steer else { return Ok(None) };
@@ -66,18 +62,6 @@ impl BehaviourContext<'_> {
 
     fn branch(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
         self.scene.plugins.behaviours.make(steer, self, at)
-    }
-}
-
-/// Converts an error of the library. Most of its names of parameters are the keys, and lead to them.
-pub(crate) fn refused(at: &Path, error: &throng::Error) -> Problem {
-    match error {
-        throng::Error::Limit { what, value, limit } => {
-            // the library computes in f32: further digits have no meaning
-            let message = format!("{what} is {}, but must be {limit}", *value as f32);
-            Problem::new(&at.key(&what.replace(' ', "_")), Kind::OutOfRange, message)
-        }
-        error => Problem::new(at, Kind::Geometry, error.to_string()),
     }
 }
 

@@ -11,29 +11,10 @@ use throng_steer::FollowFlow as Follow;
 /// Default distance at which behaviours start to slow down, if the library has none, metres.
 pub(super) const SLOWING_DISTANCE: f32 = 1.0;
 
-impl BuildBehaviour for Seek {
-    fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        Ok(throng_steer::Seek { target: making.target(&self.target, &at.key("target"))? }.into())
-    }
-}
-
 impl BuildBehaviour for Flee {
     fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let standard = throng_steer::Flee::from(making.target(&self.target, &at.key("target"))?);
         Ok(throng_steer::Flee { panic_distance: or(self.panic_distance, standard.panic_distance), ..standard }.into())
-    }
-}
-
-impl BuildBehaviour for Arrive {
-    fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        let throng_steer::Arrive { target, slowing_distance, tolerance } =
-            making.target(&self.target, &at.key("target"))?.into();
-        Ok(throng_steer::Arrive {
-            target,
-            slowing_distance: or(self.slowing_distance, slowing_distance),
-            tolerance: or(self.tolerance, tolerance),
-        }
-        .into())
     }
 }
 

@@ -1,13 +1,12 @@
 //! Steering in scene files: the behaviours of [`throng::steer`] and their combinations.
 //!
-//! Each behaviour is a table of its parameters. Optional parameters are `Option`s and have the library's defaults.
+//! Each behaviour is a table of its parameters.
 //! Angles are degrees, places are world coordinates, agents and groups are referred to by group names.
 //!
 //! ```
 //! use throng_scene::Steer;
-//! use throng_scene::steer::{Arrive, Target};
 //!
-//! let in_code = Steer::from(Arrive { target: Target::At([3.0, 4.0].into()), slowing_distance: Some(2.0), tolerance: None });
+//! let in_code = Steer::named("arrive").with("target", vec![3.0, 4.0]).with("slowing_distance", 2);
 //! let in_a_file: Steer = toml::from_str("arrive = { target = [3, 4], slowing_distance = 2 }")?;
 //! assert_eq!(in_code, in_a_file);
 //! # Ok::<(), toml::de::Error>(())
@@ -48,12 +47,8 @@ pub(in crate::scene) use parameters;
 
 described! {
     Steer in Behaviours:
-    /// Moves to a target at top speed, and past it (Reynolds 1999).
-    Seek = "seek",
     /// Moves straight away from a target (Reynolds 1999).
     Flee = "flee",
-    /// Moves to a target, and stops there (Reynolds 1999).
-    Arrive = "arrive",
     /// Moves to the predicted position of a quarry (Reynolds 1999).
     Pursue = "pursue",
     /// Moves away from the predicted position of a menace (Reynolds 1999).

@@ -6,26 +6,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 parameters! {
-    /// Moves to a target at top speed, and past it.
-    Seek {
-        /// The target.
-        target: Target,
-    }
     /// Moves straight away from a target.
     Flee {
         /// The target.
         target: Target,
         /// Greatest distance at which it flees, metres. Without it, any distance. Limit: > 0.
         panic_distance: Option<f64>,
-    }
-    /// Moves to a target, slows down, and stops there.
-    Arrive {
-        /// The target.
-        target: Target,
-        /// Distance at which it starts to slow down, metres. Without it, 1. Limit: >= 0.
-        slowing_distance: Option<f64>,
-        /// Distance that counts as arrival, metres. Without it, 0.01. Limit: >= 0.
-        tolerance: Option<f64>,
     }
     /// Moves to the predicted position of a quarry.
     Pursue {

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use std::sync::Arc;
 use throng::avoid::{AvoidanceInput, LocalModel, Workspace};
-use throng::parameters::{Parameters, parameters};
+use throng::parameters::{Value, parameters};
 use throng::{Agent, Error, Group, Settings, World};
 
 /// Keeps its direction, and brakes for the first agent that it would meet.

@@ -23,10 +23,10 @@ fn a_wrong_behaviour_is_named_with_its_place() {
         &steers("steer.priority = [{ wander = {} }, { arrive = { target = [0, 0], slowing_distance = -1 } }]"),
         Kind::OutOfRange,
         r"
-a.toml:6:85: group `walkers`: slowing distance is -1, but must be 0 or more
+a.toml:6:85: group `walkers`: steer.priority.of[1].arrive.slowing_distance is -1, but must be 0 or more
   6 | … { target = [0, 0], slowing_distance = -1 } }]
     |                                         ^^
-  hint: `slowing_distance`: Distance at which it starts to slow down, metres. Without it, 1. Limit: >= 0.",
+  hint: `slowing_distance`: Distance at which it starts to slow down, metres. Limit: >= 0. Default: 1.",
     );
     assert_message(
         &steers("steer.weighted_sum = [{ weight = -1, of.wander = {} }]"),

@@ -22,7 +22,7 @@ proptest! {
         let vehicle = if flies { flier() } else { Vehicle::default() };
         let goal = Vec3::new(19.0, to, 0.0);
         let avoid = AvoidObstacles { towards: Target::Point(goal), ..AvoidObstacles::from(barriers(&field)) };
-        let walk = first(vec![avoid.into(), Arrive::from(Target::Point(goal)).into()]);
+        let walk = first(vec![avoid.into(), Arrive::new(Target::Point(goal)).into()]);
         let start = Motion::moving(Vec3::new(-1.0, y, 0.0), Vec3::X * 1.5);
         let mut stage = Stage::new(RATES[rate], vec![Actor::new(start, vehicle, walk)]);
         let (mut least, mut arrived) = (f32::INFINITY, f32::INFINITY);
@@ -42,7 +42,7 @@ proptest! {
 fn walker(start: Motion, goal: Vec3, all: &[Shared]) -> Actor {
     let goal = Target::Point(goal);
     let avoid = AvoidObstacles { towards: goal, ..AvoidObstacles::from(barriers(all)) };
-    Actor::new(start, Vehicle::default(), first(vec![avoid.into(), Arrive::from(goal).into()]))
+    Actor::new(start, Vehicle::default(), first(vec![avoid.into(), Arrive::new(goal).into()]))
 }
 
 /// Straight at the middle of a wall or a ball: the agent goes round it without a stop and without circling it.

@@ -38,7 +38,7 @@ fn alone_it_moves_as_its_vehicle() {
     for locomotion in [Locomotion::Ground, Locomotion::Banking] {
         let vehicle = Vehicle { locomotion, max_turn_rate: 2.0, smoothing: 0.2, ..Vehicle::default() };
         let target = Vec3::new(-4.0, 7.0, if locomotion == Locomotion::Ground { 0.0 } else { 9.0 });
-        let arrive = || Arrive::from(Target::Point(target));
+        let arrive = || Arrive::new(Target::Point(target));
         let mut world = world();
         let group = world.add_group(Group::vehicles(arrive(), vehicle)).unwrap();
         let height = if locomotion == Locomotion::Ground { 0.0 } else { 5.0 };
@@ -116,7 +116,7 @@ fn a_flock_has_the_same_bits_for_any_number_of_threads_and_when_it_is_loaded() {
 fn agents_that_seek_the_same_place_on_foot_do_not_overlap() {
     let mut world = world();
     let vehicle = Vehicle::default();
-    let seek = Arrive::from(Target::Point(Vec3::ZERO));
+    let seek = Arrive::new(Target::Point(Vec3::ZERO));
     let group = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(seek, vehicle) };
     let group = world.add_group(group).unwrap();
     for k in 0..40 {
@@ -166,7 +166,7 @@ fn traced_agents_record_what_explain_returns_and_move_unchanged() {
 fn arrived_agents_stay_at_their_goal() {
     let mut world = world();
     let vehicle = Vehicle::default();
-    let group = world.add_group(Group::vehicles(Arrive::from(Target::Goal), vehicle)).unwrap();
+    let group = world.add_group(Group::vehicles(Arrive::new(Target::Goal), vehicle)).unwrap();
     let goal = world.add_goal(Goal::Point { at: DVec2::new(6.0, 2.0), tolerance: 0.5 }).unwrap();
     let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
     let id = world.add_agent(Agent { journey, ..agent((0.0, 0.0, 0.0), group, &vehicle) }).unwrap();

@@ -1,0 +1,66 @@
+//! What the names in a scene stand for, for the behaviours of a group.
+
+use super::super::rules::no_figure;
+use super::BehaviourContext;
+use super::place::unknown;
+use crate::file::{Path, Problem};
+use crate::registry::{Flow, Names, Steer};
+use crate::scene::SceneNames;
+use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
+use glam::Vec3;
+use std::sync::Arc;
+use throng::field::Field;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, Surface};
+use throng::steer::{self, Barriers, BoxedBehaviour};
+
+impl Names for BehaviourContext<'_> {
+    fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
+        self.place(place, at)
+    }
+
+    fn target(&self, target: &Target, at: &Path) -> Result<steer::Target, Problem> {
+        self.target(target, at)
+    }
+
+    fn groups(&self, groups: &GroupFilter, at: &Path) -> Result<steer::GroupFilter, Problem> {
+        self.groups(Some(groups), at)
+    }
+
+    fn obstacles(&self, names: &ObstacleNames, at: &Path) -> Result<Barriers, Problem> {
+        self.around.sides(names, at, "leave it out, or name what counts")
+    }
+
+    fn surface(&self, name: &str, at: &Path) -> Result<Barrier<Arc<dyn Surface>>, Problem> {
+        let found = self.around.surfaces.iter().find(|(known, _)| *known == name);
+        found.map(|(_, surface)| surface.clone()).ok_or_else(|| {
+            let known: Vec<&str> = self.around.surfaces.iter().map(|(name, _)| *name).collect();
+            unknown(at, "surface", name, &known)
+        })
+    }
+
+    fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
+        let found = self.around.paths.iter().find(|(known, _)| *known == name);
+        found.map(|(_, path)| path.clone()).ok_or_else(|| {
+            let known: Vec<&str> = self.around.paths.iter().map(|(name, _)| *name).collect();
+            unknown(at, "path", name, &known)
+        })
+    }
+
+    fn figure(&self, name: &str, at: &Path) -> Result<usize, Problem> {
+        let index = self.figures.iter().position(|known| known == name);
+        index.ok_or_else(|| no_figure(self.scene, at, name, self.figures))
+    }
+
+    fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem> {
+        Ok(self.flows.make(flow, at.clone(), self.group)?.field)
+    }
+
+    fn behaviour(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
+        self.branch(steer, at)
+    }
+
+    fn names(&self) -> &SceneNames<'_> {
+        self.cast
+    }
+}
