@@ -41,7 +41,7 @@ impl Insects {
         let mut world =
             World::new(Settings { step: Self::STEP, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
         let middle = Target::Point(Vec3::Z * (self.radius + 10.0) as f32);
-        let aggregate = Aggregate { beyond: self.radius as f32, ..Aggregate::from(middle) };
+        let aggregate = Aggregate { beyond: self.radius as f32, ..Aggregate::new(middle) };
         let distance = if self.apart { Self::APART as f32 } else { 0.0 };
         let swarm = Swarm { apart: SwarmSpacing { distance, speed: 1.0 }, ..Swarm::default() }.with(aggregate);
         let vehicle = midge();

@@ -38,7 +38,7 @@ pub use guide::{Smoothing, Spine, SwarmGuide, Tube, VoxelSettings, Voxels};
 pub use jams::RoundJams;
 pub use keyframes::Keyframes;
 pub use map::Map;
-pub use noise::{Amplitude, CurlNoise, FadeOut, NoiseWall, Octave, Potential, Rigid, RigidMotion};
+pub use noise::{Amplitude, CurlNoise, FadeOut, Noise, NoiseWall, Octave, Potential, Rigid, RigidMotion};
 pub use paint::Brush;
 pub use plate::Kernel;
 pub use sampled::Sampled;

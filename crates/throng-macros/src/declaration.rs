@@ -4,7 +4,7 @@ use crate::field::{Declared, Fields, first_paragraph, text};
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse::{Parse, ParseStream};
-use syn::{Expr, Ident, ItemEnum, ItemStruct, Token, Type};
+use syn::{Expr, Ident, ItemEnum, ItemStruct, Token};
 
 /// What the attribute of a type gives.
 #[derive(Default)]
@@ -13,6 +13,8 @@ pub struct Given {
     name: Option<String>,
     /// The field that files can write as a list instead of a table.
     list: Option<Ident>,
+    /// The function that checks a value that has been read.
+    check: Option<Expr>,
 }
 
 impl Parse for Given {
@@ -24,7 +26,8 @@ impl Parse for Given {
             match key.to_string().as_str() {
                 "name" => given.name = Some(text(&input.parse::<Expr>()?)?),
                 "list" => given.list = Some(input.parse()?),
-                _ => return Err(syn::Error::new(key.span(), "the keys are `name` and `list`")),
+                "check" => given.check = Some(input.parse()?),
+                _ => return Err(syn::Error::new(key.span(), "the keys are `name`, `list` and `check`")),
             }
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
@@ -35,7 +38,7 @@ impl Parse for Given {
 }
 
 /// Returns a struct with its implementations.
-pub fn of_struct(Given { name, list }: &Given, item: ItemStruct) -> syn::Result<TokenStream> {
+pub fn of_struct(Given { name, list, check }: &Given, item: ItemStruct) -> syn::Result<TokenStream> {
     let ItemStruct { attrs, vis, ident, generics, fields, .. } = item;
     if !generics.params.is_empty() {
         return Err(syn::Error::new_spanned(generics, "parameters have no generics"));
@@ -43,23 +46,25 @@ pub fn of_struct(Given { name, list }: &Given, item: ItemStruct) -> syn::Result<
     let name = name.clone().unwrap_or_else(|| snake_case(&ident.to_string()));
     let about = first_paragraph(&attrs);
     let (item, parameters, value) = match fields {
-        syn::Fields::Unnamed(fields) if fields.unnamed.len() == 1 => {
+        syn::Fields::Unnamed(mut fields) if fields.unnamed.len() == 1 => {
+            let mut attributes = std::mem::take(&mut fields.unnamed[0].attrs);
+            let declared = Declared::unnamed(&mut attributes, "", &fields.unnamed[0])?;
             let field = &fields.unnamed[0];
-            let item = quote!(#(#attrs)* #vis struct #ident(#field););
-            (item, quote!(&[]), transparent(&ident, &field.ty))
+            let item = quote!(#(#attrs)* #vis struct #ident(#(#attributes)* #field););
+            (item, quote!(&[]), transparent(&ident, &declared))
         }
         syn::Fields::Unnamed(_) => {
             return Err(syn::Error::new_spanned(ident, "parameters are named fields, or one field without a name"));
         }
         syn::Fields::Unit => {
             let fields = Fields::none();
-            let (default, value) = (constructor(&ident, &fields), table(&ident, &about, &fields, None));
+            let (default, value) = (constructor(&ident, &fields), table(&ident, &about, &fields, None, check.as_ref()));
             (quote!(#(#attrs)* #vis struct #ident; #default), quote!(&[]), value)
         }
         syn::Fields::Named(named) => {
             let fields = Fields::of(named.named)?;
             let (written, default) = (fields.written(), constructor(&ident, &fields));
-            let value = table(&ident, &about, &fields, list.as_ref());
+            let value = table(&ident, &about, &fields, list.as_ref(), check.as_ref());
             let item = quote!(#(#attrs)* #vis struct #ident { #written } #default);
             (item, fields.parameters(), value)
         }
@@ -105,32 +110,41 @@ fn constructor(ident: &Ident, fields: &Fields) -> TokenStream {
 }
 
 /// Returns the implementation of `Value` for a struct with one field without a name: files write the field.
-fn transparent(ident: &Ident, ty: &Type) -> TokenStream {
+fn transparent(ident: &Ident, field: &Declared) -> TokenStream {
     let given = local("given");
+    let read = quote!(::throng::parameters::Value::read(#given, ::core::option::Option::None));
+    let (in_files, made) = field.in_files(&given, &read);
+    let (write, check) = match field.from {
+        Some(_) => (quote!(::core::option::Option::None), quote!(::core::result::Result::Ok(()))),
+        None => (
+            quote!(::throng::parameters::Value::write(&self.0)),
+            quote!(::throng::parameters::Value::check_limits(&self.0)),
+        ),
+    };
     quote! {
         impl ::throng::parameters::Value for #ident {
-            const KIND: ::throng::parameters::Kind = <#ty as ::throng::parameters::Value>::KIND;
+            const KIND: ::throng::parameters::Kind = <#in_files as ::throng::parameters::Value>::KIND;
 
             fn read<G: ::throng::parameters::Given>(
                 #given: &G,
                 _: ::core::option::Option<Self>,
             ) -> ::core::result::Result<Self, G::Error> {
-                ::throng::parameters::Value::read(#given, ::core::option::Option::None).map(Self)
+                ::core::result::Result::Ok(Self(#made))
             }
 
             fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
-                ::throng::parameters::Value::write(&self.0)
+                #write
             }
 
             fn check_limits(&self) -> ::core::result::Result<(), ::throng::Error> {
-                ::throng::parameters::Value::check_limits(&self.0)
+                #check
             }
         }
     }
 }
 
 /// Returns the implementation of `Value` for a struct: files write a table, or the field `list` alone.
-fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>) -> TokenStream {
+fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>, check: Option<&Expr>) -> TokenStream {
     let (given, usual) = (local("given"), local("usual"));
     let names: Vec<&Ident> = fields.0.iter().map(|field| &field.ident).collect();
     let title = ident.to_string();
@@ -155,15 +169,29 @@ fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>) -> T
         ),
         None => (quote!(Table(|| #described)), None),
     };
+    // files must give a required parameter again if they give the table
+    let kept = fields.0.iter().map(|field| {
+        let name = &field.ident;
+        if field.is_required { quote!(#name: _) } else { quote!(#name) }
+    });
+    let others = fields.0.iter().map(|field| {
+        let name = &field.ident;
+        match field.is_required {
+            true => quote!(::core::option::Option::None),
+            false => quote!(::core::option::Option::Some(#name)),
+        }
+    });
     let usual_values = (!fields.0.is_empty()).then(|| {
         quote! {
             let (#(#names,)*) = match #usual {
-                ::core::option::Option::Some(Self { #(#names),* }) => (#(::core::option::Option::Some(#names),)*),
+                ::core::option::Option::Some(Self { #(#kept),* }) => (#(#others,)*),
                 ::core::option::Option::None => (#(#defaults,)*),
             };
         }
     });
     let usual = if fields.0.is_empty() { quote!(_) } else { quote!(#usual) };
+    let value = local("value");
+    let checked = check.map(|check| quote!((#check)(&#value).map_err(|error| #given.refused(error))?;));
     let places = names.iter().map(|name| quote!(&self.#name));
     let (write, check) = (fields.write(places.clone()), fields.check(&parameters, places));
     quote! {
@@ -177,7 +205,9 @@ fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>) -> T
                 #usual_values
                 #read_list
                 #given.table(&#described)?;
-                ::core::result::Result::Ok(#made)
+                let #value = #made;
+                #checked
+                ::core::result::Result::Ok(#value)
             }
 
             fn write(&self) -> ::core::option::Option<::throng::parameters::Written> {
@@ -255,7 +285,7 @@ fn choice(mut item: ItemEnum) -> syn::Result<TokenStream> {
         let own = quote!(Self::CHOICES[#k]);
         match &mut variant.fields {
             syn::Fields::Unnamed(fields) if fields.unnamed.len() == 1 => {
-                let field = Declared::of_variant(&mut variant.attrs, &key, &fields.unnamed[0])?;
+                let field = Declared::unnamed(&mut variant.attrs, &key, &fields.unnamed[0])?;
                 parameters.push(field.described());
                 let value = local("value");
                 reads.push(quote! {

@@ -8,7 +8,7 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Field, Ident, Lit, Meta, Token, Type, Visibility};
 
 /// The keys of the attribute, for messages.
-const KEYS: &str = "a parameter has: required, default, unit, above, least, most, infinite, from, absent";
+const KEYS: &str = "a parameter has: name, required, default, unit, above, least, most, infinite, from, absent";
 
 /// A field with what its attribute gives.
 pub struct Declared {
@@ -23,7 +23,7 @@ pub struct Declared {
     unit: String,
     limit: Limit,
     /// The type that files give, from which the value is made.
-    from: Option<Type>,
+    pub from: Option<Type>,
     /// The text that files without this parameter stand for.
     absent: Option<String>,
 }
@@ -40,8 +40,8 @@ impl Declared {
         Ok(Self { attrs: field.attrs, vis: field.vis, ..declared })
     }
 
-    /// Takes the attribute `#[parameter(..)]` off a variant with one field.
-    pub fn of_variant(attrs: &mut Vec<Attribute>, name: &str, field: &Field) -> syn::Result<Self> {
+    /// Takes the attribute `#[parameter(..)]` off a variant or field without a name.
+    pub fn unnamed(attrs: &mut Vec<Attribute>, name: &str, field: &Field) -> syn::Result<Self> {
         let mut declared = Self::new(local("value"), name, field.ty.clone());
         declared.take(attrs)?;
         Ok(Self { attrs: attrs.clone(), is_required: true, ..declared })
@@ -85,6 +85,7 @@ impl Declared {
                 let number = || Number::of(&value).map(Some);
                 match meta.path.require_ident()?.to_string().as_str() {
                     "default" => self.default = Some(value),
+                    "name" => self.name = text(&value)?,
                     "unit" => self.unit = text(&value)?,
                     "absent" => self.absent = Some(text(&value)?),
                     "above" => self.limit.above = number()?,
@@ -147,6 +148,19 @@ impl Declared {
             is_required: #is_required,
             default: || #default,
         })
+    }
+
+    /// Returns the type that files give, and the expression for the value that is made of `read`, a result.
+    pub fn in_files(&self, given: &Ident, read: &TokenStream) -> (&Type, TokenStream) {
+        match &self.from {
+            None => (&self.ty, quote!(#read?)),
+            Some(from) => {
+                let Self { ty, .. } = self;
+                let made = quote!(<#ty as ::core::convert::TryFrom<#from>>::try_from(#read?)
+                    .map_err(|error| #given.refused(error.into()))?);
+                (from, made)
+            }
+        }
     }
 
     /// Returns the value of type `throng::parameters::Parameter` for a table.

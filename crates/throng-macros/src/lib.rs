@@ -16,6 +16,7 @@ use syn::{Item, parse_macro_input};
 ///
 /// | key | meaning |
 /// |---|---|
+/// | `name = "of"` | the key in files. Without it, the name of the field |
 /// | `default = 1.0` | the default. Without it, that of the field's type |
 /// | `required` | there is no default: files must give a value |
 /// | `unit = "s"` | the unit |
@@ -28,7 +29,8 @@ use syn::{Item, parse_macro_input};
 /// A struct without required parameters has `Default`, other structs have a constructor `new` that takes the required
 /// parameters. A struct with one field without a name is written as its field. The name in scene files is that of the
 /// type in snake case, or `name` of `#[parameters(name = "orca_3d")]`. With `#[parameters(list = parts)]`, files can write
-/// the field `parts` alone instead of a table.
+/// the field `parts` alone instead of a table. With `#[parameters(check = Self::check)]`, this function checks each value
+/// that is read: the error is at its place in the file.
 ///
 /// On an enum without fields: its variants are names that a parameter can have, in snake case. On another enum: each
 /// variant is a table of its fields, or its one field, under its name.

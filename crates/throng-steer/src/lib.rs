@@ -55,6 +55,18 @@ pub trait Behaviours {
 pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<Seek>();
     behaviours.add::<Arrive>();
+    behaviours.add::<swarm::Swarm>();
+    behaviours.add::<WeightedSum>();
+    behaviours.add::<RunningSum>();
+    behaviours.add::<Priority>();
+    behaviours.add::<Dithering>();
+    behaviours.add::<Allocation>();
+    behaviours.add::<ContextSteering>();
+    behaviours.add::<Amortised>();
+    behaviours.add::<Hold>();
+    behaviours.add::<Irregular>();
+    behaviours.add::<Limited>();
+    behaviours.add::<StopAndWait>();
 }
 
 /// The page about behaviours that users write: its example is a test.

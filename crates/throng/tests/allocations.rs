@@ -70,7 +70,7 @@ fn a_step_of_a_crowd_allocates_nothing() {
 /// Midges that keep apart and align with their neighbours, or that have no neighbours.
 fn a_step_of_a_swarm_allocates_nothing() {
     // the swarm fills a ball, so the density at the end is the density at the start
-    let marker = Aggregate { beyond: 2.0, ..Aggregate::from(Target::Point(Vec3::new(2.5, 3.0, 2.0))) };
+    let marker = Aggregate { beyond: 2.0, ..Aggregate::new(Target::Point(Vec3::new(2.5, 3.0, 2.0))) };
     let with_neighbours = Swarm::default().with(marker).with(Align { distance: 0.1, weight: 0.2 });
     let without_neighbours = Swarm { apart: SwarmSpacing { distance: 0.0, speed: 0.0 }, ..Swarm::default() };
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();

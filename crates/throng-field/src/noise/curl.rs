@@ -11,6 +11,7 @@ use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
+use throng::parameters::parameters;
 use throng::random::{Purpose, bits};
 use throng::simd::{LANES, Vec3s, get3, load, set3};
 
@@ -20,15 +21,23 @@ const PLANE: f64 = 0.039_540_563_930_1;
 const SPACE: f64 = 0.049_629_325_054_3;
 const CROSSED: f64 = 0.001_184_754_340_8;
 
-/// The potential of the velocities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The potential of which the noise is the curl.
+#[parameters]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Potential {
-    /// Along the ground, the same at every height: `(d psi / dy, -d psi / dx)` of one noise `psi`.
+    /// A flow along the ground.
+    ///
+    /// It is the same at every height: `(d psi / dy, -d psi / dx)` of one noise `psi`.
+    #[default]
     Plane,
-    /// In space: the curl of three noises.
+    /// A flow in space.
+    ///
+    /// It is the curl of three noises.
     Space,
-    /// In space: the cross product of the gradients of two noises. It is faster to compute and less even: calm in most
-    /// places and strong in some, as a product of two noises is. DeWolf, *Divergence-free noise*, 2005.
+    /// A flow in space that is faster and less uniform.
+    ///
+    /// It is the cross product of the gradients of two noises: calm in most places and strong in some, as a product of two
+    /// noises is. DeWolf, *Divergence-free noise*, 2005.
     Crossed,
 }
 

@@ -2,12 +2,14 @@
 
 mod amplitude;
 mod curl;
+mod description;
 mod octave;
 mod simplex;
 mod wall;
 
 pub use amplitude::{Amplitude, FadeOut};
 pub use curl::{CurlNoise, Potential};
+pub use description::Noise;
 pub use octave::Octave;
 pub use wall::{NoiseWall, Rigid, RigidMotion};
 

@@ -3,7 +3,7 @@
 use super::choice::{Catalogue, Choice, Described};
 use super::entries::{Entries, Entry};
 use super::given::{FileGiven, made_by_plugin, read_value, refused};
-use super::names::Names;
+use super::names::Names as _;
 use super::schema::of_parameters;
 use crate::assemble::{BehaviourContext, BuildBehaviour};
 use crate::caught::named;
@@ -110,7 +110,7 @@ impl Behaviours {
         let make: MakeBehaviour = Arc::new(move |given, making, at| {
             let branch = made_by_plugin(at, &format!("behaviour `{of}`"), || {
                 let parameters = FileGiven::new(given, at).with_names(making).parameters()?;
-                let branch = make(parameters, Names::names(making))?;
+                let branch = make(parameters, making.names(at)?)?;
                 branch.check()?;
                 Ok(branch)
             })?;

@@ -82,10 +82,10 @@ impl<C> Choice<C> {
     ///
     /// ```
     /// use throng_scene::Flow;
-    /// use throng_scene::flow::{Noise, Whirl};
+    /// use throng_scene::flow::{Towards, Whirl};
     /// let flow: Flow = toml::from_str("whirl = { center = [1, 2], speed = 3 }")?;
     /// assert_eq!(flow.read::<Whirl>().map(|whirl| whirl.speed), Some(3.0));
-    /// assert_eq!(flow.read::<Noise>(), None);
+    /// assert_eq!(flow.read::<Towards>(), None);
     /// # Ok::<(), toml::de::Error>(())
     /// ```
     pub fn read<D: Described>(&self) -> Option<D> {

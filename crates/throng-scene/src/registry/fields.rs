@@ -10,8 +10,10 @@ use crate::file::Problem;
 use glam::{DVec2, Vec2, Vec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value as Json;
+use throng::Error;
 use throng::field::{Adaptive, Field};
-use throng::parameters::Parameters;
+use throng::parameters::{Given, Parameters};
+use throng_field::{CurlNoise, Noise};
 use toml::Value;
 
 /// A velocity at every place: its name, and what its table says.
@@ -34,6 +36,20 @@ impl Fields {
         };
         let schema = of_parameters::<F>;
         self.0.add(Entry { name: F::NAME.into(), about: F::ABOUT, is_plugin: true, schema, make });
+    }
+
+    /// Adds a field of throng that is made of parameters `P`.
+    fn add<P, F>(&mut self)
+    where
+        P: Parameters + 'static,
+        F: Field + TryFrom<P, Error: Into<Error>> + 'static,
+    {
+        let make: MakeField = |given, at| {
+            let given = FileGiven::new(given, at.path()).with_names(at);
+            let field = F::try_from(given.parameters()?).map_err(|error| given.refused(error.into()))?;
+            Ok(BuiltField::of(field))
+        };
+        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema: of_parameters::<P>, make });
     }
 
     /// Adds a field of throng, which a scene describes as a `D`.
@@ -69,6 +85,7 @@ impl Default for Fields {
     fn default() -> Self {
         let mut fields = Self(Entries::default());
         crate::scene::flow::register(&mut fields);
+        fields.add::<Noise, CurlNoise>();
         fields
     }
 }

@@ -23,6 +23,6 @@ pub(crate) trait Names {
     fn figure(&self, name: &str, at: &Path) -> Result<usize, Problem>;
     fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem>;
     fn behaviour(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem>;
-    /// Returns the names that a plug-in can ask for.
-    fn names(&self) -> &SceneNames<'_>;
+    /// Returns the names that a behaviour of a plug-in can ask for.
+    fn names(&self, at: &Path) -> Result<&SceneNames<'_>, Problem>;
 }

@@ -40,8 +40,6 @@ described! {
     ToGoal = "to_goal",
     /// The direction of a path to a target through space, clear of obstacles: guides a swarm (Wang et al. 2014).
     ThroughSpace = "through_space",
-    /// Random eddies without sources and sinks (curl noise, Bridson et al. 2007).
-    Noise = "noise",
     /// The sum of fields.
     Sum = "sum",
     /// The weighted mean of fields; directions and speeds are averaged separately.
@@ -308,27 +306,6 @@ parameters! {
         max: Position,
     }
 
-    /// Random eddies.
-    Noise {
-        /// Width of the eddies, metres. Limit: > 0.
-        length: f64,
-        /// Lifetime of the eddies, seconds. Without it, for ever. Limit: > 0.
-        period: Option<f64>,
-        /// Root mean square of the speed, m/s. Limit: >= 0.
-        speed: f64,
-        /// Number of octaves, each half as wide as the one before. Without it, 1. Limit: 1 to 16.
-        octaves: Option<u32>,
-        /// The potential of the noise. Without it, `plane`.
-        potential: Option<Potential>,
-        /// Seed: another seed gives other eddies. Without it, 0.
-        seed: Option<u64>,
-        /// Surfaces that it flows along: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without
-        /// it, nothing.
-        walls: Option<ObstacleNames>,
-        /// Distance up to which walls change the flow, metres. Without it, the width of the eddies. Limit: > 0.
-        width: Option<f64>,
-    }
-
     /// A part of a sum or blend of fields.
     FlowPart {
         /// The field.
@@ -441,19 +418,6 @@ pub enum Destination {
     Point(PointGoal),
     /// A region, entered anywhere.
     Area(Region),
-}
-
-/// The potential of which the noise is the curl.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Potential {
-    /// A flow along the ground.
-    #[default]
-    Plane,
-    /// A flow in space.
-    Space,
-    /// A flow in space that is faster and less uniform.
-    Crossed,
 }
 
 /// The pattern of the field around the centre of a stamp.

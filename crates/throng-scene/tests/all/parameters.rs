@@ -6,7 +6,7 @@ use serde_json::json;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, Hrvo, LocalModel, Orca, Workspace};
 use throng::field::Field;
 use throng::parameters::{Angle, Parameters, Value, parameters};
-use throng_scene::flow::Noise;
+use throng_scene::flow::Whirl;
 use throng_scene::{Avoid, Flow, Kind, Model, Models, Plugins, Scene, caught, gallery};
 
 /// How an agent looks
@@ -269,14 +269,10 @@ fn a_choice_in_code_is_the_choice_in_a_file() {
     assert!(written.contains("time_horizon = 0.3\n"), "{written}");
     let whole: Avoid = toml::from_str("orca = { neighbours = 5, time_horizon = 2 }").unwrap();
     assert_eq!(whole, Avoid::named("orca").with("time_horizon", 2.0).with("neighbours", 5));
-    // numbers in double precision stay as they are, and what no file can hold is refused
-    let noise = |speed, seed| Noise { length: 1.0, speed, seed, ..toml::from_str("length = 1\nspeed = 1").unwrap() };
+    // numbers in double precision stay as they are
     let nearly = f64::from(0.7_f32);
-    assert_eq!(Flow::from(noise(nearly, None)).read::<Noise>().unwrap().speed, nearly);
-    let mut scene = windy("wind = {}");
-    scene.groups[0].field.as_mut().unwrap().of = Some(noise(1.0, Some(u64::MAX)).into());
-    let refused = scene.plan().unwrap_err().to_string();
-    assert!(refused.contains("cannot be written"), "{refused}");
+    let whirl = Whirl { center: [0.0, 0.0].into(), speed: nearly };
+    assert_eq!(Flow::from(whirl).read::<Whirl>().unwrap().speed, nearly);
     let several = toml::from_str::<Avoid>("orca = {}\nrvo = {}").unwrap_err().to_string();
     assert!(several.contains("more than 1 element"), "{several}");
 }

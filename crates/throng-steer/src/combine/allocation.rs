@@ -4,8 +4,11 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
 
+/// The force is a budget: the parts take from it in order (Reynolds 1987).
+///
 /// Grants forces in order until the budget is used up: the lengths of the granted forces add up to the budget at most.
 /// In an emergency the first parts take the whole budget.
 ///
@@ -15,11 +18,14 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, che
 /// let parts = vec![Separation::default().into(), Flocking::default().into(), Seek { target: Target::Goal }.into()];
 /// let bird = Allocation { budget: 0.9, parts };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Allocation {
-    /// The budget, as a part of the vehicle's top force. Limit: > 0 to 1.
+    /// The budget, as a part of the vehicle's greatest force.
+    #[parameter(default = 1.0, above = 0, most = 1)]
     pub budget: f32,
     /// The parts, the most important first.
+    #[parameter(name = "of", required)]
     pub parts: Vec<BoxedBehaviour>,
 }
 
@@ -43,8 +49,7 @@ impl Behaviour for Allocation {
     }
 
     fn check(&self) -> Result<(), Error> {
-        let right = self.budget > 0.0 && self.budget <= 1.0;
-        Error::unless(right, "budget", self.budget, "greater than 0, up to 1")?;
+        self.check_limits()?;
         check_parts(&self.parts)
     }
 }

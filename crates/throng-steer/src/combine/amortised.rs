@@ -3,20 +3,26 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Runs a part only at intervals and keeps its steering in between. The first interval of an agent is random, so that
+/// Evaluates a part only at intervals, and keeps its result in between.
+///
+/// The first interval of an agent is random, so that
 /// agents do not run in the same steps.
 ///
 /// ```
 /// use throng_steer::{Amortised, Flocking};
 /// let thrifty = Amortised { every: 0.1, of: Flocking::default().into() };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Amortised {
-    /// Seconds from one run to the next. Limit: > 0.
+    /// Seconds between two evaluations.
+    #[parameter(required, unit = "s", above = 0)]
     pub every: f32,
     /// The part.
+    #[parameter(required)]
     pub of: BoxedBehaviour,
 }
 
@@ -55,7 +61,7 @@ impl Behaviour for Amortised {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time from one thought to the next", self.every)?;
+        self.check_limits()?;
         self.of.check()
     }
 }

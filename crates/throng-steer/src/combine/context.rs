@@ -1,19 +1,21 @@
 //! Context steering: Fray, Context steering: behavior-driven steering at the macro scale, Game AI Pro 2, 2015, chapter
 //! 18.
 
-use super::weighted_sum::check_weights;
+use super::weighted_sum::{WeightedParts, check_weights};
 use crate::approach::time_to_touch;
 use glam::Vec3;
 use std::f32::consts::{FRAC_PI_4, TAU};
 use throng::Error;
 use throng::motion::{Steering, turned};
+use throng::parameters::{Value, parameters};
 use throng::steer::{
     Barriers, Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder,
     words_of_parts,
 };
 
-/// Moves in one direction of several: the direction with the highest interest times safety. Opposite preferred
-/// velocities do not cancel out, as they do in a [`WeightedSum`](crate::WeightedSum), and an obstacle in one
+/// Moves in the direction with the greatest interest minus danger (Fray 2015).
+///
+/// The direction is one of several. Opposite preferred velocities do not cancel out, as they do in a [`WeightedSum`](crate::WeightedSum), and an obstacle in one
 /// direction leaves the rest free.
 ///
 /// The interest of a direction comes from the parts: the greatest weight times preferred speed times the cosine of the
@@ -29,25 +31,23 @@ use throng::steer::{
 /// let trees = [Vec3::X * 9.0, Vec3::X * -8.0].map(|tree| (1.0, Seek { target: Target::Point(tree) }.into()));
 /// let squirrel = ContextSteering::new(trees.into());
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct ContextSteering {
-    /// Weights and parts. Limit: weights >= 0; 16 parts.
+    /// The parts: their forces are the interest. Limit: 16 parts.
+    #[parameter(name = "of", required, from = WeightedParts)]
     pub parts: Vec<(f32, BoxedBehaviour)>,
-    /// Number of directions all round; flying agents try as many again above and below. Limit: 4 to 64.
+    /// Number of directions in the horizontal plane; agents that fly evaluate as many again above and below it.
+    #[parameter(default = 16, least = 4, most = 64)]
     pub directions: usize,
-    /// Time to contact from which on there is no danger, seconds. Limit: > 0.
+    /// Seconds beyond which a collision is no danger.
+    #[parameter(default = 2.0, unit = "s", above = 0)]
     pub horizon: f32,
-    /// The agents that count as dangers.
+    /// The agents that are a danger.
     pub groups: GroupFilter,
-    /// The obstacles that count as dangers.
+    /// The obstacles that are a danger.
+    #[parameter(name = "obstacles", absent = "everything")]
     pub barriers: Barriers,
-}
-
-impl ContextSteering {
-    /// Returns a behaviour with sixteen directions that avoids all agents, with a horizon of 2 s.
-    pub fn new(parts: Vec<(f32, BoxedBehaviour)>) -> Self {
-        Self { parts, directions: 16, horizon: 2.0, groups: GroupFilter::All, barriers: Barriers::default() }
-    }
 }
 
 /// Greatest number of parts.
@@ -88,8 +88,7 @@ impl Behaviour for ContextSteering {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless((4..=64).contains(&self.directions), "directions", self.directions as f64, "from 4 to 64")?;
-        Error::unless_positive("horizon", self.horizon)?;
+        self.check_limits()?;
         let parts = self.parts.len();
         Error::unless(parts <= MOST_PARTS, "number of parts", parts as f64, "16 at most")?;
         check_weights(&self.parts)

@@ -2,23 +2,48 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
 
-/// Runs each part with a probability, in order; the first part that runs and has anything to correct sets the steering.
-/// So even the least important part has its turn, at the cost of one part in most steps.
+/// The first part that has something to correct, of parts drawn at random (Reynolds 1999).
+///
+/// Each part has a probability. So even the least important part has its turn, at the cost of one part in most steps.
 ///
 /// ```
 /// use throng_steer::{AvoidNeighbours, Dithering, Wander};
 /// let parts = vec![(0.9, AvoidNeighbours::default().into()), (1.0, Wander::default().into())];
 /// let pedestrian = Dithering { every: 0.1, parts };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Dithering {
-    /// Seconds for which a draw holds, so that the result does not depend on the time step; 0: a draw in every step.
-    /// Limit: >= 0.
+    /// Seconds for which a draw holds; 0: each step draws again.
+    #[parameter(default = 0.1, unit = "s", least = 0)]
     pub every: f32,
-    /// Probabilities and parts, the most important first. Limit: probabilities from 0 to 1.
+    /// The probabilities and parts, the most important first. Limit: probabilities from 0 to 1.
+    #[parameter(name = "of", required, from = ProbableParts)]
     pub parts: Vec<(f32, BoxedBehaviour)>,
+}
+
+/// A part that is evaluated with a probability.
+#[parameters]
+struct Probable {
+    /// The probability.
+    #[parameter(default = 1.0, least = 0, most = 1)]
+    probability: f32,
+    /// The behaviour of this part.
+    #[parameter(required)]
+    of: BoxedBehaviour,
+}
+
+/// Parts as files write them.
+#[parameters]
+struct ProbableParts(Vec<Probable>);
+
+impl From<ProbableParts> for Vec<(f32, BoxedBehaviour)> {
+    fn from(ProbableParts(parts): ProbableParts) -> Self {
+        parts.into_iter().map(|Probable { probability, of }| (probability, of)).collect()
+    }
 }
 
 impl Behaviour for Dithering {
@@ -40,7 +65,7 @@ impl Behaviour for Dithering {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.every >= 0.0, "time that draws hold", self.every, "0 or more")?;
+        self.check_limits()?;
         for &(probability, _) in &self.parts {
             Error::unless((0.0..=1.0).contains(&probability), "probability", probability, "from 0 to 1")?;
         }

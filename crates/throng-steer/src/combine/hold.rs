@@ -7,9 +7,12 @@ use crate::approach::time_to_touch;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Keeps the force of a part, fading, for a while after the part has nothing more to correct. A weaker force of the
+/// Keeps the force of a part for some time after the part has nothing to correct, and fades it out.
+///
+/// A weaker force of the
 /// part does not replace the kept force; a stronger force renews it. The kept force is dropped if it would cause a
 /// collision with a neighbour that is not on a collision course now.
 ///
@@ -19,11 +22,14 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Tr
 /// use throng_steer::{AvoidNeighbours, Hold};
 /// let steady = Hold { seconds: 0.5, of: AvoidNeighbours::default().into() };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Hold {
-    /// Duration, seconds. Limit: > 0.
+    /// The time, seconds.
+    #[parameter(required, unit = "s", above = 0)]
     pub seconds: f32,
     /// The part.
+    #[parameter(required)]
     pub of: BoxedBehaviour,
 }
 
@@ -60,7 +66,7 @@ impl Behaviour for Hold {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time that a force is held", self.seconds)?;
+        self.check_limits()?;
         self.of.check()
     }
 }

@@ -2,21 +2,28 @@
 
 use throng::Error;
 use throng::motion::{Steering, Vehicle};
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
 
-/// A part with lower limits than the vehicle's: for an agent that can run, but strolls.
+/// Limits the speed and force of a part.
+///
+/// For an agent that can run, but strolls.
 ///
 /// ```
 /// use throng_steer::{Limited, Wander};
 /// let stroll = Limited { max_speed: 0.7, max_force: 1.0, of: Wander::default().into() };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Limited {
-    /// The top speed for the part, m/s; that of the vehicle if it is less. Limit: > 0.
+    /// The speed that the part uses as the greatest speed, m/s. Without it, that of the vehicle.
+    #[parameter(default = f32::INFINITY, infinite, unit = "m/s", above = 0)]
     pub max_speed: f32,
-    /// The top force of the part, newtons; that of the vehicle if it is less. Limit: > 0.
+    /// The greatest force of the part, newtons. Without it, that of the vehicle.
+    #[parameter(default = f32::INFINITY, infinite, unit = "N", above = 0)]
     pub max_force: f32,
     /// The part.
+    #[parameter(required)]
     pub of: BoxedBehaviour,
 }
 
@@ -34,8 +41,7 @@ impl Behaviour for Limited {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.max_speed > 0.0, "top speed", self.max_speed, "greater than 0")?;
-        Error::unless(self.max_force > 0.0, "top force", self.max_force, "greater than 0")?;
+        self.check_limits()?;
         self.of.check()
     }
 }

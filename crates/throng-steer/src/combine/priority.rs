@@ -2,9 +2,10 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
 
-/// Takes the steering of the first part that has anything to correct.
+/// The first part that has something to correct (Reynolds 1999).
 ///
 /// ```
 /// use throng::steer::{GroupFilter, Target};
@@ -12,11 +13,14 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, che
 /// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(GroupFilter::OtherGroups)) };
 /// let deer = Priority { epsilon: 0.01, parts: vec![shy.into(), Wander::default().into()] };
 /// ```
+#[parameters(list = parts)]
 #[derive(Clone, Debug)]
 pub struct Priority {
-    /// A force no greater than this, newtons, without a facing counts as nothing to correct. Limit: >= 0.
+    /// A force no greater than this, newtons, counts as nothing to correct, unless it turns the agent.
+    #[parameter(default = 0.0, unit = "N", least = 0)]
     pub epsilon: f32,
     /// The parts, the most important first.
+    #[parameter(name = "of", required)]
     pub parts: Vec<BoxedBehaviour>,
 }
 
@@ -34,7 +38,7 @@ impl Behaviour for Priority {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.epsilon >= 0.0, "epsilon", self.epsilon, "0 or more")?;
+        self.check_limits()?;
         check_parts(&self.parts)
     }
 }

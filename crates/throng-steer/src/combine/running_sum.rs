@@ -1,22 +1,26 @@
 //! Weighted truncated running sum: Buckland, Programming game AI by example, 2005, chapter 3 (yuka's manager).
 
 use super::add;
-use super::weighted_sum::check_weights;
+use super::weighted_sum::{WeightedParts, check_weights};
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, words_of_parts};
 
-/// Adds forces in order, each times its weight and shortened to what the sum still lacks of the vehicle's top force.
-/// The first parts come first; parts after a full sum do not run.
+/// The sum of parts in order, up to the vehicle's greatest force.
+///
+/// Each force is multiplied by its weight and shortened to what the sum still lacks. Parts after a full sum do not run.
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::{RunningSum, Seek, Separation};
 /// let walker = RunningSum(vec![(1.0, Separation::default().into()), (0.5, Seek { target: Target::Goal }.into())]);
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct RunningSum(
     /// Weights and parts. Limit: weights >= 0.
+    #[parameter(from = WeightedParts)]
     pub Vec<(f32, BoxedBehaviour)>,
 );
 

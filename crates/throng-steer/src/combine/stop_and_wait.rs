@@ -4,37 +4,38 @@ use crate::approach::time_to_touch;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{
     Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder,
 };
 
-/// Stops before a collision with a neighbour, waits for a random time, and goes on when the way is clear.
+/// Stops where a part would collide with an agent, and waits for a random time.
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::{Seek, StopAndWait};
 /// let patient = StopAndWait::new(Seek { target: Target::Goal });
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct StopAndWait {
-    /// The agents to stop for.
+    /// The agents that it stops for.
     pub groups: GroupFilter,
-    /// Time to contact at which the agent stops, seconds, at constant velocities. Limit: > 0.
+    /// It stops this many seconds before contact.
+    #[parameter(default = 0.3, unit = "s", above = 0)]
     pub within: f32,
-    /// Least and greatest time of waiting, seconds. Limit: 0 < least <= most.
-    pub wait: (f32, f32),
-    /// Seconds for which the way must be clear before the agent goes on. Limit: >= 0.
+    /// The least waiting time, seconds.
+    #[parameter(default = 0.2, unit = "s", above = 0)]
+    pub least_wait: f32,
+    /// The greatest waiting time, seconds. Limit: at least `least_wait`.
+    #[parameter(default = 1.0, unit = "s")]
+    pub most_wait: f32,
+    /// Seconds for which its way must be clear before it continues.
+    #[parameter(default = 0.5, unit = "s", least = 0)]
     pub clear: f32,
     /// The part.
+    #[parameter(required)]
     pub of: BoxedBehaviour,
-}
-
-impl StopAndWait {
-    /// Returns a behaviour that stops for all agents 0.3 s before contact, waits 0.2 to 1 s, and goes on when the way
-    /// is clear for 0.5 s.
-    pub fn new(of: impl Into<BoxedBehaviour>) -> Self {
-        Self { groups: GroupFilter::All, within: 0.3, wait: (0.2, 1.0), clear: 0.5, of: of.into() }
-    }
 }
 
 impl Behaviour for StopAndWait {
@@ -58,7 +59,7 @@ impl Behaviour for StopAndWait {
                 return said;
             };
             why.note(|| SteeringReason::Regards(other.number));
-            let (least, most) = self.wait;
+            let (least, most) = (self.least_wait, self.most_wait);
             *left = least + (most - least) * view.rng.draw(0);
         }
         // the vehicle limits the force
@@ -67,11 +68,8 @@ impl Behaviour for StopAndWait {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time before contact", self.within)?;
-        let (least, most) = self.wait;
-        Error::unless_positive("least wait", least)?;
-        Error::unless(most >= least && most.is_finite(), "longest wait", most, "the least or more, and finite")?;
-        Error::unless(self.clear >= 0.0, "time that the way is clear", self.clear, "0 or more")?;
+        self.check_limits()?;
+        Error::unless(self.most_wait >= self.least_wait, "most_wait", self.most_wait, "least_wait or more")?;
         self.of.check()
     }
 }

@@ -3,19 +3,45 @@
 use super::add;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
 
-/// Adds all forces, each times its weight. Cheap and smooth, but opposite forces cancel out.
+/// The sum of all parts, each times its weight (Reynolds 1999).
+///
+/// Cheap and smooth, but opposite forces cancel out.
 ///
 /// ```
 /// use throng_steer::{MoveForward, Wander, WeightedSum};
 /// let stroll = WeightedSum(vec![(0.5, MoveForward { part: 1.0 }.into()), (1.0, Wander::default().into())]);
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct WeightedSum(
     /// Weights and parts. Limit: weights >= 0.
+    #[parameter(from = WeightedParts)]
     pub Vec<(f32, BoxedBehaviour)>,
 );
+
+/// A part of a sum.
+#[parameters]
+pub(super) struct Weighted {
+    /// Factor of its force.
+    #[parameter(default = 1.0, least = 0)]
+    weight: f32,
+    /// The behaviour of this part.
+    #[parameter(required)]
+    of: BoxedBehaviour,
+}
+
+/// Parts as files write them.
+#[parameters]
+pub(super) struct WeightedParts(Vec<Weighted>);
+
+impl From<WeightedParts> for Vec<(f32, BoxedBehaviour)> {
+    fn from(WeightedParts(parts): WeightedParts) -> Self {
+        parts.into_iter().map(|Weighted { weight, of }| (weight, of)).collect()
+    }
+}
 
 impl Behaviour for WeightedSum {
     fn memory(&self) -> usize {

@@ -1,25 +1,26 @@
 //! Aggregation: a swarm stays above a marker.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::guide::{Guide, GuideOutput};
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::steer::{SteeringInput, Target};
 
-/// Attracts insects to a marker, the more the farther they are from it: midges over a stone. Strong noise spreads them
-/// about it.
+/// Gathers at a marker.
+///
+/// Midges over a stone: the farther an insect is from the marker, the more the marker attracts it. Strong noise spreads
+/// the insects about it.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aggregate {
     /// The marker.
+    #[parameter(required)]
     pub marker: Target,
-    /// Speed per metre of excess distance, 1/s. Limit: >= 0.
+    /// Speed for every metre beyond the distance `beyond`, 1/s.
+    #[parameter(default = 1.0, unit = "1/s", least = 0)]
     pub rate: f32,
-    /// Distance within which the marker does not attract, metres. Limit: >= 0.
+    /// Distance within which the marker does not attract, metres.
+    #[parameter(default = 0.0, unit = "m", least = 0)]
     pub beyond: f32,
-}
-
-impl From<Target> for Aggregate {
-    fn from(marker: Target) -> Self {
-        Self { marker, rate: 1.0, beyond: 0.0 }
-    }
 }
 
 impl Guide for Aggregate {
@@ -33,7 +34,6 @@ impl Guide for Aggregate {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("rate of aggregation", self.rate)?;
-        check_amount("radius of aggregation", self.beyond)
+        self.check_limits()
     }
 }

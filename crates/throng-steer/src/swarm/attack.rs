@@ -1,35 +1,40 @@
 //! Aggression: a swarm chases a prey, some insects ahead of the rest.
 
-use super::guide::{Guide, GuideOutput, check_amount, check_range};
+use super::guide::{Guide, GuideOutput};
 use glam::Vec3;
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::steer::{GroupFilter, Rng, SteeringInput, SteeringNeighbour, Target};
 
-/// Chases a prey: an insect aims at the predicted position of the prey at the time of arrival, and flies straighter the
+/// Attacks a target.
+///
+/// An insect aims at the predicted position of the prey at the time of arrival, and flies straighter the
 /// nearer it is. Some insects lead. The rest follow the leaders that they perceive, or fly along with their neighbours
 /// if they perceive no leader.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attack {
     /// The prey.
+    #[parameter(required)]
     pub prey: Target,
-    /// Distance of the prey within which it is chased, metres. Limit: > 0.
+    /// Greatest distance at which it attacks, metres. Without it, any distance.
+    #[parameter(default = f32::INFINITY, infinite, unit = "m", above = 0)]
     pub within: f32,
-    /// Speed, m/s. Limit: >= 0.
+    /// Speed of the attack, m/s.
+    #[parameter(default = 1.5, unit = "m/s", least = 0)]
     pub speed: f32,
-    /// Distance from the prey within which the noise fades, metres. Limit: > 0.
+    /// Distance to the prey within which the noise fades, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
     pub near: f32,
-    /// Part of the noise that is left at the prey. Limit: 0 to 1.
+    /// Part of the noise that is left at the prey.
+    #[parameter(default = 0.2, least = 0, most = 1)]
     pub calm: f32,
-    /// Part of the insects that lead. Limit: 0 to 1.
+    /// Part of the agents that lead.
+    #[parameter(default = 1.0, least = 0, most = 1)]
     pub leaders: f32,
-    /// Distance within which the rest look for insects to follow, metres. Limit: >= 0.
+    /// Distance within which the other agents look for agents to follow, metres.
+    #[parameter(default = 0.0, unit = "m", least = 0)]
     pub follow: f32,
-}
-
-impl From<Target> for Attack {
-    fn from(prey: Target) -> Self {
-        Self { prey, within: f32::INFINITY, speed: 1.5, near: 1.0, calm: 0.2, leaders: 1.0, follow: 0.0 }
-    }
 }
 
 impl Attack {
@@ -77,11 +82,6 @@ impl Guide for Attack {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_range("distance of the prey", self.within)?;
-        check_amount("speed of the attack", self.speed)?;
-        Error::unless_positive("distance of calm", self.near)?;
-        Error::unless((0.0..=1.0).contains(&self.calm), "noise at the prey", self.calm, "from 0 to 1")?;
-        Error::unless((0.0..=1.0).contains(&self.leaders), "part that leads", self.leaders, "from 0 to 1")?;
-        check_amount("distance of those followed", self.follow)
+        self.check_limits()
     }
 }

@@ -1,28 +1,30 @@
 //! Escape: insects burst away from a predator.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::guide::{Guide, GuideOutput};
 use glam::Vec3;
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::steer::{SteeringInput, Target};
 
-/// Bursts away from a predator nearby, and continues for a moment with decreasing speed. Meanwhile the guides before it
+/// Flees from a predator.
+///
+/// An insect bursts away from a predator nearby, and continues for a moment with decreasing speed. Meanwhile the guides before it
 /// in the list have less effect, and none while the predator is near.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Escape {
     /// The predator.
+    #[parameter(required)]
     pub predator: Target,
-    /// Distance of the predator that starts the escape, metres. Limit: > 0.
+    /// Distance of the predator at which it flees, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
     pub within: f32,
-    /// Speed, m/s. Limit: >= 0.
+    /// Speed of the escape, m/s.
+    #[parameter(default = 2.0, unit = "m/s", least = 0)]
     pub speed: f32,
-    /// How long the escape continues after the predator is no longer near, seconds. Limit: >= 0.
+    /// How long it continues to flee once the predator is no longer near, seconds.
+    #[parameter(default = 0.5, unit = "s", least = 0)]
     pub memory: f32,
-}
-
-impl From<Target> for Escape {
-    fn from(predator: Target) -> Self {
-        Self { predator, within: 1.0, speed: 2.0, memory: 0.5 }
-    }
 }
 
 impl Guide for Escape {
@@ -55,8 +57,6 @@ impl Guide for Escape {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("distance of the predator", self.within)?;
-        check_amount("speed of the escape", self.speed)?;
-        check_amount("memory of the escape", self.memory)
+        self.check_limits()
     }
 }

@@ -1,25 +1,29 @@
 //! Guidance along a field.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::guide::{Guide, GuideOutput};
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
+use throng::parameters::{Value, parameters};
 use throng::steer::SteeringInput;
 
-/// Adds the velocity of a field: wind, a sketched field, a flow to a goal.
+/// Follows a field: wind, a path to a goal.
+#[parameters]
 #[derive(Clone)]
 pub struct Flow {
     /// The field.
+    #[parameter(name = "flow", required)]
     pub field: Arc<dyn Field>,
-    /// Weight of the field's velocity. Limit: >= 0.
+    /// Weight of the field.
+    #[parameter(default = 1.0, least = 0)]
     pub weight: f32,
 }
 
 impl Flow {
     /// Returns the guide with the whole velocity of a field.
-    pub fn new(field: impl Field + 'static) -> Self {
-        Self { field: Arc::new(field), weight: 1.0 }
+    pub fn of(field: impl Field + 'static) -> Self {
+        Self::new(Arc::new(field) as Arc<dyn Field>)
     }
 }
 
@@ -29,7 +33,7 @@ impl Guide for Flow {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("weight of a flow", self.weight)
+        self.check_limits()
     }
 }
 

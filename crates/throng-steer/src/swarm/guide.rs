@@ -78,8 +78,3 @@ impl Default for GuideOutput {
 pub(super) fn check_amount(what: &'static str, value: f32) -> Result<(), Error> {
     Error::unless(value >= 0.0 && value.is_finite(), what, value, "0 or more and finite")
 }
-
-/// Checks that a distance is greater than 0; it may be infinite.
-pub(super) fn check_range(what: &'static str, value: f32) -> Result<(), Error> {
-    Error::unless(value > 0.0, what, value, "greater than 0")
-}

@@ -1,29 +1,29 @@
 //! Migration: together along a path, within a range of heights.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::guide::{Guide, GuideOutput};
 use glam::Vec3;
 use std::sync::Arc;
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::space::Pathway;
 use throng::steer::{GroupFilter, SteeringInput, SteeringNeighbour};
 
-/// Flies along a path, and back to its spine from outside: the global field round an optimised trajectory. The insects
+/// Migrates along a path.
+///
+/// An insect flies along the path, and back to its spine from outside: the global field round an optimised trajectory. The insects
 /// gather at the end of an open path.
+#[parameters]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Migrate {
-    /// The path; within its radius there is no attraction to the spine.
+    /// The path, by its name; inside its radius no guide draws to its centre line.
+    #[parameter(required)]
     pub path: Arc<Pathway>,
-    /// Speed along the path, m/s. Limit: >= 0.
+    /// Speed along the path, m/s.
+    #[parameter(default = 1.5, unit = "m/s", least = 0)]
     pub speed: f32,
-    /// Speed back to the path per metre outside of it, 1/s. Limit: >= 0.
+    /// Speed back to the path for every metre outside of it, 1/s.
+    #[parameter(default = 1.0, unit = "1/s", least = 0)]
     pub rate: f32,
-}
-
-impl Migrate {
-    /// Returns the migration along a path.
-    pub fn new(path: Pathway) -> Self {
-        Self { path: Arc::new(path), speed: 1.0, rate: 2.0 }
-    }
 }
 
 impl Guide for Migrate {
@@ -37,18 +37,21 @@ impl Guide for Migrate {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("speed along the path", self.speed)?;
-        check_amount("rate back to the path", self.rate)
+        self.check_limits()
     }
 }
 
-/// Aligns with the neighbours, as locusts do: adds a multiple of the difference between their mean velocity and the
-/// insect's velocity.
+/// Matches the velocity of near agents, as locusts do.
+///
+/// It adds a multiple of the difference between their mean velocity and the insect's velocity.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Align {
-    /// Distance of the neighbours that count, metres. Limit: >= 0.
+    /// Reach, metres.
+    #[parameter(default = 0.5, unit = "m", least = 0)]
     pub distance: f32,
-    /// Factor on the difference. Limit: >= 0.
+    /// Weight of the match.
+    #[parameter(default = 0.5, least = 0)]
     pub weight: f32,
 }
 
@@ -71,19 +74,22 @@ impl Guide for Align {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("distance of alignment", self.distance)?;
-        check_amount("weight of alignment", self.weight)
+        self.check_limits()
     }
 }
 
-/// Keeps insects between two heights.
+/// Stays between two heights.
+#[parameters(check = <Self as Guide>::check)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightBand {
-    /// Least height, metres. Limit: finite.
+    /// The lower height, metres.
+    #[parameter(required, unit = "m")]
     pub low: f32,
-    /// Greatest height, metres. Limit: >= low.
+    /// The upper height, metres. Limit: at least `low`.
+    #[parameter(required, unit = "m")]
     pub high: f32,
-    /// Speed back per metre outside, 1/s. Limit: >= 0.
+    /// Speed back into the band for every metre outside of it, 1/s.
+    #[parameter(default = 1.0, unit = "1/s", least = 0)]
     pub rate: f32,
 }
 
@@ -94,8 +100,7 @@ impl Guide for HeightBand {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_finite("lowest height", self.low.into())?;
-        Error::unless(self.high >= self.low, "greatest height", self.high, "at least the lowest")?;
-        check_amount("rate back to the height", self.rate)
+        self.check_limits()?;
+        Error::unless(self.high >= self.low, "high", self.high, "at least low")
     }
 }

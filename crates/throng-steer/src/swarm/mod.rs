@@ -12,7 +12,7 @@
 //! use throng_steer::swarm::{midge, Aggregate, Swarm};
 //! use throng::{Agent, Settings, SubSteps, World};
 //! let mut world = World::new(Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
-//! let swarm = Swarm::default().with(Aggregate::from(Target::Point(Vec3::Z * 2.0)));
+//! let swarm = Swarm::default().with(Aggregate::new(Target::Point(Vec3::Z * 2.0)));
 //! let group = world.add_group(swarm.group(midge()))?;
 //! for x in 0..20 {
 //!     let position = DVec3::new(0.5 * f64::from(x) - 5.0, 0.0, 2.0);
@@ -27,6 +27,7 @@
 
 mod aggregate;
 mod attack;
+mod chosen;
 mod escape;
 mod flow;
 mod guide;

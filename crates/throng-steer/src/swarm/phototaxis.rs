@@ -1,37 +1,42 @@
 //! Positive phototaxis: to a light, and round it.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::guide::{Guide, GuideOutput};
 use glam::Vec3;
 use std::f32::consts::TAU;
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Rng, SteeringInput, Target};
 
-/// Flies to a light where the light is bright enough, and circles it within an orbit. Each insect has an axis of its
+/// Flies to a light, and around it.
+///
+/// The light attracts where it is bright enough; within an orbit an insect circles it. Each insect has an axis of its
 /// own, so that insects circle in different directions. With the noise there: moths round a lamp.
 ///
 /// The intensity `I` of the light is its power over the square of the distance. The light attracts with the speed times
 /// `I / (I + threshold)`.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phototaxis {
     /// The light.
+    #[parameter(required)]
     pub light: Target,
-    /// Intensity at a distance of 1 m. Limit: >= 0.
+    /// Its intensity at a distance of 1 m.
+    #[parameter(default = 1.0, least = 0)]
     pub power: f32,
-    /// The intensity that attracts with half of the speed. Limit: > 0.
+    /// The intensity that attracts with half of the speed.
+    #[parameter(default = 0.01, above = 0)]
     pub threshold: f32,
-    /// Greatest speed towards the light, m/s. Limit: >= 0.
+    /// Greatest speed of the attraction, m/s.
+    #[parameter(default = 1.0, unit = "m/s", least = 0)]
     pub speed: f32,
-    /// Distance within which insects circle, metres; from 1.5 times this distance on they fly straight to the light.
-    /// Limit: > 0.
+    /// Distance within which it circles, metres.
+    ///
+    /// From 1.5 times this distance on an insect flies straight to the light.
+    #[parameter(default = 0.5, unit = "m", above = 0)]
     pub orbit: f32,
-    /// Factor on the noise in the orbit. Limit: >= 0.
+    /// Factor of the noise in the orbit.
+    #[parameter(name = "agitation", default = 1.5, least = 0)]
     pub noise: f32,
-}
-
-impl From<Target> for Phototaxis {
-    fn from(light: Target) -> Self {
-        Self { light, power: 1.0, threshold: 0.01, speed: 1.0, orbit: 0.5, noise: 1.5 }
-    }
 }
 
 /// Returns the axis of an insect's orbit, of length 1, uniformly distributed.
@@ -66,10 +71,6 @@ impl Guide for Phototaxis {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("power of the light", self.power)?;
-        Error::unless_positive("threshold of the light", self.threshold)?;
-        check_amount("speed towards the light", self.speed)?;
-        Error::unless_positive("orbit round the light", self.orbit)?;
-        check_amount("noise round the light", self.noise)
+        self.check_limits()
     }
 }

@@ -5,14 +5,17 @@ use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::space::surface::Surface;
+use throng::parameters::parameters;
+use throng::space::surface::{Barrier, Surface};
 use throng::steer::SteeringInput;
-use throng_field::Amplitude;
+use throng_field::{Amplitude, FadeOut};
 
 /// Vigour below which an insect near the ground settles.
 const ASLEEP: f32 = 0.5;
 
-/// Smoke, as of a beekeeper. An insect takes up a dose while it is in the smoke. Noise and top speed fall exponentially
+/// Is sedated by smoke, as by that of a beekeeper.
+///
+/// An insect takes up a dose while it is in the smoke. Noise and top speed fall exponentially
 /// with the dose, and the insect sinks. Where it lands it rests until, out of the smoke, the dose has worn off.
 ///
 /// An insect cannot rest if its vehicle has a least speed.
@@ -30,6 +33,38 @@ pub struct Sedation {
     pub landing: f32,
     /// Surfaces other than the ground on which insects settle.
     pub floors: Vec<Arc<dyn Surface>>,
+}
+
+/// Is sedated by smoke.
+#[parameters]
+pub(super) struct InSmoke {
+    /// A surface with an inside, which is full of smoke.
+    #[parameter(required)]
+    smoke: Barrier<Arc<dyn Surface>>,
+    /// Depth inside the surface at which the smoke has its full density, metres.
+    #[parameter(default = 0.3, unit = "m", above = 0)]
+    rim: f32,
+    /// The dose of full smoke, 1/s: a dose of 1 leaves a vigour of 1/e.
+    #[parameter(default = 0.5, unit = "1/s", least = 0)]
+    uptake: f32,
+    /// Rate at which the dose wears off outside, 1/s.
+    #[parameter(default = 0.1, unit = "1/s", least = 0)]
+    recovery: f32,
+    /// Sinking speed without any vigour, m/s.
+    #[parameter(default = 0.5, unit = "m/s", least = 0)]
+    sink: f32,
+    /// Height above the ground at which it settles, metres.
+    #[parameter(default = 0.02, unit = "m", least = 0)]
+    landing: f32,
+}
+
+impl TryFrom<InSmoke> for Sedation {
+    type Error = Error;
+
+    fn try_from(InSmoke { smoke, rim, uptake, recovery, sink, landing }: InSmoke) -> Result<Self, Error> {
+        let smoke = Arc::new(FadeOut::new(smoke.surface, rim)?);
+        Ok(Self { smoke, uptake, recovery, sink, landing, floors: Vec::new() })
+    }
 }
 
 impl Sedation {

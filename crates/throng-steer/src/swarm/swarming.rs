@@ -1,57 +1,91 @@
 //! The behaviour of the insects of a swarm.
 
-use super::guide::{Guide, GuideOutput, check_amount};
+use super::chosen::ChosenGuides;
+use super::guide::{Guide, GuideOutput};
 use glam::Vec3;
 use std::sync::Arc;
 use throng::Error;
 use throng::agent::Group;
 use throng::motion::{Locomotion, Steering, Vehicle};
+use throng::parameters::{Value, parameters};
 use throng::space::surface::SeenFrom;
 use throng::steer::{
     Barriers, Behaviour, GroupFilter, MOST_IN_BATCH, SteeringBatch, SteeringInput, SteeringNeighbour, SteeringReason,
     TraceRecorder,
 };
-use throng_field::{CurlNoise, Octave, Potential};
+use throng_field::{CurlNoise, Noise, Octave, Potential};
 
-/// The flight of an insect. Its chosen velocity is the sum of the guides' velocities, noise, separation from other
+/// Moves by noise and guides, as insects of a swarm do (Wang et al. 2014).
+///
+/// The chosen velocity is the sum of the guides' velocities, noise, separation from other
 /// insects, and repulsion by obstacles.
 ///
 /// The vehicle sets the [`response`](Vehicle::response) time and the limits of the speed.
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Swarm {
-    /// The guides; their velocities add up.
+    /// The guides, which add up.
+    #[parameter(from = ChosenGuides)]
     pub guides: Vec<Arc<dyn Guide>>,
-    /// The noise, if any.
+    /// The noise. Without it, 0.6 m/s in eddies of 0.4 m and 0.5 s.
+    #[parameter(default = usual_noise(), from = SwarmNoise)]
     pub noise: Option<Arc<CurlNoise>>,
-    /// Whether each insect has a noise of its own; otherwise all share one noise, and insects near each other fly
-    /// alike.
+    /// Whether each agent has its own noise; else near agents fly alike.
+    #[parameter(default = true)]
     pub own_noise: bool,
-    /// The separation.
+    /// Separation from other agents.
     pub apart: SwarmSpacing,
-    /// The repulsion by obstacles.
+    /// Repulsion from surfaces. Without it, none.
+    #[parameter(default = KeepOff::new(Barriers::default()))]
     pub keep_off: KeepOff,
 }
 
-/// The separation of insects.
+/// Separation from other agents.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwarmSpacing {
-    /// Distance within which insects of the swarm repel each other, metres; 0: no separation and no neighbour search
-    /// for it. Limit: >= 0.
+    /// Distance between centres within which agents repel each other, metres; 0 disables the separation and its
+    /// neighbour search.
+    #[parameter(default = 0.06, unit = "m", least = 0)]
     pub distance: f32,
-    /// Speed at distance 0, m/s; it decreases to 0 at the distance. Limit: >= 0.
+    /// Speed of the repulsion at distance 0, m/s. It decreases to 0 at the distance.
+    #[parameter(default = 1.0, unit = "m/s", least = 0)]
     pub speed: f32,
 }
 
-/// The repulsion of insects by obstacles and container walls.
-#[derive(Clone, Debug, Default)]
+/// Repulsion from surfaces.
+#[parameters]
+#[derive(Clone, Debug)]
 pub struct KeepOff {
-    /// The surfaces.
+    /// Names of surfaces and obstacles, `"obstacles"`, or `"everything"`.
+    #[parameter(name = "obstacles", required)]
     pub barriers: Barriers,
-    /// Distance between body and surface within which the surface repels, metres. Limit: > 0 if there are surfaces.
+    /// Distance within which the surface repels, metres.
+    #[parameter(default = 0.3, unit = "m", above = 0)]
     pub distance: f32,
-    /// Speed at contact, m/s; it decreases to 0 at the distance. The component of the velocity towards the surface
-    /// fades out there. Limit: >= 0.
+    /// Speed of the repulsion at contact, m/s. It decreases to 0 at the distance.
+    ///
+    /// The component of the velocity towards the surface fades out there.
+    #[parameter(default = 1.0, unit = "m/s", least = 0)]
     pub speed: f32,
+}
+
+/// The noise of a swarm as files write it.
+#[parameters]
+struct SwarmNoise(Noise);
+
+impl TryFrom<SwarmNoise> for Option<Arc<CurlNoise>> {
+    type Error = Error;
+
+    fn try_from(SwarmNoise(noise): SwarmNoise) -> Result<Self, Error> {
+        Ok(Some(Arc::new(noise.try_into()?)))
+    }
+}
+
+/// Returns the default noise: 0.6 m/s in eddies of 0.4 m that last half a second, and in eddies of half their length.
+fn usual_noise() -> Option<Arc<CurlNoise>> {
+    let octaves = Octave::turbulence(0.4, 0.5, 0.6, 2).ok()?;
+    CurlNoise::new(Potential::Space, &octaves, 0).ok().map(Arc::new)
 }
 
 /// Returns the body of a midge or a fly: at most 2 m/s, with a response time of a tenth of a second. The radius, which
@@ -63,21 +97,6 @@ pub fn midge() -> Vehicle {
 /// Returns the body of a locust: 1 to 4 m/s. The radius, which belongs to the agent, is some 25 mm.
 pub fn locust() -> Vehicle {
     Vehicle { max_speed: 4.0, min_speed: 1.0, response: 0.15, ..midge() }
-}
-
-impl Default for Swarm {
-    /// Returns a swarm with an individual noise of 0.6 m/s for each insect, with eddies of 0.4 m that last half a
-    /// second and eddies of half their length, and separation within 6 cm. No guides.
-    fn default() -> Self {
-        let noise = Octave::turbulence(0.4, 0.5, 0.6, 2).and_then(|all| CurlNoise::new(Potential::Space, &all, 0));
-        Self {
-            guides: Vec::new(),
-            noise: noise.ok().map(Arc::new),
-            own_noise: true,
-            apart: SwarmSpacing { distance: 0.06, speed: 1.0 },
-            keep_off: KeepOff { barriers: Barriers::default(), distance: 0.3, speed: 1.0 },
-        }
-    }
 }
 
 impl Swarm {
@@ -164,12 +183,7 @@ impl Behaviour for Swarm {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_amount("distance of separation", self.apart.distance)?;
-        check_amount("speed of separation", self.apart.speed)?;
-        if !self.keep_off.barriers.0.is_empty() {
-            Error::unless_positive("distance of obstacles", self.keep_off.distance)?;
-        }
-        check_amount("speed off obstacles", self.keep_off.speed)?;
+        self.check_limits()?;
         self.guides.iter().try_for_each(|guide| guide.check())
     }
 }

@@ -3,30 +3,32 @@
 use super::guide::{Guide, GuideOutput, check_amount};
 use glam::Vec3;
 use throng::Error;
+use throng::parameters::{Value, parameters};
 use throng::steer::{GroupFilter, SteeringInput};
 
-/// Three concentric zones about each insect: repulsion, alignment and attraction. Their widths determine whether a
+/// Repulsion, alignment and attraction in nested zones around the agent (Wang et al. 2015).
+///
+/// The widths of the zones determine whether a
 /// swarm mills about, flies as one, or scatters.
 ///
 /// Wang, Ren, Jin, Manocha, *BSwarm: biologically-plausible dynamics model of insect swarms*, SCA 2015. There the zones
 /// are forces; here they are velocities, as all guides are. The weight is 0 at the borders of a zone, so that nothing
 /// jumps.
+#[parameters(check = <Self as Guide>::check)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zones {
-    /// Outer radius of each zone, metres, the innermost first. Limit: >= 0, none less than the one before it.
+    /// Outer radius of each zone, the innermost first, metres. Limit: >= 0, ascending.
+    #[parameter(default = [0.08, 0.3, 0.8], unit = "m")]
     pub reach: [f32; 3],
-    /// Speed of repulsion at distance 0, m/s. Limit: >= 0.
+    /// Speed of the repulsion at distance 0, m/s.
+    #[parameter(default = 1.0, unit = "m/s", least = 0)]
     pub repulsion: f32,
-    /// Factor on the difference of velocities. Limit: >= 0.
+    /// Part of the difference of velocities that it makes up.
+    #[parameter(default = 0.5, least = 0)]
     pub alignment: f32,
-    /// Speed to insects in the middle of the zone of attraction, m/s. Limit: >= 0.
+    /// Speed of the attraction in the middle of the outermost zone, m/s.
+    #[parameter(default = 0.5, unit = "m/s", least = 0)]
     pub attraction: f32,
-}
-
-impl Default for Zones {
-    fn default() -> Self {
-        Self { reach: [0.08, 0.3, 0.8], repulsion: 1.0, alignment: 0.5, attraction: 0.5 }
-    }
 }
 
 /// Returns the weight of an insect at a distance in a zone: 0 at both borders, 1 in the middle.
@@ -68,8 +70,6 @@ impl Guide for Zones {
         check_amount("zone of repulsion", close)?;
         Error::unless(near >= close, "zone of alignment", near, "at least that of repulsion")?;
         Error::unless(far >= near && far.is_finite(), "zone of attraction", far, "at least that of alignment, finite")?;
-        check_amount("repulsion", self.repulsion)?;
-        check_amount("alignment", self.alignment)?;
-        check_amount("attraction", self.attraction)
+        self.check_limits()
     }
 }

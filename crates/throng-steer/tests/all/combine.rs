@@ -5,6 +5,7 @@ use glam::{DVec3, Quat, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
 use throng::motion::{Motion, Steering, Vehicle};
+use throng::parameters::Angle;
 use throng::space::surface::{Cylinder, SeenFrom, Surface};
 use throng::steer::{
     Barriers, Behaviour, BoxedBehaviour, GroupFilter, Rng, SteeringInput, SteeringNeighbour, SteeringReason, Target,
@@ -127,7 +128,8 @@ proptest! {
         prop_assume!(own.length() > 0.01 && all.iter().all(|other| other.offset.length() > 0.41));
         let view = SteeringInput { neighbours: &all, motion: Motion::moving(Vec3::ZERO, own), ..SteeringInput::default() };
         let parts = chosen_velocities.iter().map(|&(chosen, weight)| (weight, Says(Some(view.reach(chosen).force)).into()));
-        let said = view.chosen(ask(&ContextSteering::new(parts.collect()), &view));
+        let parts: Vec<(f32, BoxedBehaviour)> = parts.collect();
+        let said = view.chosen(ask(&ContextSteering::new(parts), &view));
         let speed = chosen_velocities.iter().map(|(chosen, _)| chosen.length()).fold(0.0, f32::max);
         let value = |direction: Vec3| {
             let interest = chosen_velocities.iter().map(|(chosen, weight)| weight * chosen.dot(direction)).fold(0.0, f32::max);
@@ -299,7 +301,7 @@ fn everything_nests() {
             4 => RunningSum(vec![(0.1, wander()), (1.0, of)]).into(),
             5 => Amortised { every: 0.05, of }.into(),
             6 => Hold { seconds: 0.3, of }.into(),
-            7 => Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of }.into(),
+            7 => Irregular { angle: Angle::from_radians(0.2), speed: 0.1, noise: Noise::default(), of }.into(),
             8 => StopAndWait::new(of).into(),
             9 => ContextSteering::new(vec![(1.0, of), (0.5, wander())]).into(),
             10 => Limited { max_speed: 1.0, max_force: 2.0, of }.into(),

@@ -5,6 +5,7 @@ use crate::harness::{Actor, RADIUS, Stage, angle, ask, on_ground, rate, vector};
 use glam::Vec3;
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{Behaviour, Rng, SteeringInput, SteeringNeighbour, Target, TraceRecorder};
 use throng_steer::{Amortised, Hold, Irregular, MoveForward, Noise, Seek, StopAndWait, TargetSpeed};
 
@@ -52,7 +53,7 @@ proptest! {
         prop_assume!(velocity.truncate().length() > 0.3);
         let steady = velocity.with_z(0.0);
         let reach = SteeringInput::default().reach(steady).force;
-        let behaviour = Irregular { angle: most, speed, noise: Noise::default(), of: Says(Some(reach)).into() };
+        let behaviour = Irregular { angle: Angle::from_radians(most), speed, noise: Noise::default(), of: Says(Some(reach)).into() };
         let chosen_velocities: Vec<Vec3> = (0..300).map(|i| {
             let view = SteeringInput { time: f64::from(i) * 0.3, ..SteeringInput::default() };
             view.chosen(ask(&behaviour, &view))

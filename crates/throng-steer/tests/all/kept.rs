@@ -9,6 +9,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use throng::motion::{Basis, Forces, Integrator, Limits, Locomotion, Motion, Steering, Vehicle, WrapAround};
 use throng::motion::{faces, limit, turn};
+use throng::parameters::Angle;
 use throng::space::surface::{Barrier, Cuboid, Cylinder, Moved, Plane, Pose, SeenFrom, Sphere};
 use throng::space::{PathDirection, Pathway, Raster};
 use throng::steer::{
@@ -190,7 +191,8 @@ fn combined() -> Vec<Named> {
     let hasty = StopAndWait {
         groups: GroupFilter::OtherGroups,
         within: 1.5,
-        wait: (0.1, 0.3),
+        least_wait: 0.1,
+        most_wait: 0.3,
         clear: 2.0,
         of: sum([(1.0, wander()), (1.0, face())]),
     };
@@ -203,7 +205,8 @@ fn combined() -> Vec<Named> {
         barriers: solids(),
         ..ContextSteering::new(vec![(0.5, face()), (1.0, seek())])
     };
-    let many = (0..18).map(|k| (1.0, if k < 15 { face() } else { pulls(k as f32 - 16.0, 0.7, 0.1) })).collect();
+    let many: Vec<(f32, BoxedBehaviour)> =
+        (0..18).map(|k| (1.0, if k < 15 { face() } else { pulls(k as f32 - 16.0, 0.7, 0.1) })).collect();
     vec![
         ("weighted sum", sum([(0.5, seek()), (1.5, wander()), (0.7, apart()), (2.0, face())])),
         ("priority", first(0.0, vec![shy(), Tether { to: POINT, length: 1.0 }.into(), wander()])),
@@ -219,13 +222,20 @@ fn combined() -> Vec<Named> {
         ("hold", Hold { seconds: 0.5, of: AvoidNeighbours::default().into() }.into()),
         ("hold, and then", Hold { seconds: 1.5, of: first(0.0, vec![shy(), pulls(0.1, -0.1, 0.0)]) }.into()),
         ("hold, facing", Hold { seconds: 1.0, of: sum([(1.0, shy()), (1.0, face())]) }.into()),
-        ("irregular", Irregular { angle: 0.3, speed: 0.2, noise: Noise::default(), of: seek() }.into()),
-        ("irregular, at times", Irregular { angle: 1.0, speed: 0.7, noise: wavers, of: shy() }.into()),
+        (
+            "irregular",
+            Irregular { angle: Angle::from_radians(0.3), speed: 0.2, noise: Noise::default(), of: seek() }.into(),
+        ),
+        (
+            "irregular, at times",
+            Irregular { angle: Angle::from_radians(1.0), speed: 0.7, noise: wavers, of: shy() }.into(),
+        ),
         ("stop and wait", waits.into()),
         ("stop and wait, hastily", hasty.into()),
         (
             "stop and wait, as long",
-            StopAndWait { wait: (0.125, 0.125), within: 0.6, clear: 0.8, ..StopAndWait::new(wander()) }.into(),
+            StopAndWait { least_wait: 0.125, most_wait: 0.125, within: 0.6, clear: 0.8, ..StopAndWait::new(wander()) }
+                .into(),
         ),
         ("limited", Limited { max_speed: 0.7, max_force: 1.0, of: seek() }.into()),
         ("limited, hardly", Limited { max_speed: 3.0, max_force: 2.0, of: pulls(3.0, -1.0, 0.5) }.into()),
@@ -552,8 +562,12 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let follow = FollowLeader::from(LEADER);
     let form = KeepFormation { leader: LEADER, pattern: Pattern::Line, count: 5, spacing: 1.0, slowing_distance: x };
     let waits = || StopAndWait::new(MoveForward { part: 1.0 });
-    let irregular =
-        || Irregular { angle: x, speed: 0.5, noise: Noise::default(), of: MoveForward { part: 1.0 }.into() };
+    let irregular = || Irregular {
+        angle: Angle::from_radians(x),
+        speed: 0.5,
+        noise: Noise::default(),
+        of: MoveForward { part: 1.0 }.into(),
+    };
     let avoid = || AvoidObstacles::from(solids());
     let contain = || Contain::inside(room());
     let wall = || FollowWall::from(solids());
@@ -654,12 +668,12 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         Hold { seconds: x, of: MoveForward { part: 1.0 }.into() }.into(),
         Hold { seconds: 1.0, of: part() }.into(),
         irregular().into(),
-        Irregular { angle: 0.0, speed: x, ..irregular() }.into(),
-        Irregular { angle: 0.0, noise, ..irregular() }.into(),
-        Irregular { angle: 0.0, of: part(), ..irregular() }.into(),
+        Irregular { angle: Angle::default(), speed: x, ..irregular() }.into(),
+        Irregular { angle: Angle::default(), noise, ..irregular() }.into(),
+        Irregular { angle: Angle::default(), of: part(), ..irregular() }.into(),
         StopAndWait { within: x, ..waits() }.into(),
-        StopAndWait { wait: (x, 1.4), ..waits() }.into(),
-        StopAndWait { wait: (1.0, x), ..waits() }.into(),
+        StopAndWait { least_wait: x, most_wait: 1.4, ..waits() }.into(),
+        StopAndWait { least_wait: 1.0, most_wait: x, ..waits() }.into(),
         StopAndWait { clear: x, ..waits() }.into(),
         StopAndWait::new(part()).into(),
         Limited { max_speed: x, max_force: 1.0, of: MoveForward { part: 1.0 }.into() }.into(),
@@ -708,7 +722,7 @@ fn with_count(count: usize) -> Vec<BoxedBehaviour> {
     let form =
         |count| KeepFormation { leader: LEADER, pattern: Pattern::Line, count, spacing: 1.0, slowing_distance: 1.0 };
     let state = || State { behaviour: MoveForward { part: 1.0 }.into(), exits: vec![(Condition::Done, 3)] };
-    let parts = (0..count).map(|_| (1.0, MoveForward { part: 1.0 }.into())).collect();
+    let parts: Vec<(f32, BoxedBehaviour)> = (0..count).map(|_| (1.0, MoveForward { part: 1.0 }.into())).collect();
     vec![
         MatchVelocity { near }.into(),
         FractalWander { angle: 1.0, noise }.into(),

@@ -4,6 +4,7 @@ use crate::harness::{Actor, RATES, Stage};
 use glam::{Quat, USizeVec3, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::space::surface::{Cuboid, Cylinder, SeenFrom, Sphere};
 use throng::space::{Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Rng, Stimulus, Target};
@@ -249,7 +250,7 @@ fn combined() {
             }
             .into(),
         ),
-        ("irregular", Irregular { angle: 0.3, speed: 0.1, noise, of: go() }.into()),
+        ("irregular", Irregular { angle: Angle::from_radians(0.3), speed: 0.1, noise, of: go() }.into()),
         ("limited", Limited { max_speed: 0.9, max_force: 2.0, of: go() }.into()),
         ("stop and wait", StopAndWait::new(go()).into()),
     ]);

@@ -4,6 +4,7 @@ use crate::harness::{Actor, Stage, flier, on_ground, rotation, vector};
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{BoxedBehaviour, GroupFilter, Stimulus, Target, TraceRecorder};
 use throng_steer::{
     Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, Boids, CloseAvoidance, Cohesion, ContextSteering, Dock,
@@ -55,7 +56,13 @@ fn all(by: Quat) -> Vec<BoxedBehaviour> {
         KeepFormation { leader: other, pattern: Pattern::Wedge, count: 3, spacing: 2.0, slowing_distance: 1.0 }.into(),
         Amortised { every: 0.1, of: Seek { target: point }.into() }.into(),
         Hold { seconds: 0.5, of: AvoidNeighbours::default().into() }.into(),
-        Irregular { angle: 0.2, speed: 0.1, noise: Noise::default(), of: Seek { target: point }.into() }.into(),
+        Irregular {
+            angle: Angle::from_radians(0.2),
+            speed: 0.1,
+            noise: Noise::default(),
+            of: Seek { target: point }.into(),
+        }
+        .into(),
         StopAndWait::new(Seek { target: point }).into(),
         Limited { max_speed: 1.0, max_force: 2.0, of: Seek { target: point }.into() }.into(),
         ContextSteering::new(vec![(1.0, Seek { target: point }.into())]).into(),

@@ -195,6 +195,24 @@ impl<V: Value> Value for Vec<V> {
     }
 }
 
+impl<V: Value + Copy, const N: usize> Value for [V; N] {
+    const KIND: Kind = Kind::Several(&V::KIND, N);
+
+    fn read<G: Given>(given: &G, _: Option<Self>) -> Result<Self, G::Error> {
+        let values = Vec::<V>::read(given, None)?;
+        let why = || format!("it has {} entries, and must have {N}", values.len());
+        values.as_slice().try_into().map_err(|_| given.refused(Error::Shape { what: "this list".into(), why: why() }))
+    }
+
+    fn write(&self) -> Option<Written> {
+        self.iter().map(V::write).collect::<Option<_>>().map(Written::List)
+    }
+
+    fn check_limits(&self) -> Result<(), Error> {
+        self.iter().try_for_each(V::check_limits)
+    }
+}
+
 /// Values by name, in the order of the names.
 impl<V: Value> Value for Vec<(String, V)> {
     const KIND: Kind = Kind::Named(&V::KIND);

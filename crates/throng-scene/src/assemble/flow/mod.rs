@@ -6,7 +6,7 @@ mod combine;
 mod goal;
 mod govern;
 mod map;
-mod noise;
+mod names;
 mod paint;
 mod picture;
 mod sketch;
@@ -20,13 +20,15 @@ use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::registry::Flow;
 use crate::scene::flow::{Named, Towards, Uniform, Whirl};
-use crate::scene::steer::Position;
+use crate::scene::steer::{ObstacleNames, Position};
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 use throng::field::Field;
 use throng::space::Place;
+use throng::space::surface::Surface;
+use throng::steer::Barriers;
 use throng_field::{Anchor, Map};
 
 pub(super) use govern::note_silence;
@@ -213,6 +215,21 @@ impl FieldContext<'_> {
         }
         let message = format!("it goes from ({}, {}) to ({}, {})", min[0], min[1], max[0], max[1]);
         Err(Problem::new(&self.path.key("max"), Kind::OutOfRange, message).hint("max is right of min and above it"))
+    }
+
+    /// Returns surfaces and obstacles by name.
+    fn sides(&self, names: &ObstacleNames, path: &Path) -> Result<Barriers, Problem> {
+        if self.origin != self.flows.origin {
+            let problem = Problem::new(path, Kind::Conflict, "a field that moves with agents has no walls");
+            return Err(problem.hint("leave out `walls` in fields of `around`"));
+        }
+        self.flows.around.sides(names, path, "leave out `walls` for no walls")
+    }
+
+    /// Returns surfaces by name.
+    fn walls(&self, names: &ObstacleNames) -> Result<Vec<Arc<dyn Surface>>, Problem> {
+        let sides = self.sides(names, &self.path.key("walls"))?;
+        Ok(sides.0.into_iter().map(|side| side.surface).collect())
     }
 
     /// Converts an error of the library.

@@ -51,6 +51,24 @@ impl<'a> Around<'a> {
         Ok(around)
     }
 
+    /// Returns a surface by its name.
+    pub fn surface(&self, name: &str, at: &Path) -> Result<Side, Problem> {
+        let found = self.surfaces.iter().find(|(known, _)| *known == name);
+        found.map(|(_, surface)| surface.clone()).ok_or_else(|| {
+            let known: Vec<&str> = self.surfaces.iter().map(|(name, _)| *name).collect();
+            unknown(at, "surface", name, &known)
+        })
+    }
+
+    /// Returns a path by its name.
+    pub fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
+        let found = self.paths.iter().find(|(known, _)| *known == name);
+        found.map(|(_, path)| path.clone()).ok_or_else(|| {
+            let known: Vec<&str> = self.paths.iter().map(|(name, _)| *name).collect();
+            unknown(at, "path", name, &known)
+        })
+    }
+
     /// Returns the surfaces and obstacles with a name; or else the names that exist.
     pub fn named(&self, name: &str) -> Result<Vec<Side>, Vec<&'a str>> {
         let solid = || self.edges.iter().chain(self.obstacles.iter().map(|(_, side)| side));

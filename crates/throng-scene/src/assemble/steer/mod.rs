@@ -10,7 +10,6 @@ mod names;
 mod place;
 mod single;
 mod slip;
-mod swarm;
 mod takeoff;
 mod target;
 mod vehicle;

@@ -2,7 +2,6 @@
 
 use super::super::rules::no_figure;
 use super::BehaviourContext;
-use super::place::unknown;
 use crate::file::{Path, Problem};
 use crate::registry::{Flow, Names, Steer};
 use crate::scene::SceneNames;
@@ -32,19 +31,11 @@ impl Names for BehaviourContext<'_> {
     }
 
     fn surface(&self, name: &str, at: &Path) -> Result<Barrier<Arc<dyn Surface>>, Problem> {
-        let found = self.around.surfaces.iter().find(|(known, _)| *known == name);
-        found.map(|(_, surface)| surface.clone()).ok_or_else(|| {
-            let known: Vec<&str> = self.around.surfaces.iter().map(|(name, _)| *name).collect();
-            unknown(at, "surface", name, &known)
-        })
+        self.around.surface(name, at)
     }
 
     fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
-        let found = self.around.paths.iter().find(|(known, _)| *known == name);
-        found.map(|(_, path)| path.clone()).ok_or_else(|| {
-            let known: Vec<&str> = self.around.paths.iter().map(|(name, _)| *name).collect();
-            unknown(at, "path", name, &known)
-        })
+        self.around.path(name, at)
     }
 
     fn figure(&self, name: &str, at: &Path) -> Result<usize, Problem> {
@@ -60,7 +51,7 @@ impl Names for BehaviourContext<'_> {
         self.branch(steer, at)
     }
 
-    fn names(&self) -> &SceneNames<'_> {
-        self.cast
+    fn names(&self, _: &Path) -> Result<&SceneNames<'_>, Problem> {
+        Ok(self.cast)
     }
 }

@@ -18,7 +18,6 @@ mod place;
 mod position;
 mod single;
 mod slip;
-mod swarm;
 mod target;
 
 pub use combine::*;
@@ -27,7 +26,6 @@ pub use place::*;
 pub use position::Position;
 pub use single::*;
 pub use slip::*;
-pub use swarm::*;
 pub use target::{GroupFilter, Member, Target};
 
 use crate::registry::{Behaviours, Steer, described};
@@ -141,30 +139,6 @@ described! {
     CrowdPath = "crowd_path",
     /// Moves through a door among other agents (Reynolds 1999, "queuing").
     QueueAtDoor = "queue_at_door",
-    /// Moves by noise and guides, as insects do (Wang et al. 2014).
-    Swarm = "swarm",
-    /// The sum of all parts, each times its weight (Reynolds 1999).
-    WeightedSum = "weighted_sum",
-    /// The sum of parts in order, up to the vehicle's greatest force.
-    RunningSum = "running_sum",
-    /// The first part that has something to correct (Reynolds 1999).
-    Priority = "priority",
-    /// The first part that has something to correct, of parts drawn at random (Reynolds 1999).
-    Dithering = "dithering",
-    /// The force is a budget: the parts take from it in order (Reynolds 1987).
-    Allocation = "allocation",
-    /// Moves in the direction with the greatest interest minus danger (Fray 2015).
-    ContextSteering = "context_steering",
     /// One behaviour at a time: a state machine.
     Switch = "switch",
-    /// Evaluates a part only at intervals.
-    Amortised = "amortised",
-    /// Keeps the force of a part for some time.
-    Hold = "hold",
-    /// Adds noise to a part, so that the motion looks less mechanical.
-    Irregular = "irregular",
-    /// Limits the speed and force of a part.
-    Limited = "limited",
-    /// Stops where a part would collide with an agent.
-    StopAndWait = "stop_and_wait",
 }

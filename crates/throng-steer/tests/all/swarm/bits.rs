@@ -19,11 +19,11 @@ fn busy() -> Swarm {
     let ball = Sphere::new(middle - Vec3::X, 0.4).unwrap();
     let keep_off = KeepOff { barriers: Barriers::default().with(ball, SeenFrom::Outside), distance: 0.3, speed: 1.0 };
     Swarm { keep_off, ..Swarm::default() }
-        .with(Aggregate::from(Target::Point(middle)))
+        .with(Aggregate::new(Target::Point(middle)))
         .with(Sedation { recovery: 0.1, ..Sedation::new(smoke) })
-        .with(Phototaxis::from(Target::Point(middle + Vec3::Y)))
-        .with(Attack { leaders: 0.3, follow: 0.3, ..Attack::from(Target::Agent(5)) })
-        .with(Escape { within: 0.2, ..Escape::from(Target::Nearest(GroupFilter::All)) })
+        .with(Phototaxis::new(Target::Point(middle + Vec3::Y)))
+        .with(Attack { leaders: 0.3, follow: 0.3, ..Attack::new(Target::Agent(5)) })
+        .with(Escape { within: 0.2, ..Escape::new(Target::Nearest(GroupFilter::All)) })
         .with(Align { distance: 0.2, weight: 0.2 })
         .with(Zones { reach: [0.03, 0.1, 0.25], ..Zones::default() })
 }
@@ -36,7 +36,7 @@ fn groups() -> Vec<(&'static str, Group)> {
         ("locusts", busy().group(locust())),
         ("without neighbours", alone.clone().group(midge())),
         ("the nearest few", Group { neighbours: 5, ..busy().group(midge()) }),
-        ("without noise", bare().with(Aggregate::from(Target::Point(Vec3::Z))).group(midge())),
+        ("without noise", bare().with(Aggregate::new(Target::Point(Vec3::Z))).group(midge())),
         ("on the ground", alone.group(ground)),
     ]
 }

@@ -52,19 +52,19 @@ fn close(a: Vec3, b: Vec3) -> bool {
 
 #[test]
 fn a_flow_is_the_velocity_of_the_field_there_and_then() {
-    let flow = Flow { weight: 0.5, ..Flow::new(|place: Vec3, time: f64| place * time as f32) };
+    let flow = Flow { weight: 0.5, ..Flow::of(|place: Vec3, time: f64| place * time as f32) };
     let view = SteeringInput { time: 3.0, ..at(Vec3::new(1.0, 2.0, 4.0)) };
     assert_eq!(fresh(&flow, &view).velocity, Vec3::new(1.5, 3.0, 6.0));
 }
 
 #[test]
 fn a_marker_draws_from_beyond_its_radius_on() {
-    let marker = Aggregate { rate: 2.0, beyond: 1.5, ..Aggregate::from(Target::Point(Vec3::Z)) };
+    let marker = Aggregate { rate: 2.0, beyond: 1.5, ..Aggregate::new(Target::Point(Vec3::Z)) };
     assert_eq!(fresh(&marker, &at(Vec3::Z * 2.4)), GuideOutput::default());
     assert!(close(fresh(&marker, &at(Vec3::new(0.0, 4.0, 1.0))).velocity, Vec3::NEG_Y * 5.0));
     // a guide without a target adds nothing
     assert_eq!(fresh(&Aggregate { beyond: 0.0, ..marker }, &at(Vec3::Z)), GuideOutput::default());
-    assert_eq!(fresh(&Aggregate::from(Target::Agent(3)), &at(Vec3::Z)), GuideOutput::default());
+    assert_eq!(fresh(&Aggregate::new(Target::Agent(3)), &at(Vec3::Z)), GuideOutput::default());
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn smoke_calms_exponentially_and_it_wears_off() {
 #[test]
 fn prey_is_chased_where_it_will_be() {
     let prey = Prey(Kinematics { position: Vec3::new(4.0, 0.0, 0.0), velocity: Vec3::Y, ..Kinematics::default() });
-    let attack = Attack { speed: 1.5, near: 8.0, calm: 0.2, ..Attack::from(Target::Agent(9)) };
+    let attack = Attack { speed: 1.5, near: 8.0, calm: 0.2, ..Attack::new(Target::Agent(9)) };
     let view = SteeringInput { others: &prey, ..at(Vec3::ZERO) };
     let chosen = fresh(&attack, &view);
     // at 2 m/s the insect is there in 2 s
@@ -187,7 +187,7 @@ fn migration_follows_its_path_together_and_keeps_its_height() {
 
 #[test]
 fn an_escape_continues_for_a_moment() {
-    let escape = Escape { within: 1.0, speed: 2.0, memory: 0.5, ..Escape::from(Target::Agent(9)) };
+    let escape = Escape { within: 1.0, speed: 2.0, memory: 0.5, ..Escape::new(Target::Agent(9)) };
     let mut memory = vec![0.0; escape.memory()];
     let predator = |x: f32| Prey(Kinematics { position: Vec3::X * x, ..Kinematics::default() });
     let mut asked = |x: f32| {
@@ -251,14 +251,14 @@ proptest! {
             let path = Pathway::new(&[by * Vec3::NEG_X, by * Vec3::X, by * Vec3::new(3.0, 3.0, 1.0)], 0.3, false).unwrap();
             let point = Target::Point(by * Vec3::new(0.5, 0.2, 9.0));
             let all: [Box<dyn Guide>; 9] = [
-                Box::new(Flow::new(move |place: Vec3, _: f64| (by * Vec3::Z).cross(place))),
-                Box::new(Aggregate::from(point)),
-                Box::new(Phototaxis::from(point)),
-                Box::new(Attack::from(Target::Agent(9))),
-                Box::new(Attack { leaders: 0.5, follow: 1.0, ..Attack::from(Target::Agent(9)) }),
+                Box::new(Flow::of(move |place: Vec3, _: f64| (by * Vec3::Z).cross(place))),
+                Box::new(Aggregate::new(point)),
+                Box::new(Phototaxis::new(point)),
+                Box::new(Attack::new(Target::Agent(9))),
+                Box::new(Attack { leaders: 0.5, follow: 1.0, ..Attack::new(Target::Agent(9)) }),
                 Box::new(Migrate::new(path)),
                 Box::new(Align { distance: 1.0, weight: 1.0 }),
-                Box::new(Escape { within: 5.0, ..Escape::from(Target::Nearest(GroupFilter::All)) }),
+                Box::new(Escape { within: 5.0, ..Escape::new(Target::Nearest(GroupFilter::All)) }),
                 Box::new(Zones::default()),
             ];
             all.map(|guide| fresh(&*guide, &view))

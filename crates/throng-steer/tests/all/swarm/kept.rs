@@ -48,9 +48,9 @@ fn guided() -> Vec<(&'static str, Swarm)> {
         calm: 0.5,
         leaders: 0.3,
         follow: 0.25,
-        ..Attack::from(Target::Agent(5))
+        ..Attack::new(Target::Agent(5))
     };
-    let lamp = Phototaxis::from(POINT);
+    let lamp = Phototaxis::new(POINT);
     let ball = || Sphere::new(MIDDLE, 0.3).unwrap();
     let keep = |surface: Sphere, seen_from, distance, speed| {
         let keep_off = KeepOff { barriers: Barriers::default().with(surface, seen_from), distance, speed };
@@ -67,19 +67,19 @@ fn guided() -> Vec<(&'static str, Swarm)> {
         ("kept within", keep(ball(), SeenFrom::Inside, 0.1, 2.0)),
         ("kept on either side", keep(ball(), SeenFrom::Both, 0.2, 0.5)),
         ("kept in a room", Swarm { keep_off: KeepOff { barriers: cuboid, ..swarm().keep_off }, ..bare() }),
-        ("aggregate", swarm().with(Aggregate::from(POINT))),
-        ("aggregate, loosely", bare().with(Aggregate { rate: 3.0, beyond: 0.25, ..Aggregate::from(STRANGER) })),
-        ("attack", swarm().with(Attack::from(STRANGER))),
+        ("aggregate", swarm().with(Aggregate::new(POINT))),
+        ("aggregate, loosely", bare().with(Aggregate { rate: 3.0, beyond: 0.25, ..Aggregate::new(STRANGER) })),
+        ("attack", swarm().with(Attack::new(STRANGER))),
         ("attack, some", swarm().with(some)),
         ("attack, a stranger", bare().with(Attack { prey: STRANGER, leaders: 0.6, within: 0.75, ..some })),
-        ("escape", swarm().with(Aggregate::from(POINT)).with(Escape::from(STRANGER))),
-        ("escape, briefly", bare().with(Escape { within: 0.375, speed: 1.2, memory: 0.2, ..Escape::from(POINT) })),
-        ("flow", swarm().with(Flow::new(|place: Vec3, time: f64| place * (0.5 - time as f32)))),
+        ("escape", swarm().with(Aggregate::new(POINT)).with(Escape::new(STRANGER))),
+        ("escape, briefly", bare().with(Escape { within: 0.375, speed: 1.2, memory: 0.2, ..Escape::new(POINT) })),
+        ("flow", swarm().with(Flow::of(|place: Vec3, time: f64| place * (0.5 - time as f32)))),
         (
             "flow, of some weight",
-            bare().with(Flow { weight: 0.3, ..Flow::new(|_: Vec3, _: f64| Vec3::new(1.0, 2.0, -0.5)) }),
+            bare().with(Flow { weight: 0.3, ..Flow::of(|_: Vec3, _: f64| Vec3::new(1.0, 2.0, -0.5)) }),
         ),
-        ("migrate", swarm().with(Migrate::new(path(false)))),
+        ("migrate", swarm().with(Migrate { speed: 1.0, rate: 2.0, ..Migrate::new(path(false)) })),
         ("migrate, round", bare().with(Migrate { speed: 0.6, rate: 3.0, ..Migrate::new(path(true)) })),
         ("align", swarm().with(Align { distance: 0.25, weight: 0.5 })),
         ("align, strongly", Swarm { own_noise: false, ..swarm() }.with(Align { distance: 0.15, weight: 2.0 })),
@@ -182,8 +182,8 @@ impl AgentQuery for Prey {
 
 /// Swarms, each with a parameter of this value.
 fn with(x: f32) -> Vec<Swarm> {
-    let attack = Attack::from(POINT);
-    let (escape, lamp, zones) = (Escape::from(POINT), Phototaxis::from(POINT), Zones::default());
+    let attack = Attack::new(POINT);
+    let (escape, lamp, zones) = (Escape::new(POINT), Phototaxis::new(POINT), Zones::default());
     let path = Migrate::new(Pathway::new(&[Vec3::ZERO, Vec3::X], 1.0, false).unwrap());
     let smoke = || Sedation::new(|_: Vec3, _: f64| (1.0, Vec3::ZERO));
     let near = |distance, speed| {
@@ -191,8 +191,8 @@ fn with(x: f32) -> Vec<Swarm> {
         Swarm { keep_off: KeepOff { barriers, distance, speed }, ..bare() }
     };
     vec![
-        bare().with(Aggregate { rate: x, ..Aggregate::from(POINT) }),
-        bare().with(Aggregate { beyond: x, ..Aggregate::from(POINT) }),
+        bare().with(Aggregate { rate: x, ..Aggregate::new(POINT) }),
+        bare().with(Aggregate { beyond: x, ..Aggregate::new(POINT) }),
         bare().with(Attack { within: x, ..attack }),
         bare().with(Attack { speed: x, ..attack }),
         bare().with(Attack { near: x, ..attack }),
@@ -204,7 +204,7 @@ fn with(x: f32) -> Vec<Swarm> {
         bare().with(Escape { speed: x, ..escape }),
         bare().with(Escape { memory: x, ..escape }),
         bare().with(Escape { predator: STRANGER, within: x, ..escape }),
-        bare().with(Flow { weight: x, ..Flow::new(|_: Vec3, _: f64| Vec3::X) }),
+        bare().with(Flow { weight: x, ..Flow::of(|_: Vec3, _: f64| Vec3::X) }),
         bare().with(Migrate { speed: x, ..path.clone() }),
         bare().with(Migrate { rate: x, ..path }),
         bare().with(Align { distance: x, weight: 1.0 }),
@@ -272,8 +272,8 @@ fn flights_are_as_kept() {
         ask(&mut results, name, &swarm);
         fly(&mut results, name, &swarm.group(midge()));
     }
-    let lamp = Phototaxis::from(POINT);
-    fly(&mut results, "locusts", &Swarm::default().with(Aggregate::from(POINT)).group(locust()));
+    let lamp = Phototaxis::new(POINT);
+    fly(&mut results, "locusts", &Swarm::default().with(Aggregate::new(POINT)).group(locust()));
     fly(&mut results, "on the ground", &Swarm::default().with(lamp).with(Zones::default()).group(ground));
     for (name, flocking, vehicle) in birds() {
         fly(&mut results, name, &Group::vehicles(flocking, vehicle));

@@ -19,33 +19,33 @@ fn parameters_out_of_their_limits_are_named() {
     for wrong in [-1.0, f32::NAN] {
         let sedation = || Sedation::new(|_: Vec3, _: f64| (1.0, Vec3::ZERO));
         let guides: Vec<Box<dyn Guide>> = vec![
-            Box::new(Flow { weight: wrong, ..Flow::new(|_: Vec3, _: f64| Vec3::X) }),
-            Box::new(Aggregate { rate: wrong, ..Aggregate::from(target) }),
-            Box::new(Aggregate { beyond: wrong, ..Aggregate::from(target) }),
-            Box::new(Phototaxis { power: wrong, ..Phototaxis::from(target) }),
-            Box::new(Phototaxis { threshold: wrong, ..Phototaxis::from(target) }),
-            Box::new(Phototaxis { speed: wrong, ..Phototaxis::from(target) }),
-            Box::new(Phototaxis { orbit: wrong, ..Phototaxis::from(target) }),
-            Box::new(Phototaxis { noise: wrong, ..Phototaxis::from(target) }),
+            Box::new(Flow { weight: wrong, ..Flow::of(|_: Vec3, _: f64| Vec3::X) }),
+            Box::new(Aggregate { rate: wrong, ..Aggregate::new(target) }),
+            Box::new(Aggregate { beyond: wrong, ..Aggregate::new(target) }),
+            Box::new(Phototaxis { power: wrong, ..Phototaxis::new(target) }),
+            Box::new(Phototaxis { threshold: wrong, ..Phototaxis::new(target) }),
+            Box::new(Phototaxis { speed: wrong, ..Phototaxis::new(target) }),
+            Box::new(Phototaxis { orbit: wrong, ..Phototaxis::new(target) }),
+            Box::new(Phototaxis { noise: wrong, ..Phototaxis::new(target) }),
             Box::new(Sedation { uptake: wrong, ..sedation() }),
             Box::new(Sedation { recovery: wrong, ..sedation() }),
             Box::new(Sedation { sink: wrong, ..sedation() }),
             Box::new(Sedation { landing: wrong, ..sedation() }),
-            Box::new(Attack { within: wrong, ..Attack::from(target) }),
-            Box::new(Attack { speed: wrong, ..Attack::from(target) }),
-            Box::new(Attack { near: wrong, ..Attack::from(target) }),
-            Box::new(Attack { calm: wrong, ..Attack::from(target) }),
-            Box::new(Attack { leaders: wrong, ..Attack::from(target) }),
-            Box::new(Attack { follow: wrong, ..Attack::from(target) }),
+            Box::new(Attack { within: wrong, ..Attack::new(target) }),
+            Box::new(Attack { speed: wrong, ..Attack::new(target) }),
+            Box::new(Attack { near: wrong, ..Attack::new(target) }),
+            Box::new(Attack { calm: wrong, ..Attack::new(target) }),
+            Box::new(Attack { leaders: wrong, ..Attack::new(target) }),
+            Box::new(Attack { follow: wrong, ..Attack::new(target) }),
             Box::new(Migrate { speed: wrong, ..Migrate::new(path.clone()) }),
             Box::new(Migrate { rate: wrong, ..Migrate::new(path.clone()) }),
             Box::new(Align { distance: wrong, weight: 1.0 }),
             Box::new(Align { distance: 1.0, weight: wrong }),
             Box::new(HeightBand { low: 0.0, high: wrong, rate: 1.0 }),
             Box::new(HeightBand { low: 0.0, high: 1.0, rate: wrong }),
-            Box::new(Escape { within: wrong, ..Escape::from(target) }),
-            Box::new(Escape { speed: wrong, ..Escape::from(target) }),
-            Box::new(Escape { memory: wrong, ..Escape::from(target) }),
+            Box::new(Escape { within: wrong, ..Escape::new(target) }),
+            Box::new(Escape { speed: wrong, ..Escape::new(target) }),
+            Box::new(Escape { memory: wrong, ..Escape::new(target) }),
             Box::new(Zones { reach: [wrong, 1.0, 2.0], ..Zones::default() }),
             Box::new(Zones { reach: [0.1, wrong, 2.0], ..Zones::default() }),
             Box::new(Zones { reach: [0.1, 0.2, wrong], ..Zones::default() }),
@@ -62,7 +62,7 @@ fn parameters_out_of_their_limits_are_named() {
             Swarm { apart: SwarmSpacing { distance: 1.0, speed: wrong }, ..Swarm::default() },
             Swarm { keep_off: KeepOff { barriers: barriers.clone(), distance: wrong, speed: 1.0 }, ..Swarm::default() },
             Swarm { keep_off: KeepOff { barriers: barriers.clone(), distance: 1.0, speed: wrong }, ..Swarm::default() },
-            Swarm::default().with(Aggregate { rate: wrong, ..Aggregate::from(target) }),
+            Swarm::default().with(Aggregate { rate: wrong, ..Aggregate::new(target) }),
         ] {
             assert!(swarm.check().is_err(), "{swarm:?}");
             assert!(empty().add_group(Group::vehicles(swarm, midge())).is_err());
@@ -82,7 +82,7 @@ fn only_agents_without_avoidance_may_have_no_neighbours() {
 #[test]
 fn guarded_insects_do_not_overlap_without_neighbours() {
     let middle = Vec3::Z * 2.0;
-    let crush = bare().with(Aggregate { rate: 5.0, ..Aggregate::from(Target::Point(middle)) });
+    let crush = bare().with(Aggregate { rate: 5.0, ..Aggregate::new(Target::Point(middle)) });
     let group = Group { guard: true, ..crush.group(midge()) };
     assert_eq!(group.neighbours, 0);
     let mut world = world(group, &scattered(60, middle, 0.3));
@@ -95,7 +95,7 @@ fn guarded_insects_do_not_overlap_without_neighbours() {
 /// A guide that returns NaN leaves insects at their velocity, and a swarm without insects does no harm.
 #[test]
 fn what_is_not_a_number_does_no_harm() {
-    let mad = bare().with(Flow::new(|_: Vec3, _: f64| Vec3::NAN));
+    let mad = bare().with(Flow::of(|_: Vec3, _: f64| Vec3::NAN));
     let mut world = world(mad.group(midge()), &scattered(20, Vec3::Z, 0.5));
     run(&mut world, 0.5);
     assert!(crate::swarm::places(&world).iter().all(|place| place.is_finite()));

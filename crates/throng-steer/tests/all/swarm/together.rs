@@ -30,7 +30,7 @@ fn mean(all: impl Iterator<Item = f32>) -> f32 {
 fn a_marker_and_the_response_make_an_oscillator() {
     let start = Vec3::new(0.6, -0.3, 2.4);
     let rate = 6.0;
-    let swarm = bare().with(Aggregate { rate, ..Aggregate::from(Target::Point(Vec3::Z * 2.0)) });
+    let swarm = bare().with(Aggregate { rate, ..Aggregate::new(Target::Point(Vec3::Z * 2.0)) });
     let vehicle = Vehicle { max_speed: 50.0, max_force: 1e4, response: 0.1, ..midge() };
     let mut world = world(swarm.group(vehicle), &[start]);
     // independent integration in small steps
@@ -80,7 +80,7 @@ fn separation_keeps_them_apart() {
     let drawn = |distance: f32| {
         let swarm = Swarm { apart: SwarmSpacing { distance, speed: 1.0 }, own_noise: false, ..Swarm::default() };
         let mut world =
-            world(swarm.with(Aggregate::from(Target::Point(middle))).group(midge()), &scattered(150, middle, 0.4));
+            world(swarm.with(Aggregate::new(Target::Point(middle))).group(midge()), &scattered(150, middle, 0.4));
         let mut least = Vec::new();
         for _ in 0..20 {
             run(&mut world, 0.5);
@@ -109,7 +109,7 @@ fn obstacles_are_kept_off() {
         noise = noise.with_wall(NoiseWall::new(wall.clone(), 0.4).unwrap());
     }
     let swarm = Swarm { keep_off: KeepOff { barriers, distance: 0.3, speed: 1.0 }, ..Swarm::default() };
-    let swarm = swarm.with_noise(noise, true).with(Flow::new(|_: Vec3, _: f64| Vec3::X));
+    let swarm = swarm.with_noise(noise, true).with(Flow::of(|_: Vec3, _: f64| Vec3::X));
     let start: Vec<Vec3> = scattered(100, Vec3::new(0.0, 0.0, 3.0), 0.8);
     let mut world = world(swarm.group(midge()), &start);
     let (mut near, mut far) = (f32::INFINITY, f32::NEG_INFINITY);
@@ -127,7 +127,7 @@ fn obstacles_are_kept_off() {
 #[test]
 fn moths_fly_to_the_lamp_and_round_it() {
     let lamp = Vec3::Z * 3.0;
-    let light = Phototaxis { orbit: 0.5, speed: 1.5, ..Phototaxis::from(Target::Point(lamp)) };
+    let light = Phototaxis { orbit: 0.5, speed: 1.5, ..Phototaxis::new(Target::Point(lamp)) };
     let start = scattered(60, lamp, 2.8);
     let swarm = Swarm { noise: None, ..Swarm::default() }.with(light);
     let mut calm = world(swarm.group(midge()), &start);
@@ -184,7 +184,7 @@ fn hunted(attack: Attack, seconds: f64) -> (Vec<Vec3>, Vec3) {
 
 #[test]
 fn prey_is_caught_by_leaders_and_followers() {
-    let attack = Attack { speed: 1.5, ..Attack::from(Target::Agent(0)) };
+    let attack = Attack { speed: 1.5, ..Attack::new(Target::Agent(0)) };
     let (all, prey) = hunted(attack, 9.0);
     let distance = mean(all.iter().map(|place| place.distance(prey)));
     assert!(distance < 0.5, "{distance}");
@@ -235,9 +235,9 @@ fn escaping_insects_are_not_caught() {
         add(&mut world, predator, &bird, &[Vec3::new(-4.0, 0.0, 4.0)]);
         let escape = Escape {
             within: if escapes { 1.0 } else { 1e-6 },
-            ..Escape::from(Target::Nearest(GroupFilter::OtherGroups))
+            ..Escape::new(Target::Nearest(GroupFilter::OtherGroups))
         };
-        let marker = Aggregate::from(Target::Point(Vec3::Z * 4.0));
+        let marker = Aggregate::new(Target::Point(Vec3::Z * 4.0));
         let group = Swarm::default().with(marker).with(escape).group(midge());
         let group = world.add_group(group).unwrap();
         add(&mut world, group, &midge(), &scattered(60, Vec3::Z * 4.0, 0.8));
@@ -256,7 +256,7 @@ fn escaping_insects_are_not_caught() {
 #[test]
 fn speeds_stay_within_those_of_the_vehicle() {
     for (vehicle, least) in [(locust(), 1.0), (Vehicle { max_speed: 0.5, ..midge() }, 0.0)] {
-        let marker = Aggregate::from(Target::Point(Vec3::Z * 9.0));
+        let marker = Aggregate::new(Target::Point(Vec3::Z * 9.0));
         let mut world = world(Swarm::default().with(marker).group(vehicle), &scattered(80, Vec3::Z * 9.0, 3.0));
         for _ in 0..200 {
             world.step();
@@ -273,7 +273,7 @@ fn speeds_stay_within_those_of_the_vehicle() {
 fn insects_on_the_ground_stay_there() {
     let vehicle = Vehicle { locomotion: Locomotion::Ground, ..midge() };
     let start: Vec<Vec3> = scattered(50, Vec3::ZERO, 1.0).into_iter().map(|place| place.with_z(0.0)).collect();
-    let light = Phototaxis::from(Target::Point(Vec3::Z * 2.0));
+    let light = Phototaxis::new(Target::Point(Vec3::Z * 2.0));
     let mut world = world(Swarm::default().with(light).group(vehicle), &start);
     run(&mut world, 4.0);
     assert!(places(&world).iter().all(|place| place.z == 0.0));
@@ -286,7 +286,7 @@ fn it_does_not_matter_where_a_swarm_is() {
     let flown = |by: Vec3, origin: DVec2| {
         let marker = Target::Point(Vec3::Z * 3.0 + by);
         let swarm =
-            Swarm { noise: None, ..Swarm::default() }.with(Aggregate::from(marker)).with(Phototaxis::from(marker));
+            Swarm { noise: None, ..Swarm::default() }.with(Aggregate::new(marker)).with(Phototaxis::new(marker));
         let mut world =
             World::new(Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), origin, ..Settings::default() })
                 .unwrap();

@@ -1,0 +1,61 @@
+//! What the names in a scene stand for, for its fields.
+
+use super::FieldContext;
+use crate::error::Kind;
+use crate::file::{Path, Problem};
+use crate::registry::{Flow, Names, Steer};
+use crate::scene::SceneNames;
+use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
+use glam::Vec3;
+use std::sync::Arc;
+use throng::field::Field;
+use throng::space::Pathway;
+use throng::space::surface::{Barrier, Surface};
+use throng::steer::{self, Barriers, BoxedBehaviour};
+
+impl Names for FieldContext<'_> {
+    fn place(&self, Position([x, y, z]): Position, at: &Path) -> Result<Vec3, Problem> {
+        Ok(self.place_at(at, [x, y])?.as_vec2().extend(z as f32))
+    }
+
+    fn obstacles(&self, names: &ObstacleNames, at: &Path) -> Result<Barriers, Problem> {
+        self.sides(names, at)
+    }
+
+    fn surface(&self, name: &str, at: &Path) -> Result<Barrier<Arc<dyn Surface>>, Problem> {
+        self.flows.around.surface(name, at)
+    }
+
+    fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem> {
+        self.flows.around.path(name, at)
+    }
+
+    fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem> {
+        Ok(Self { path: at.clone(), ..self.clone() }.make(flow)?.field)
+    }
+
+    fn target(&self, _: &Target, at: &Path) -> Result<steer::Target, Problem> {
+        Err(agents(at))
+    }
+
+    fn groups(&self, _: &GroupFilter, at: &Path) -> Result<steer::GroupFilter, Problem> {
+        Err(agents(at))
+    }
+
+    fn figure(&self, _: &str, at: &Path) -> Result<usize, Problem> {
+        Err(agents(at))
+    }
+
+    fn behaviour(&self, _: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
+        Err(agents(at))
+    }
+
+    fn names(&self, at: &Path) -> Result<&SceneNames<'_>, Problem> {
+        Err(agents(at))
+    }
+}
+
+/// Returns the error for a parameter of a field that names agents or what agents do.
+fn agents(at: &Path) -> Problem {
+    Problem::new(at, Kind::Conflict, "a field has no parameters of this kind: only behaviours have them")
+}
