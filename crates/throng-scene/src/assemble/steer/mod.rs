@@ -9,7 +9,6 @@ mod group;
 mod names;
 mod place;
 mod single;
-mod slip;
 mod swarm;
 mod takeoff;
 mod target;
