@@ -28,7 +28,7 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 pub struct Wander {
     /// Strength of the turns: 1 turns at most 45° aside.
     ///
-    /// It is the radius of the sphere, whose centre is the square root of 2 ahead.
+    /// It is the radius of the sphere. The centre of the sphere is the square root of 2 ahead.
     #[parameter(default = 1.0, least = 0, most = 1.4)]
     pub strength: f32,
     /// Rate of change of the side, degrees per square root of a second.

@@ -10,9 +10,9 @@ use throng::space::{Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Rng, Stimulus, Target};
 use throng_steer::{
     Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Evade, EvadeAll, Explore, Face,
-    Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold,
-    Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
+    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Docking, Evade, EvadeAll, Explore,
+    Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide,
+    Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
     MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, RunningSum, Seek,
     Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed, Tether, UnalignedAvoidance,
     Wander, WeightedSum, Whiskers, crowd_path, queue_at_door,
@@ -110,6 +110,10 @@ fn of_one() {
             KeepStation { leader: LEADER, offset: Vec3::new(-1.0, 1.0, 0.0), slowing_distance: 1.0 }.into(),
         ),
         ("dock", Dock::new(Vec3::X * 2.0, Angle::degrees(90.0)).into()),
+        (
+            "docking",
+            Docking { place: Vec3::X * 2.0, direction: Vec3::new(1.0, 2.0, 0.0), speed: 0.5, time: None }.into(),
+        ),
         ("wander", Wander::default().into()),
         ("fractal wander", FractalWander::default().into()),
         ("explore", Explore { min: region.0, max: region.1, columns: 3, rows: 3, levels: 1 }.into()),
