@@ -6,7 +6,7 @@ use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Applies a constant force.
+/// Applies a constant force, newtons.
 ///
 /// In the end the agent moves in its direction. The vehicle limits the force.
 ///
@@ -20,7 +20,7 @@ use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 #[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantForce(
-    /// The force, newtons. Limit: finite.
+    /// The force. Limit: finite.
     pub Vec3,
 );
 
