@@ -114,7 +114,7 @@ fn chase() -> Result<World, Error> {
     let roam = |target| {
         WeightedSum(vec![
             (1.0, Wander::default().into()),
-            (1.0, Evade::from(Target::Agent(target)).into()),
+            (1.0, Evade::new(Target::Agent(target)).into()),
             (1.5, Seek { target: Target::Point(Vec3::ZERO) }.into()),
             (1.0, Separation::default().into()),
             (2.0, UnalignedAvoidance::default().into()),
@@ -122,7 +122,7 @@ fn chase() -> Result<World, Error> {
     };
     for k in 0..6u32 {
         let quarry = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(roam(2 * k + 1), slow) };
-        let pursuer = Group::vehicles(Pursue::from(Target::Agent(2 * k)), fast);
+        let pursuer = Group::vehicles(Pursue::new(Target::Agent(2 * k)), fast);
         let pursuer = Group { model: Arc::new(Orca::default()), guard: true, ..pursuer };
         for (n, (group, vehicle)) in [(quarry, slow), (pursuer, fast)].into_iter().enumerate() {
             let name = ["quarry", "pursuers"][n];

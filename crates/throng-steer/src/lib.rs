@@ -54,7 +54,31 @@ pub trait Behaviours {
 /// Adds the behaviours of this crate to a collection.
 pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<Seek>();
+    behaviours.add::<Flee>();
     behaviours.add::<Arrive>();
+    behaviours.add::<Pursue>();
+    behaviours.add::<Evade>();
+    behaviours.add::<OffsetPursuit>();
+    behaviours.add::<Shadow>();
+    behaviours.add::<Interpose>();
+    behaviours.add::<KeepStation>();
+    behaviours.add::<Dock>();
+    behaviours.add::<Wander>();
+    behaviours.add::<FractalWander>();
+    behaviours.add::<Explore>();
+    behaviours.add::<Forage>();
+    behaviours.add::<Face>();
+    behaviours.add::<MatchOrientation>();
+    behaviours.add::<LookWhereYouGo>();
+    behaviours.add::<Fear>();
+    behaviours.add::<HeadFor>();
+    behaviours.add::<ConstantForce>();
+    behaviours.add::<EvadeAll>();
+    behaviours.add::<SlipThrough>();
+    behaviours.add::<FollowFlow>();
+    behaviours.add::<MoveForward>();
+    behaviours.add::<TargetSpeed>();
+    behaviours.add::<Tether>();
     behaviours.add::<swarm::Swarm>();
     behaviours.add::<WeightedSum>();
     behaviours.add::<RunningSum>();

@@ -1,6 +1,6 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
-use throng_scene::steer::{AvoidObstacles, Priority, Target, Tether};
+use throng_scene::steer::{AvoidObstacles, Priority};
 use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
@@ -16,7 +16,7 @@ pub fn scene() -> Scene {
     };
     let parts = vec![
         AvoidObstacles::default().into(),
-        Tether { to: Target::At([0.0, 0.0].into()), length: 10.0 }.into(),
+        Steer::named("tether").with("to", vec![0.0, 0.0]).with("length", 10.0),
         Steer::named("weave"),
     ];
     let people = Group {

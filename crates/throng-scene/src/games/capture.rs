@@ -137,7 +137,7 @@ const STRAIGHT: f32 = 0.98;
 /// Makes the seeker for a scene with defenders.
 pub fn seeker(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     let base = Target::Point(cast.place(0.0, 0.0));
-    let slip = SlipThrough::from(base).past(cast.group("defenders")?);
+    let slip = SlipThrough::new(base).past(cast.group("defenders")?);
     let near = avoidance(cast, base, 0.9)?;
     let far = AvoidObstacles { seconds: 2.0, ..near.clone() };
     Ok(Seeker { slip, near, far }.into())

@@ -95,7 +95,7 @@ impl Behaviours {
     ///
     /// let mut scene: Scene = "[[group]]\nplace.point = [5, 0]\nsteer.stroll = { strength = 1.5 }".parse()?;
     /// let behaviours = &mut scene.plugins.behaviours;
-    /// behaviours.add_with("stroll", |Stroll { strength }, _| Ok(Wander { strength, rate: 1.0 }.into()));
+    /// behaviours.add_with("stroll", |Stroll { strength }, _| Ok(Wander { strength, ..Wander::default() }.into()));
     /// let says = scene.build().unwrap_err().to_string();
     /// assert!(says.contains("strength is 1.5, but must be from 0 to 1"), "{says}");
     /// # Ok::<(), throng_scene::Error>(())

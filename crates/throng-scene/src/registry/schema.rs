@@ -9,7 +9,12 @@ use throng::parameters::{Kind, Names, Parameter, Parameters, Table, Written};
 
 /// Returns the schema of a type's parameters.
 pub(super) fn of_parameters<P: Parameters>(generator: &mut SchemaGenerator) -> Schema {
-    schema_of(of_kind(P::KIND, generator))
+    let mut json = of_kind(P::KIND, generator);
+    // the schema of a value does not know what it is for
+    if !matches!(P::KIND, Kind::Table(_) | Kind::ListOrTable(..)) {
+        json["description"] = P::ABOUT.into();
+    }
+    schema_of(json)
 }
 
 /// Returns the schema of a table with these parameters.

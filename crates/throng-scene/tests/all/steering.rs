@@ -2,6 +2,7 @@
 
 use glam::{DVec2, Vec3};
 use throng::motion::{Forces, Integrator, Locomotion, Vehicle};
+use throng::parameters::Angle;
 use throng::space::surface::Surface;
 use throng::steer::{BoxedBehaviour, GroupFilter, Target};
 use throng_scene::{Kind, Plan, Scene};
@@ -40,10 +41,10 @@ fn what_is_not_said_is_the_librarys_default() {
     let goal = Target::Goal;
     assert_eq!(plan(&scene("wander = {}")).settings.origin, DVec2::new(100.0, 55.0));
     assert_steers("seek = { target = \"goal\" }", throng_steer::Seek { target: goal });
-    assert_steers("flee = { target = \"goal\" }", throng_steer::Flee::from(goal));
+    assert_steers("flee = { target = \"goal\" }", throng_steer::Flee::new(goal));
     assert_steers("arrive = { target = \"goal\" }", throng_steer::Arrive::new(goal));
-    assert_steers("pursue = { quarry = \"goal\" }", throng_steer::Pursue::from(goal));
-    assert_steers("evade = { menace = \"goal\" }", throng_steer::Evade::from(goal));
+    assert_steers("pursue = { quarry = \"goal\" }", throng_steer::Pursue::new(goal));
+    assert_steers("evade = { menace = \"goal\" }", throng_steer::Evade::new(goal));
     assert_steers("wander = {}", throng_steer::Wander::default());
     assert_steers("fractal_wander = {}", throng_steer::FractalWander::default());
     assert_steers("look_where_you_go = {}", throng_steer::LookWhereYouGo);
@@ -129,7 +130,10 @@ fn what_is_said_is_so() {
             distance: 2.0,
         },
     );
-    assert_steers("head_for = { heading = 0, full = 0.5 }", throng_steer::HeadFor { direction: Vec3::X, full: 0.5 });
+    assert_steers(
+        "head_for = { heading = 0, full = 0.5 }",
+        throng_steer::HeadFor { full: 0.5, ..throng_steer::HeadFor::new(Angle::default()) },
+    );
     assert_steers("constant_force = [1, -2]", throng_steer::ConstantForce(Vec3::new(1.0, -2.0, 0.0)));
     let all = throng_steer::EvadeAll { groups: GroupFilter::OtherGroups, ahead: 0.25, near: 3.0, behind: 0.125 };
     assert_steers("evade_all = { ahead = 0.25, near = 3, behind = 0.125 }", all);
@@ -139,8 +143,8 @@ fn what_is_said_is_so() {
             evade: throng_steer::EvadeAll { groups: GroupFilter::OwnGroup, ..throng_steer::EvadeAll::default() },
             ahead: 0.5,
             width: 4.0,
-            turn: std::f32::consts::FRAC_PI_2,
-            ..goal.into()
+            turn: Angle::degrees(90.0),
+            ..throng_steer::SlipThrough::new(goal)
         },
     );
     assert_steers(
@@ -149,7 +153,7 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "interpose = { from = \"goal\", to = [103, 54] }",
-        throng_steer::Interpose { between: [goal, Target::Point(PLACE)], ratio: 0.5, slowing_distance: 1.0 },
+        throng_steer::Interpose { from: goal, to: Target::Point(PLACE), ratio: 0.5, slowing_distance: 1.0 },
     );
     assert_steers(
         "keep_station = { leader = \"goal\", offset = [-2, 1], slowing_distance = 4 }",
@@ -157,25 +161,25 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "dock = { place = [103, 54], heading = 0, pitch = 0, time = 5 }",
-        throng_steer::Dock { place: PLACE, direction: Vec3::X, speed: 0.0, time: Some(5.0) },
+        throng_steer::Dock { time: Some(5.0), ..throng_steer::Dock::new(PLACE, Angle::default()) },
     );
     assert_steers(
         "wander = { strength = 0.5, rate = 180 }",
-        throng_steer::Wander { strength: 0.5, rate: std::f32::consts::PI },
+        throng_steer::Wander { strength: 0.5, rate: Angle::degrees(180.0) },
     );
     assert_steers(
         "explore = { min = [99, 50], max = [103, 54], columns = 4, rows = 2 }",
-        throng_steer::Explore { low: Vec3::new(-1.0, -5.0, 0.0), high: PLACE, cells: glam::USizeVec3::new(4, 2, 1) },
+        throng_steer::Explore { min: Vec3::new(-1.0, -5.0, 0.0), max: PLACE, columns: 4, rows: 2, levels: 1 },
     );
     assert_steers(
         "forage = { food = \"goal\", range = 5 }",
-        throng_steer::Forage { food: goal, range: 5.0, wander: throng_steer::Wander::default().into() },
+        throng_steer::Forage { food: goal, range: 5.0, of: throng_steer::Wander::default().into() },
     );
     assert_steers("face = { target = \"goal\" }", throng_steer::Face { target: goal });
     assert_steers("match_orientation = { with = \"goal\" }", throng_steer::MatchOrientation { with: goal });
     assert_steers(
         "takeoff = { from = [103, 54], to = [104.5, 54], rise = 5, gravity = 10 }",
-        throng_steer::Dock { place: PLACE, direction: Vec3::X * 1.5, speed: 1.5, time: None },
+        throng_steer::Docking { place: PLACE, direction: Vec3::X * 1.5, speed: 1.5, time: None },
     );
     assert_steers("fear = { range = 9, fades = 4 }", throng_steer::Fear { range: 9.0, fades: 4.0 });
     assert_steers("move_forward = { part = 0.5 }", throng_steer::MoveForward { part: 0.5 });

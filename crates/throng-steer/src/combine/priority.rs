@@ -10,7 +10,7 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, che
 /// ```
 /// use throng::steer::{GroupFilter, Target};
 /// use throng_steer::{Flee, Priority, Wander};
-/// let shy = Flee { panic_distance: 4.0, ..Flee::from(Target::Nearest(GroupFilter::OtherGroups)) };
+/// let shy = Flee { panic_distance: 4.0, ..Flee::new(Target::Nearest(GroupFilter::OtherGroups)) };
 /// let deer = Priority { epsilon: 0.01, parts: vec![shy.into(), Wander::default().into()] };
 /// ```
 #[parameters(list = parts)]

@@ -3,9 +3,12 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Applies a constant force; in the end the agent moves in its direction. The vehicle limits the force.
+/// Applies a constant force, newtons.
+///
+/// In the end the agent moves in its direction. The vehicle limits the force.
 ///
 /// ```
 /// use glam::Vec3;
@@ -14,9 +17,10 @@ use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// let said = ConstantForce(Vec3::Y).steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert_eq!(said.map(|steering| steering.force), Some(Vec3::Y));
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantForce(
-    /// The force, newtons. Limit: finite.
+    /// The force. Limit: finite.
     pub Vec3,
 );
 

@@ -1,27 +1,51 @@
 //! Docking: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Arrival": at a place, in a direction, at
 //! a speed, and at a time.
 
-use super::approach;
+use super::{approach, direction};
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Angle, SpacePlace, Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Reaches a place in a direction, as ships and lifts do: the agent stops there or passes through at a speed, at a
-/// given time or as soon as it can.
+/// Moves to a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
+///
+/// As ships and lifts do: the agent stops there or passes through at a speed, at a given time or as soon as it can.
 ///
 /// The trajectory is the polynomial of time of least degree that starts with the present place and velocity and ends
 /// with the required place, velocity and deceleration. It is computed anew in every step.
 ///
 /// ```
 /// use glam::Vec3;
+/// use throng::parameters::Angle;
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_steer::Dock;
-/// let berth = Dock { place: Vec3::new(9.0, 4.0, 0.0), direction: Vec3::Y, speed: 0.0, time: None };
+/// let berth = Dock::new(Vec3::new(9.0, 4.0, 0.0), Angle::degrees(90.0));
 /// assert!(berth.steer(&SteeringInput::default(), &mut [0.0; 2], &mut TraceRecorder::default()).is_some());
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dock {
+    /// The place.
+    #[parameter(required, from = SpacePlace, unit = "m")]
+    pub place: Vec3,
+    /// Direction of motion at the place, degrees counter-clockwise from +x.
+    #[parameter(required, unit = "°")]
+    pub heading: Angle,
+    /// Elevation of that direction, degrees.
+    #[parameter(default = Angle::degrees(0.0), unit = "°", least = -90, most = 90)]
+    pub pitch: Angle,
+    /// Speed at the place, m/s; 0: it stops there.
+    #[parameter(default = 0.0, unit = "m/s", least = 0)]
+    pub speed: f32,
+    /// Time of arrival, seconds since the start. Without it, as soon as possible.
+    #[parameter(unit = "s", least = 0)]
+    pub time: Option<f64>,
+}
+
+/// A [`Dock`] with a vector for its direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Docking {
     /// The place, metres.
     pub place: Vec3,
     /// The direction, of any length except 0.
@@ -30,6 +54,13 @@ pub struct Dock {
     pub speed: f32,
     /// The time of arrival, seconds since the start; `None`: as soon as possible.
     pub time: Option<f64>,
+}
+
+impl Dock {
+    fn docking(&self) -> Docking {
+        let Self { place, heading, pitch, speed, time } = *self;
+        Docking { place, direction: direction(heading, pitch), speed, time }
+    }
 }
 
 /// Part of the braking force that a vehicle uses at the end.
@@ -50,6 +81,21 @@ const LONGER: f32 = 1.05;
 const PLANS: usize = 160;
 
 impl Behaviour for Dock {
+    fn memory(&self) -> usize {
+        self.docking().memory()
+    }
+
+    fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
+        self.docking().steer(view, memory, why)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.check_limits()?;
+        self.docking().check()
+    }
+}
+
+impl Behaviour for Docking {
     /// Seconds until arrival: 0 before there is a plan, negative after arrival. Then the deceleration at the end.
     fn memory(&self) -> usize {
         2
@@ -87,11 +133,11 @@ impl Behaviour for Dock {
             length,
             "greater than 0 and finite",
         )?;
-        Error::unless(self.speed >= 0.0, "speed of docking", self.speed, "0 or more")
+        Error::unless(self.speed >= 0.0, "speed", self.speed, "0 or more")
     }
 }
 
-impl Dock {
+impl Docking {
     /// Whether the agent should stand at the place but does not.
     fn missed(&self, view: &SteeringInput<'_>, left: f32) -> bool {
         left < -view.seconds && self.speed == 0.0 && view.to(self.place).length() > TOLERANCE.max(view.radius)

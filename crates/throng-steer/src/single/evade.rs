@@ -4,31 +4,30 @@ use crate::Prediction;
 use crate::approach::nearest_time;
 use throng::Error;
 use throng::motion::Steering;
-use throng::parameters::Value;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Flees from the predicted position of a menace. The prediction is at most half of the time until the closest
+/// Moves away from the predicted position of a menace (Reynolds 1999).
+///
+/// The prediction is at most half of the time until the closest
 /// approach: beyond that place the agent would flee towards the menace. A menace that moves away is not predicted.
 ///
 /// ```
 /// use throng::steer::{GroupFilter, Target};
 /// use throng_steer::Evade;
-/// let prey = Evade { panic_distance: 6.0, ..Evade::from(Target::Nearest(GroupFilter::OtherGroups)) };
+/// let prey = Evade { panic_distance: 6.0, ..Evade::new(Target::Nearest(GroupFilter::OtherGroups)) };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evade {
     /// The menace.
+    #[parameter(required)]
     pub menace: Target,
-    /// How far ahead its position is predicted.
+    /// How far ahead its position is predicted. Without it, cases of at most 10 s.
     pub prediction: Prediction,
-    /// Distance of the menace within which the agent flees, metres; infinite: at any distance. Limit: > 0.
+    /// Greatest distance at which it flees, metres. Without it, any distance.
+    #[parameter(default = f32::INFINITY, infinite, unit = "m", above = 0)]
     pub panic_distance: f32,
-}
-
-impl From<Target> for Evade {
-    fn from(menace: Target) -> Self {
-        Self { menace, prediction: Prediction::default(), panic_distance: f32::INFINITY }
-    }
 }
 
 impl Behaviour for Evade {
@@ -43,7 +42,6 @@ impl Behaviour for Evade {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.panic_distance > 0.0, "panic distance", self.panic_distance, "greater than 0")?;
-        self.prediction.check_limits()
+        self.check_limits()
     }
 }

@@ -3,10 +3,13 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 
-/// Flees from the predicted positions of all perceived agents, the more the nearer they are, and less from agents that
-/// are left behind. Nothing to correct while no such agent is perceived.
+/// Moves away from the predicted positions of several agents.
+///
+/// The more the nearer they are, and less from agents that are left behind. Nothing to correct while no such agent is
+/// perceived. The defaults are OpenSteer's numbers.
 ///
 /// ```
 /// use glam::Vec3;
@@ -19,24 +22,21 @@ use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, St
 /// let steering = EvadeAll::default().steer(&view, &mut [], &mut TraceRecorder::default()).expect("there are two");
 /// assert!(steering.force.x < 0.0 && steering.force.y < 0.0);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvadeAll {
-    /// The agents to evade.
+    /// The agents.
+    #[parameter(default = GroupFilter::OtherGroups)]
     pub groups: GroupFilter,
-    /// How far ahead positions are predicted: a part of the time in which the evading agent would reach them. Limit: >=
-    /// 0.
+    /// How far ahead positions are predicted: a part of the time in which it would reach them itself.
+    #[parameter(default = 0.5, least = 0)]
     pub ahead: f32,
-    /// Distance at which a single agent causes the whole force, metres. Limit: > 0.
+    /// Distance of an agent, metres, within which it uses all of the force.
+    #[parameter(default = 4.0, unit = "m", above = 0)]
     pub near: f32,
-    /// Weight of agents that are left behind, 0 to 1.
+    /// Weight of agents that it has left behind.
+    #[parameter(default = 0.5, least = 0, most = 1)]
     pub behind: f32,
-}
-
-impl Default for EvadeAll {
-    /// Returns OpenSteer's numbers.
-    fn default() -> Self {
-        Self { groups: GroupFilter::OtherGroups, ahead: 0.5, near: 4.0, behind: 0.5 }
-    }
 }
 
 /// Least speed in the prediction, as a part of the top speed.
@@ -72,8 +72,6 @@ impl Behaviour for EvadeAll {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.ahead >= 0.0 && self.ahead.is_finite(), "ahead", self.ahead, "0 or more and finite")?;
-        Error::unless_positive("near", self.near)?;
-        Error::unless((0.0..=1.0).contains(&self.behind), "behind", self.behind, "from 0 to 1")
+        self.check_limits()
     }
 }

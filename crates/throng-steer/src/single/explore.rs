@@ -3,29 +3,40 @@
 use glam::{USizeVec3, Vec3};
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{SpacePlace, Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Sweeps a region: goes to the place that it has visited least.
+/// Sweeps a region (Reynolds 1999).
 ///
-/// The region is divided into cells. The behaviour remembers for how many seconds the agent was in each cell. It seeks
+/// It goes to the place that it has visited least. The region is divided into cells. The behaviour remembers for how many seconds the agent was in each cell. It seeks
 /// the least visited cell, the nearest of several, and gives up a cell that it does not reach in four times the
 /// expected time.
 ///
 /// ```
-/// use glam::{USizeVec3, Vec3};
+/// use glam::Vec3;
 /// use throng::steer::Behaviour;
 /// use throng_steer::Explore;
-/// let search = Explore { low: Vec3::ZERO, high: Vec3::new(40.0, 20.0, 0.0), cells: USizeVec3::new(8, 4, 1) };
+/// let search = Explore { min: Vec3::ZERO, max: Vec3::new(40.0, 20.0, 0.0), columns: 8, rows: 4, levels: 1 };
 /// assert_eq!(search.memory(), 34);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Explore {
-    /// The corner of the region with the least coordinates, metres.
-    pub low: Vec3,
-    /// The corner with the greatest coordinates, metres. Limit: not below the least.
-    pub high: Vec3,
-    /// Number of cells along each axis. Limit: 1 to 4096 cells in all.
-    pub cells: USizeVec3,
+    /// The corner of the region with the least coordinates.
+    #[parameter(required, from = SpacePlace, unit = "m")]
+    pub min: Vec3,
+    /// The corner with the greatest coordinates. Limit: not below `min`.
+    #[parameter(required, from = SpacePlace, unit = "m")]
+    pub max: Vec3,
+    /// Number of cells along x; at most 4096 cells in all.
+    #[parameter(required, least = 1, most = 4096)]
+    pub columns: usize,
+    /// Number of cells along y.
+    #[parameter(required, least = 1, most = 4096)]
+    pub rows: usize,
+    /// Number of cells along z.
+    #[parameter(default = 1, least = 1, most = 4096)]
+    pub levels: usize,
 }
 
 /// Factor on the time at the top speed after which a cell is given up.
@@ -34,7 +45,7 @@ const PATIENCE: f32 = 4.0;
 impl Behaviour for Explore {
     /// The cell that is sought, counted from 1; the seconds until it is given up; the seconds in each cell.
     fn memory(&self) -> usize {
-        2 + self.cells.element_product()
+        2 + self.cells().element_product()
     }
 
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
@@ -59,24 +70,31 @@ impl Behaviour for Explore {
     }
 
     fn check(&self) -> Result<(), Error> {
-        let size = (self.high - self.low).min_element();
+        self.check_limits()?;
+        let size = (self.max - self.min).min_element();
         Error::unless(size >= 0.0 && size.is_finite(), "size of the region to explore", size, "0 or more and finite")?;
-        let cells = self.cells.element_product();
+        let cells = self.cells().element_product();
         Error::unless((1..=4096).contains(&cells), "cells to explore", cells as f64, "from 1 to 4096")
     }
 }
 
 impl Explore {
+    /// Returns the number of cells along each axis.
+    fn cells(&self) -> USizeVec3 {
+        USizeVec3::new(self.columns, self.rows, self.levels)
+    }
+
     /// Returns the cell of a place; the nearest cell if the place is outside.
     fn cell(&self, place: Vec3) -> usize {
-        let part = (place - self.low) / (self.high - self.low).max(Vec3::splat(f32::MIN_POSITIVE));
-        let at = (part * self.cells.as_vec3()).max(Vec3::ZERO).as_usizevec3().min(self.cells - 1);
-        (at.z * self.cells.y + at.y) * self.cells.x + at.x
+        let cells = self.cells();
+        let part = (place - self.min) / (self.max - self.min).max(Vec3::splat(f32::MIN_POSITIVE));
+        let at = (part * cells.as_vec3()).max(Vec3::ZERO).as_usizevec3().min(cells - 1);
+        (at.z * cells.y + at.y) * cells.x + at.x
     }
 
     fn center(&self, cell: usize) -> Vec3 {
-        let (x, rest) = (cell % self.cells.x, cell / self.cells.x);
-        let at = USizeVec3::new(x, rest % self.cells.y, rest / self.cells.y);
-        self.low + (self.high - self.low) * (at.as_vec3() + 0.5) / self.cells.as_vec3()
+        let (x, rest) = (cell % self.columns, cell / self.columns);
+        let at = USizeVec3::new(x, rest % self.rows, rest / self.rows);
+        self.min + (self.max - self.min) * (at.as_vec3() + 0.5) / self.cells().as_vec3()
     }
 }

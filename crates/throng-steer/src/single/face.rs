@@ -3,9 +3,12 @@
 
 use glam::Vec3;
 use throng::motion::Steering;
+use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Turns to a target and has no force: as a part of a sum, for agents that walk sideways.
+/// Turns to a target; does not move.
+///
+/// As a part of a sum, for agents that walk sideways.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,9 +18,11 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecor
 /// let steering = face.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it is elsewhere");
 /// assert_eq!((steering.force, steering.facing), (Vec3::ZERO, Some(Vec3::Y * 3.0)));
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
     /// The target.
+    #[parameter(required)]
     pub target: Target,
 }
 
@@ -29,15 +34,17 @@ impl Behaviour for Face {
     }
 }
 
-/// Turns to the direction of motion, as vehicles do without a facing: for the first place in a sum, before other
-/// facings.
+/// Turns to its direction of motion.
+///
+/// Vehicles do so without a facing: for the first place in a sum, before other facings.
 ///
 /// ```
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_steer::LookWhereYouGo;
 /// assert_eq!(LookWhereYouGo.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "it stands");
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LookWhereYouGo;
 
 impl Behaviour for LookWhereYouGo {
@@ -46,7 +53,9 @@ impl Behaviour for LookWhereYouGo {
     }
 }
 
-/// Faces in the same direction as another agent, wherever that agent is: gdx-ai's ReachOrientation.
+/// Turns to the orientation of another agent.
+///
+/// It faces in the same direction, wherever that agent is: gdx-ai's ReachOrientation.
 ///
 /// ```
 /// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
@@ -54,9 +63,11 @@ impl Behaviour for LookWhereYouGo {
 /// let drill = MatchOrientation { with: Target::Agent(0) };
 /// assert_eq!(drill.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "there is no such agent");
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchOrientation {
-    /// The other agent.
+    /// The agent.
+    #[parameter(required)]
     pub with: Target,
 }
 

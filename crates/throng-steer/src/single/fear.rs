@@ -3,9 +3,12 @@
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Flees from recent events nearby; less from events that are older or farther away.
+/// Moves away from events until they are forgotten.
+///
+/// Less from events that are older or farther away.
 ///
 /// ```
 /// use glam::Vec3;
@@ -18,11 +21,18 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 /// };
 /// assert!(force(0.0) < force(2.0) && force(5.0).is_none());
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fear {
-    /// Distance up to which events frighten, metres; the effect decreases to 0 there. Limit: > 0.
+    /// Reach of events, metres.
+    ///
+    /// The effect decreases to 0 there.
+    #[parameter(required, unit = "m", above = 0)]
     pub range: f32,
-    /// Seconds until an event is forgotten; the effect decreases to 0 until then. Limit: > 0.
+    /// Seconds until an event is forgotten.
+    ///
+    /// The effect decreases to 0 until then.
+    #[parameter(required, unit = "s", above = 0, most = 600)]
     pub fades: f32,
 }
 
@@ -42,7 +52,6 @@ impl Behaviour for Fear {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("range of fear", self.range)?;
-        Error::unless_positive("time that fear fades in", self.fades)
+        self.check_limits()
     }
 }

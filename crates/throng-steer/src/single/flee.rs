@@ -2,29 +2,29 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Moves straight away from a target at the top speed.
+/// Moves straight away from a target (Reynolds 1999).
+///
+/// At the top speed. Nothing to correct if the target does not exist, or is beyond the panic distance.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 /// use throng_steer::Flee;
-/// let flee = Flee { panic_distance: 3.0, ..Flee::from(Target::Point(Vec3::Y * 4.0)) };
+/// let flee = Flee { panic_distance: 3.0, ..Flee::new(Target::Point(Vec3::Y * 4.0)) };
 /// assert_eq!(flee.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flee {
     /// The target.
+    #[parameter(required)]
     pub target: Target,
-    /// Distance within which the agent flees, metres; infinite: at any distance. Limit: > 0.
+    /// Greatest distance at which it flees, metres. Without it, any distance.
+    #[parameter(default = f32::INFINITY, infinite, unit = "m", above = 0)]
     pub panic_distance: f32,
-}
-
-impl From<Target> for Flee {
-    fn from(target: Target) -> Self {
-        Self { target, panic_distance: f32::INFINITY }
-    }
 }
 
 impl Behaviour for Flee {
@@ -34,6 +34,6 @@ impl Behaviour for Flee {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.panic_distance > 0.0, "panic distance", self.panic_distance, "greater than 0")
+        self.check_limits()
     }
 }

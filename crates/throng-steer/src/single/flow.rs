@@ -6,32 +6,32 @@ use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Moves with a flow: matches the velocity of a field at the predicted position. Nothing to correct where the field is
-/// 0.
+/// Moves with a flow (Reynolds 1999).
+///
+/// It matches the velocity of the flow at the predicted position. Nothing to correct where the flow is 0.
 ///
 /// ```
 /// use glam::Vec3;
+/// use std::sync::Arc;
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_steer::FollowFlow;
 /// // round the origin, all at 1 m/s
-/// let whirl = FollowFlow::new(|place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero(), 0.5);
+/// let whirl = |place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero();
+/// let whirl = FollowFlow { flow: Arc::new(whirl), prediction: 0.5 };
 /// assert_eq!(whirl.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None, "in its middle");
 /// ```
+#[parameters]
 #[derive(Clone)]
 pub struct FollowFlow {
-    /// The field.
-    pub field: Arc<dyn Field>,
-    /// Seconds of the prediction. Limit: >= 0.
+    /// The flow.
+    #[parameter(required)]
+    pub flow: Arc<dyn Field>,
+    /// How far ahead its position is predicted, seconds.
+    #[parameter(default = 0.0, unit = "s", least = 0)]
     pub prediction: f32,
-}
-
-impl FollowFlow {
-    /// Returns the behaviour for a field and the seconds of the prediction.
-    pub fn new(field: impl Field + 'static, prediction: f32) -> Self {
-        Self { field: Arc::new(field), prediction }
-    }
 }
 
 impl fmt::Debug for FollowFlow {
@@ -43,13 +43,13 @@ impl fmt::Debug for FollowFlow {
 impl Behaviour for FollowFlow {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let place = view.motion.position_in(self.prediction);
-        let flow = view.passable(self.field.velocity(place, view.time));
+        let flow = view.passable(self.flow.velocity(place, view.time));
         why.note(|| SteeringReason::Expects(place));
         why.note(|| SteeringReason::Wishes(flow));
         (flow != Vec3::ZERO).then(|| view.reach(flow.clamp_length_max(view.vehicle.max_speed)))
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.prediction >= 0.0, "prediction", self.prediction, "0 or more")
+        self.check_limits()
     }
 }

@@ -1,41 +1,47 @@
 //! Forage: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Wander".
 
+use crate::Wander;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, Target, TraceRecorder, check_parts};
 
-/// Looks for food: wanders until it perceives food, then goes there.
+/// Wanders until it sees its food, then moves there (Reynolds 1999).
 ///
 /// ```
 /// use throng::steer::{GroupFilter, Target};
-/// use throng_steer::{Forage, Wander};
-/// let bird = Forage { food: Target::Nearest(GroupFilter::Group(2)), range: 8.0, wander: Wander::default().into() };
+/// use throng_steer::Forage;
+/// let bird = Forage::new(Target::Nearest(GroupFilter::Group(2)), 8.0_f32);
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Forage {
     /// The food.
+    #[parameter(required)]
     pub food: Target,
-    /// Distance at which the agent perceives food, metres. Limit: > 0.
+    /// Distance at which it sees the food, metres.
+    #[parameter(required, unit = "m", above = 0)]
     pub range: f32,
-    /// The behaviour until then.
-    pub wander: BoxedBehaviour,
+    /// The behaviour until then. Without it, it wanders.
+    #[parameter(default = Wander::default().into())]
+    pub of: BoxedBehaviour,
 }
 
 impl Behaviour for Forage {
     fn memory(&self) -> usize {
-        self.wander.words()
+        self.of.words()
     }
 
     fn steer(&self, view: &SteeringInput<'_>, mut memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let food = self.food.find(view).filter(|food| view.to(food.position).length() <= self.range);
         match food {
             Some(food) => view.seek(food.position, why),
-            None => self.wander.steer_as(0, view, &mut memory, why),
+            None => self.of.steer_as(0, view, &mut memory, why),
         }
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.range > 0.0, "range of sight", self.range, "greater than 0")?;
-        check_parts([&self.wander])
+        self.check_limits()?;
+        check_parts([&self.of])
     }
 }

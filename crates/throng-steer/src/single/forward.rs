@@ -2,9 +2,10 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Pushes forward with a part of the top force.
+/// Applies a force straight ahead.
 ///
 /// ```
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
@@ -12,9 +13,11 @@ use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// let steering = MoveForward { part: 0.5 }.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert_eq!(steering.map(|steering| steering.force), Some(glam::Vec3::X * 2.5));
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveForward {
-    /// Part of the top force. Limit: 0 to 1.
+    /// Part of the greatest force.
+    #[parameter(required, least = 0, most = 1)]
     pub part: f32,
 }
 
@@ -24,6 +27,6 @@ impl Behaviour for MoveForward {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless((0.0..=1.0).contains(&self.part), "part of the force", self.part, "from 0 to 1")
+        self.check_limits()
     }
 }

@@ -27,11 +27,10 @@ mod tether;
 mod wander;
 
 pub use arrive::Arrive;
-#[allow(unused_imports, reason = "until all behaviours declare their parameters")]
 pub(crate) use arrive::SLOWING_DISTANCE;
 pub(super) use arrive::{approach, settling_time};
 pub use constant_force::ConstantForce;
-pub use dock::Dock;
+pub use dock::{Dock, Docking};
 pub use evade::Evade;
 pub use evade_all::EvadeAll;
 pub use explore::Explore;
@@ -55,3 +54,13 @@ pub use takeoff::takeoff;
 pub use target_speed::TargetSpeed;
 pub use tether::Tether;
 pub use wander::Wander;
+
+use glam::Vec3;
+use throng::parameters::Angle;
+
+/// Returns the direction of a heading and a pitch.
+fn direction(heading: Angle, pitch: Angle) -> Vec3 {
+    let (sin, cos) = libm::sincosf(heading.radians());
+    let (up, level) = libm::sincosf(pitch.radians());
+    Vec3::new(cos * level, sin * level, up)
+}

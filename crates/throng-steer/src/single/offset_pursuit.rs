@@ -4,10 +4,12 @@ use crate::Prediction;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
-use throng::parameters::Value;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Passes a quarry at a distance, as in a strafing run, or to look at it.
+/// Passes a quarry at a distance (Reynolds 1999).
+///
+/// As in a strafing run, or to look at the quarry.
 ///
 /// The agent aims at a point beside the predicted position of the quarry, at the distance, on the side to which it
 /// already moves. An agent on a head-on course passes on the right. Once past, there is nothing to correct until the
@@ -18,13 +20,16 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecor
 /// use throng_steer::{OffsetPursuit, Prediction};
 /// let pass = OffsetPursuit { quarry: Target::Agent(1), prediction: Prediction::default(), distance: 5.0 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OffsetPursuit {
     /// The quarry.
+    #[parameter(required)]
     pub quarry: Target,
-    /// How far ahead the position of the quarry is predicted.
+    /// How far ahead its position is predicted. Without it, cases of at most 10 s.
     pub prediction: Prediction,
-    /// Distance in passing, metres. Limit: >= 0.
+    /// Distance at which it passes the quarry, metres.
+    #[parameter(required, unit = "m", least = 0)]
     pub distance: f32,
 }
 
@@ -68,7 +73,6 @@ impl Behaviour for OffsetPursuit {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.distance >= 0.0, "distance to pass at", self.distance, "0 or more")?;
-        self.prediction.check_limits()
+        self.check_limits()
     }
 }

@@ -3,28 +3,24 @@
 use crate::Prediction;
 use throng::Error;
 use throng::motion::Steering;
-use throng::parameters::Value;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Goes to the predicted position of a quarry.
+/// Moves to the predicted position of a quarry (Reynolds 1999).
 ///
 /// ```
 /// use throng::steer::{GroupFilter, Target};
 /// use throng_steer::{Prediction, Pursue};
-/// let predator = Pursue { prediction: Prediction::Constant(1.0), ..Pursue::from(Target::Nearest(GroupFilter::Group(1))) };
+/// let predator = Pursue { prediction: Prediction::Constant(1.0), ..Pursue::new(Target::Nearest(GroupFilter::Group(1))) };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pursue {
     /// The quarry.
+    #[parameter(required)]
     pub quarry: Target,
-    /// How far ahead the position of the quarry is predicted.
+    /// How far ahead its position is predicted. Without it, cases of at most 10 s.
     pub prediction: Prediction,
-}
-
-impl From<Target> for Pursue {
-    fn from(quarry: Target) -> Self {
-        Self { quarry, prediction: Prediction::default() }
-    }
 }
 
 impl Behaviour for Pursue {
@@ -34,6 +30,6 @@ impl Behaviour for Pursue {
     }
 
     fn check(&self) -> Result<(), Error> {
-        self.prediction.check_limits()
+        self.check_limits()
     }
 }

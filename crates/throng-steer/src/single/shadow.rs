@@ -1,24 +1,31 @@
 //! Shadowing: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
-use super::approach;
+use super::{SLOWING_DISTANCE, approach};
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Approaches a quarry, then matches its velocity and orientation.
+/// Approaches a quarry, then moves as it moves (Reynolds 1999).
+///
+/// It matches the velocity of the quarry, and its orientation.
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::Shadow;
 /// let detective = Shadow { quarry: Target::Agent(1), distance: 3.0, slowing_distance: 2.0 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shadow {
     /// The quarry.
+    #[parameter(required)]
     pub quarry: Target,
-    /// Distance to the quarry, metres. Limit: >= 0.
+    /// Distance that it keeps, metres.
+    #[parameter(required, unit = "m", least = 0)]
     pub distance: f32,
-    /// Distance from there at which the agent begins to slow down, metres. Limit: >= 0.
+    /// Distance from that point at which it starts to slow down, metres.
+    #[parameter(default = SLOWING_DISTANCE, unit = "m", least = 0)]
     pub slowing_distance: f32,
 }
 
@@ -34,7 +41,6 @@ impl Behaviour for Shadow {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.distance >= 0.0, "distance to shadow at", self.distance, "0 or more")?;
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+        self.check_limits()
     }
 }

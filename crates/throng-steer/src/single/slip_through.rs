@@ -1,14 +1,16 @@
 //! Slipping past defenders to a goal: the seeker of OpenSteer's capture the flag.
 
 use super::evade_all::{EvadeAll, expected};
-use std::f32::consts::PI;
 use throng::Error;
 use throng::motion::{Steering, angle_between, turned_towards};
+use throng::parameters::{Angle, Value, parameters};
 use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Goes to a target at the top speed while the corridor there is clear. While it is not, the agent also evades the
+/// Moves past the defenders of a target.
+///
+/// It goes to the target at the top speed while the corridor there is clear. While it is not, the agent also evades the
 /// agents that close it. The agent turns gradually and never turns back. Nothing to correct if the target does not
-/// exist.
+/// exist. The defaults are OpenSteer's numbers: past all agents of other groups.
 ///
 /// ```
 /// use glam::Vec3;
@@ -17,33 +19,30 @@ use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringReason, Targe
 /// let defender = SteeringNeighbour {
 ///     offset: Vec3::new(5.0, 0.5, 0.0), velocity: Vec3::ZERO, forward: -Vec3::X, radius: 0.2, number: 1, group: 1,
 /// };
-/// let slip = SlipThrough::from(Target::Point(Vec3::X * 20.0));
+/// let slip = SlipThrough::new(Target::Point(Vec3::X * 20.0));
 /// let alone = SteeringInput::default();
 /// let met = SteeringInput { neighbours: &[defender], ..alone };
 /// assert!(slip.is_clear(&alone) && !slip.is_clear(&met));
 /// let steering = slip.steer(&met, &mut [], &mut TraceRecorder::default()).expect("it is on its way");
 /// assert!(steering.force.y < 0.0, "past it on the other side");
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlipThrough {
     /// The target.
+    #[parameter(required)]
     pub target: Target,
-    /// The agents that may close the corridor, and how the agent evades them.
+    /// The agents it moves past, and how it evades them.
     pub evade: EvadeAll,
-    /// How far ahead the positions of those agents are predicted: a part of the time in which the agent would reach
-    /// them. Limit: >= 0.
+    /// How far ahead it predicts agents in the corridor: a part of the time in which it would reach them itself.
+    #[parameter(default = 0.3, least = 0)]
     pub ahead: f32,
-    /// Extent of the corridor to either side, in body radii. Limit: > 0.
+    /// Extent of the corridor to either side, in radii of its body.
+    #[parameter(default = 8.0, above = 0)]
     pub width: f32,
-    /// Greatest angle between the steering direction and the forward direction, radians. Limit: > 0 to pi.
-    pub turn: f32,
-}
-
-impl From<Target> for SlipThrough {
-    /// Returns OpenSteer's numbers: past all agents of other groups.
-    fn from(target: Target) -> Self {
-        Self { target, evade: EvadeAll::default(), ahead: 0.3, width: 8.0, turn: PI / 4.0 }
-    }
+    /// Greatest angle between its direction and straight ahead, degrees.
+    #[parameter(default = Angle::degrees(45.0), unit = "°", above = 0, most = 180)]
+    pub turn: Angle,
 }
 
 /// Cosine of the angle from which on the target is to the side.
@@ -80,14 +79,11 @@ impl Behaviour for SlipThrough {
         let away = if self.is_clear(view) { glam::Vec3::ZERO } else { self.evade.away(view, why) };
         let chosen = (seek + away).try_normalize()?;
         let forward = view.forward();
-        let angle = angle_between(forward, chosen).min(self.turn);
+        let angle = angle_between(forward, chosen).min(self.turn.radians());
         view.go(turned_towards(forward, chosen, angle, view.motion.basis.up))
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.ahead >= 0.0 && self.ahead.is_finite(), "ahead", self.ahead, "0 or more and finite")?;
-        Error::unless_positive("width", self.width)?;
-        Error::unless(self.turn > 0.0 && self.turn <= PI, "turn", self.turn, "greater than 0, at most pi")?;
-        self.evade.check()
+        self.check_limits()
     }
 }

@@ -1,13 +1,15 @@
 //! Station keeping: a place in the frame of a leader, as for wingmen.
 
-use super::approach;
+use super::{SLOWING_DISTANCE, approach};
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, Kinematics, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Keeps a place relative to a leader: offset pursuit in the leader's frame (yuka), with the leader's velocity once
-/// there.
+/// Keeps a place beside a leader, as wingmen do.
+///
+/// Offset pursuit in the leader's frame (yuka), with the leader's velocity once there.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,13 +17,17 @@ use throng::steer::{Behaviour, Kinematics, SteeringInput, SteeringReason, Target
 /// use throng_steer::KeepStation;
 /// let wingman = KeepStation { leader: Target::Agent(1), offset: Vec3::new(-4.0, 3.0, 0.0), slowing_distance: 3.0 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeepStation {
     /// The leader.
+    #[parameter(required)]
     pub leader: Target,
-    /// The place: ahead of the leader, to its left, and above, metres.
+    /// The place: ahead of the leader, to its left, and above it, metres.
+    #[parameter(required, unit = "m")]
     pub offset: Vec3,
-    /// Distance at which the agent begins to slow down, metres. Limit: >= 0.
+    /// Distance at which it starts to slow down, metres.
+    #[parameter(default = SLOWING_DISTANCE, unit = "m", least = 0)]
     pub slowing_distance: f32,
 }
 
@@ -32,7 +38,7 @@ impl Behaviour for KeepStation {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+        self.check_limits()
     }
 }
 

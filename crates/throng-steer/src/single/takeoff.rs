@@ -6,7 +6,7 @@ use glam::Vec3;
 /// the vertical velocity, m/s; `gravity` is > 0, m/s². `None` if the jump does not rise to the height of the landing,
 /// or would need a horizontal speed above `most` m/s.
 ///
-/// A [`Dock`](super::Dock) at the takeoff, with the direction and the speed of the horizontal part, is the run-up; an
+/// A [`Docking`](super::Docking) at the takeoff, with the direction and the speed of the horizontal part, is the run-up; an
 /// agent in the air does not steer.
 ///
 /// ```

@@ -2,9 +2,12 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 
-/// Keeps a speed, with a force forward or backward only. Nothing to correct at that speed.
+/// Reaches a speed, whatever its direction.
+///
+/// With a force forward or backward only. Nothing to correct at that speed.
 ///
 /// ```
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
@@ -13,9 +16,11 @@ use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// let steering = stroll.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it stands");
 /// assert!(steering.force.x > 0.0);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TargetSpeed {
-    /// The speed, m/s. Limit: >= 0.
+    /// The speed, m/s.
+    #[parameter(required, unit = "m/s", least = 0)]
     pub speed: f32,
 }
 
@@ -30,6 +35,6 @@ impl Behaviour for TargetSpeed {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.speed >= 0.0, "target speed", self.speed, "0 or more")
+        self.check_limits()
     }
 }

@@ -2,9 +2,12 @@
 
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 
-/// Comes back when the agent is too far from a target. Nothing to correct within the length of the tether.
+/// Returns when it is too far from something.
+///
+/// Nothing to correct within the length of the tether.
 ///
 /// ```
 /// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
@@ -12,11 +15,14 @@ use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 /// let dog = Tether { to: Target::Point(glam::Vec3::X), length: 2.0 };
 /// assert_eq!(dog.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tether {
-    /// The target.
+    /// The target that it stays near.
+    #[parameter(required)]
     pub to: Target,
-    /// Greatest distance from it, metres. Limit: >= 0.
+    /// Greatest distance, metres.
+    #[parameter(required, unit = "m", least = 0)]
     pub length: f32,
 }
 
@@ -27,6 +33,6 @@ impl Behaviour for Tether {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.length >= 0.0, "length of the tether", self.length, "0 or more")
+        self.check_limits()
     }
 }

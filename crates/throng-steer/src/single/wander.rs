@@ -4,33 +4,38 @@ use glam::Vec3;
 use std::f32::consts::{SQRT_2, TAU};
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Angle, Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Wanders: turns to one side and the other, without jerks.
+/// Wanders at random (Reynolds 1999).
+///
+/// It turns to one side and the other, without jerks.
 ///
 /// The agent goes to a point on a sphere ahead of it (a circle, on the ground); the point moves on the sphere at
 /// random. The motion of the point is Brownian, so its statistics do not depend on the time step; those of Reynolds'
 /// displacement in each frame do.
 ///
 /// ```
+/// use throng::parameters::Angle;
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_steer::Wander;
-/// let wander = Wander { strength: 0.5, rate: 2.0 };
+/// let wander = Wander { strength: 0.5, rate: Angle::degrees(120.0) };
 /// let mut memory = vec![0.0; wander.memory()];
 /// assert!(wander.steer(&SteeringInput::default(), &mut memory, &mut TraceRecorder::default()).is_some());
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wander {
-    /// Radius of the sphere. Its centre is the square root of 2 ahead, so 1 turns at most 45° aside. Limit: 0 to 1.4.
+    /// Strength of the turns: 1 turns at most 45° aside.
+    ///
+    /// It is the radius of the sphere. The centre of the sphere is the square root of 2 ahead.
+    #[parameter(default = 1.0, least = 0, most = 1.4)]
     pub strength: f32,
-    /// Speed of the point, radians per square root of a second: the standard deviation after a second. Limit: >= 0.
-    pub rate: f32,
-}
-
-impl Default for Wander {
-    fn default() -> Self {
-        Self { strength: 1.0, rate: 1.0 }
-    }
+    /// Rate of change of the side, degrees per square root of a second.
+    ///
+    /// It is the speed of the point: the standard deviation after a second.
+    #[parameter(default = Angle::from_radians(1.0), unit = "°/√s", least = 0)]
+    pub rate: Angle,
 }
 
 impl Behaviour for Wander {
@@ -48,15 +53,14 @@ impl Behaviour for Wander {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless((0.0..=1.4).contains(&self.strength), "strength of wandering", self.strength, "from 0 to 1.4")?;
-        Error::unless(self.rate >= 0.0, "rate of wandering", self.rate, "0 or more")
+        self.check_limits()
     }
 }
 
 impl Wander {
     /// Returns the point after the step; a random point of the sphere if there was none.
     fn walk(&self, view: &SteeringInput<'_>, point: Vec3) -> Vec3 {
-        let spread = self.rate * view.seconds.sqrt();
+        let spread = self.rate.radians() * view.seconds.sqrt();
         let rng = view.rng;
         if view.is_on_ground() {
             let angle = match point {

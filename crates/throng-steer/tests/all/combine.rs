@@ -339,7 +339,7 @@ fn parts_are_distinguished() {
     sum.steer(&SteeringInput::default(), &mut memory, &mut TraceRecorder::default());
     assert_ne!(memory[..3], memory[3..]);
     let sidestep = WeightedSum(vec![
-        (1.0, Flee::from(Target::Point(Vec3::Y)).into()),
+        (1.0, Flee::new(Target::Point(Vec3::Y)).into()),
         (1.0, Face { target: Target::Point(Vec3::Y) }.into()),
     ]);
     let said = ask(&sidestep, &SteeringInput::default()).expect("both");
@@ -350,7 +350,7 @@ fn parts_are_distinguished() {
 fn mistakes_in_parts_are_named() {
     let wrong = Wander { strength: 7.0, ..Wander::default() };
     let tree = Priority { epsilon: 0.0, parts: vec![Hold { seconds: 1.0, of: wrong.into() }.into()] };
-    assert!(tree.check().expect_err("it is wrong").to_string().contains("strength of wandering is 7"));
+    assert!(tree.check().expect_err("it is wrong").to_string().contains("strength is 7"));
     let lost = Switch(vec![State { behaviour: Says(None).into(), exits: vec![(Condition::Done, 1)] }]);
     assert!(lost.check().is_err() && Switch(vec![]).check().is_err());
 }

@@ -3,6 +3,7 @@
 use crate::harness::{Actor, RADIUS, RATES, Stage, angle, ask, flier, on_ground, rate, vector};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
+use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
 use throng::steer::{Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, Target};
 use throng_steer::{
@@ -268,7 +269,10 @@ proptest! {
         response in 0.0f32..0.6, headway in 0.1f32..3.0, gap in 0.0f32..0.5, seconds in rate(),
     ) {
         let last = speeds[speeds.len() - 1];
-        let head = FollowFlow::new(move |_: Vec3, time: f64| Vec3::X * speeds[(time as usize / 3).min(speeds.len() - 1)].max(1e-9), 0.0);
+        let head = FollowFlow {
+            flow: Arc::new(move |_: Vec3, time: f64| Vec3::X * speeds[(time as usize / 3).min(speeds.len() - 1)].max(1e-9)),
+            prediction: 0.0,
+        };
         let at_once = Vehicle { response: 0.0, max_force: 1e9, ..Vehicle::default() };
         let mut actors = vec![Actor::new(Motion::default(), at_once, head)];
         let vehicle = Vehicle { response, ..Vehicle::default() };

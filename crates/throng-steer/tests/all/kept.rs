@@ -3,7 +3,7 @@
 use crate::draw::Draw;
 use crate::harness::{Actor, Stage};
 use crate::results::Results;
-use glam::{DVec2, USizeVec3, Vec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -17,9 +17,9 @@ use throng::steer::{
 };
 use throng_steer::{
     Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Evade, EvadeAll, Explore, Face,
-    Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor,
-    Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation,
+    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Docking, Evade, EvadeAll, Explore,
+    Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander,
+    HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation,
     MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue,
     Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed,
     Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, crowd_path, queue_at_door, takeoff,
@@ -46,24 +46,25 @@ fn single() -> Vec<Named> {
     let flow =
         |at: Vec3, time: f64| if at.x > 5.0 { Vec3::ZERO } else { Vec3::new(at.y, time as f32 * 0.2, at.x) * 0.4 };
     let offset = Vec3::new(-1.0, 0.7, 0.4);
-    let dock = Dock { place: PLACE, direction: Vec3::new(1.0, 2.0, 0.0), speed: 0.0, time: None };
+    let dock = Docking { place: PLACE, direction: Vec3::new(1.0, 2.0, 0.0), speed: 0.0, time: None };
     let wavers = Noise { period: 0.7, octaves: 2, gain: 0.7, turbulent: true };
-    let explore = Explore { low: Vec3::splat(-3.0), high: Vec3::new(3.0, 4.0, 2.0), cells: USizeVec3::new(3, 2, 2) };
-    let slip = SlipThrough::from(POINT);
+    let explore = Explore { min: Vec3::splat(-3.0), max: Vec3::new(3.0, 4.0, 2.0), columns: 3, rows: 2, levels: 2 };
+    let follow = |prediction| FollowFlow { flow: Arc::new(flow), prediction };
+    let slip = SlipThrough::new(POINT);
     let evade_all = EvadeAll { groups: GroupFilter::All, ahead: 0.9, near: 0.7, behind: 0.2 };
     vec![
         ("seek", Seek { target: POINT }.into()),
         ("seek, its goal", Seek { target: Target::Goal }.into()),
         ("seek, an agent", Seek { target: AGENT }.into()),
         ("seek, a group", Seek { target: Target::Nearest(GroupFilter::Group(1)) }.into()),
-        ("flee", Flee::from(NEAR).into()),
+        ("flee", Flee::new(NEAR).into()),
         ("flee, near", Flee { target: POINT, panic_distance: 2.0 }.into()),
-        ("pursue", Pursue::from(NEAR).into()),
+        ("pursue", Pursue::new(NEAR).into()),
         ("pursue, soon", Pursue { quarry: AGENT, prediction: Prediction::Cases { most: 0.6 } }.into()),
         ("pursue, by the distance", Pursue { quarry: AGENT, prediction: predicts }.into()),
-        ("evade", Evade::from(STRANGER).into()),
+        ("evade", Evade::new(STRANGER).into()),
         ("evade, near", Evade { menace: AGENT, prediction: predicts, panic_distance: 3.0 }.into()),
-        ("evade, always", Evade { prediction: Prediction::Constant(0.4), ..Evade::from(NEAR) }.into()),
+        ("evade, always", Evade { prediction: Prediction::Constant(0.4), ..Evade::new(NEAR) }.into()),
         ("evade all", EvadeAll::default().into()),
         ("evade all, weakly", evade_all.into()),
         ("pass", OffsetPursuit { quarry: AGENT, prediction: Prediction::default(), distance: 1.5 }.into()),
@@ -73,39 +74,42 @@ fn single() -> Vec<Named> {
         ("arrive", Arrive::new(POINT).into()),
         ("arrive, about", Arrive { target: Target::Goal, slowing_distance: 3.0, tolerance: 1.0 }.into()),
         ("arrive, at once", Arrive { slowing_distance: 0.0, tolerance: 0.0, ..Arrive::new(AGENT) }.into()),
-        ("interpose", Interpose { between: [LEADER, AGENT], ratio: 0.5, slowing_distance: 1.0 }.into()),
-        ("interpose, nearer to", Interpose { between: [NEAR, POINT], ratio: 0.2, slowing_distance: 3.0 }.into()),
+        ("interpose", Interpose::new(LEADER, AGENT).into()),
+        ("interpose, nearer to", Interpose { from: NEAR, to: POINT, ratio: 0.2, slowing_distance: 3.0 }.into()),
         ("shadow", Shadow { quarry: AGENT, distance: 1.0, slowing_distance: 1.0 }.into()),
         ("shadow, close", Shadow { quarry: STRANGER, distance: 0.5, slowing_distance: 0.0 }.into()),
         ("dock", dock.into()),
-        ("dock, at a speed", Dock { speed: 0.9, ..dock }.into()),
-        ("dock, fast", Dock { speed: 1.7, ..dock }.into()),
-        ("dock, at a time", Dock { time: Some(5.0), ..dock }.into()),
-        ("dock, fast at a time", Dock { speed: 1.0, time: Some(4.0), ..dock }.into()),
+        ("dock, at a speed", Docking { speed: 0.9, ..dock }.into()),
+        ("dock, fast", Docking { speed: 1.7, ..dock }.into()),
+        ("dock, at a time", Docking { time: Some(5.0), ..dock }.into()),
+        ("dock, fast at a time", Docking { speed: 1.0, time: Some(4.0), ..dock }.into()),
         ("wander", Wander::default().into()),
-        ("wander, wildly", Wander { strength: 0.6, rate: 3.0 }.into()),
+        ("wander, wildly", Wander { strength: 0.6, rate: Angle::from_radians(3.0) }.into()),
         ("fractal wander", FractalWander::default().into()),
-        ("fractal wander, turbulent", FractalWander { angle: 1.4, noise: wavers }.into()),
-        ("forage", Forage { food: POINT, range: 2.0, wander: Wander::default().into() }.into()),
-        ("forage, for agents", Forage { food: STRANGER, range: 1.5, wander: Wander::default().into() }.into()),
+        ("fractal wander, turbulent", FractalWander { angle: Angle::from_radians(1.4), noise: wavers }.into()),
+        ("forage", Forage { food: POINT, range: 2.0, of: Wander::default().into() }.into()),
+        ("forage, for agents", Forage { food: STRANGER, range: 1.5, of: Wander::default().into() }.into()),
         ("tether", Tether { to: POINT, length: 1.0 }.into()),
         ("tether, to an agent", Tether { to: AGENT, length: 2.0 }.into()),
         ("target speed", TargetSpeed { speed: 1.0 }.into()),
         ("move forward", MoveForward { part: 0.3 }.into()),
         ("constant force", ConstantForce(Vec3::new(0.4, -0.7, 0.3)).into()),
-        ("head for", HeadFor { direction: Vec3::new(1.0, 2.0, 0.5), full: 0.5 }.into()),
+        ("head for", HeadFor { heading: Angle::degrees(63.4), pitch: Angle::degrees(12.6), full: 0.5 }.into()),
         ("face", Face { target: POINT }.into()),
         ("look where you go", LookWhereYouGo.into()),
         ("match orientation", MatchOrientation { with: NEAR }.into()),
-        ("follow a flow", FollowFlow::new(flow, 0.0).into()),
-        ("follow a flow, ahead", FollowFlow::new(flow, 0.7).into()),
+        ("follow a flow", follow(0.0).into()),
+        ("follow a flow, ahead", follow(0.7).into()),
         ("fear", Fear { range: 9.0, fades: 3.0 }.into()),
         ("fear, briefly", Fear { range: 3.0, fades: 0.8 }.into()),
         ("slip through", slip.into()),
-        ("slip through, turning", SlipThrough { evade: evade_all, ahead: 0.6, width: 4.0, turn: 2.0, ..slip }.into()),
-        ("slip past", SlipThrough::from(Target::Goal).past(GroupFilter::Group(2)).into()),
+        (
+            "slip through, turning",
+            SlipThrough { evade: evade_all, ahead: 0.6, width: 4.0, turn: Angle::from_radians(2.0), ..slip }.into(),
+        ),
+        ("slip past", SlipThrough::new(Target::Goal).past(GroupFilter::Group(2)).into()),
         ("explore", explore.into()),
-        ("explore, of one cell", Explore { cells: USizeVec3::ONE, ..explore }.into()),
+        ("explore, of one cell", Explore { columns: 1, rows: 1, levels: 1, ..explore }.into()),
         ("explore, held back", sum([(0.3, explore.into()), (1.0, ConstantForce(Vec3::new(2.0, 1.0, 0.0)).into())])),
     ]
 }
@@ -166,7 +170,7 @@ fn group() -> Vec<Named> {
 
 fn combined() -> Vec<Named> {
     let seek = || BoxedBehaviour::from(Seek { target: POINT });
-    let wander = || BoxedBehaviour::from(Wander { rate: 2.0, ..Wander::default() });
+    let wander = || BoxedBehaviour::from(Wander { rate: Angle::from_radians(2.0), ..Wander::default() });
     let shy = || BoxedBehaviour::from(Flee { target: NEAR, panic_distance: 1.2 });
     let apart = || BoxedBehaviour::from(Separation::default());
     let face = || BoxedBehaviour::from(Face { target: AGENT });
@@ -552,11 +556,12 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let predictions =
         [Prediction::Constant(x), Prediction::Distance { per_metre: x, most: 1.0 }, Prediction::Cases { most: x }];
     let noise = Noise { gain: x, ..Noise::default() };
+    let (angle, dock) = (Angle::from_radians(x), Dock::new(PLACE, Angle::default()));
     let stations = KeepStation { leader: LEADER, offset: PLACE, slowing_distance: x };
     let shadow = Shadow { quarry: LEADER, distance: 1.0, slowing_distance: x };
-    let dock = Dock { place: PLACE, direction: PLACE, speed: x, time: None };
+    let docking = Docking { place: PLACE, direction: PLACE, speed: x, time: None };
     let evade_all = EvadeAll { ahead: x, ..EvadeAll::default() };
-    let slip = SlipThrough::from(POINT);
+    let slip = SlipThrough::new(POINT);
     let (boids, flocking, rule) = (Boids::default(), Flocking::default(), Flocking::default().cohesion);
     let queue = || Queue::new(MoveForward { part: 1.0 });
     let follow = FollowLeader::from(LEADER);
@@ -590,31 +595,36 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     ];
     let mut many = vec![
         part(),
-        Flee { panic_distance: x, ..Flee::from(POINT) }.into(),
-        Evade { panic_distance: x, ..Evade::from(POINT) }.into(),
+        Flee { panic_distance: x, ..Flee::new(POINT) }.into(),
+        Evade { panic_distance: x, ..Evade::new(POINT) }.into(),
         OffsetPursuit { quarry: POINT, prediction: Prediction::default(), distance: x }.into(),
         stations.into(),
         Arrive { slowing_distance: x, ..Arrive::new(POINT) }.into(),
         Arrive { tolerance: x, ..Arrive::new(POINT) }.into(),
-        Interpose { between: [POINT; 2], ratio: x, slowing_distance: 1.0 }.into(),
-        Interpose { between: [POINT; 2], ratio: 1.0, slowing_distance: x }.into(),
+        Interpose { ratio: x, ..Interpose::new(POINT, POINT) }.into(),
+        Interpose { slowing_distance: x, ..Interpose::new(POINT, POINT) }.into(),
         shadow.into(),
         Shadow { distance: x, slowing_distance: 1.0, ..shadow }.into(),
-        dock.into(),
-        Dock { direction: PLACE * x, speed: 1.0, ..dock }.into(),
+        docking.into(),
+        Docking { direction: PLACE * x, speed: 1.0, ..docking }.into(),
+        Dock { speed: x, ..dock }.into(),
+        Dock { heading: angle, ..dock }.into(),
+        Dock { pitch: angle, ..dock }.into(),
+        Dock { time: Some(x.into()), ..dock }.into(),
         Wander { strength: x, ..Wander::default() }.into(),
-        Wander { rate: x, ..Wander::default() }.into(),
-        FractalWander { angle: x, ..FractalWander::default() }.into(),
+        Wander { rate: angle, ..Wander::default() }.into(),
+        FractalWander { angle, ..FractalWander::default() }.into(),
         FractalWander { noise, ..FractalWander::default() }.into(),
         FractalWander { noise: Noise { period: x, ..Noise::default() }, ..FractalWander::default() }.into(),
-        Forage { food: POINT, range: x, wander: Wander::default().into() }.into(),
-        Forage { food: POINT, range: 1.0, wander: part() }.into(),
+        Forage { food: POINT, range: x, of: Wander::default().into() }.into(),
+        Forage { food: POINT, range: 1.0, of: part() }.into(),
         Tether { to: POINT, length: x }.into(),
         MoveForward { part: x }.into(),
         ConstantForce(Vec3::X * x).into(),
-        HeadFor { direction: PLACE * x, full: 1.0 }.into(),
-        HeadFor { direction: PLACE, full: x }.into(),
-        FollowFlow::new(|_: Vec3, _: f64| Vec3::X, x).into(),
+        HeadFor::new(angle).into(),
+        HeadFor { pitch: angle, ..HeadFor::new(Angle::default()) }.into(),
+        HeadFor { full: x, ..HeadFor::new(Angle::default()) }.into(),
+        FollowFlow { flow: Arc::new(|_: Vec3, _: f64| Vec3::X), prediction: x }.into(),
         Fear { range: x, fades: 1.0 }.into(),
         Fear { range: 1.0, fades: x }.into(),
         evade_all.into(),
@@ -622,9 +632,9 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         EvadeAll { behind: x, ..EvadeAll::default() }.into(),
         SlipThrough { ahead: x, ..slip }.into(),
         SlipThrough { width: x, ..slip }.into(),
-        SlipThrough { turn: x, ..slip }.into(),
+        SlipThrough { turn: angle, ..slip }.into(),
         SlipThrough { evade: evade_all, ..slip }.into(),
-        Explore { low: Vec3::ZERO, high: Vec3::splat(x), cells: USizeVec3::ONE }.into(),
+        Explore { min: Vec3::ZERO, max: Vec3::splat(x), columns: 1, rows: 1, levels: 1 }.into(),
         Separation { full: x, ..Separation::default() }.into(),
         Cohesion { full: x, ..Cohesion::default() }.into(),
         Alignment { full: x, ..Alignment::default() }.into(),
@@ -709,7 +719,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     ];
     many.extend(hoods.map(|near| MatchVelocity { near }.into()));
     many.extend(predictions.map(|prediction| Pursue { quarry: POINT, prediction }.into()));
-    many.extend(predictions.map(|prediction| Evade { prediction, ..Evade::from(POINT) }.into()));
+    many.extend(predictions.map(|prediction| Evade { prediction, ..Evade::new(POINT) }.into()));
     many.extend(predictions.map(|prediction| OffsetPursuit { quarry: POINT, prediction, distance: 1.0 }.into()));
     many.extend(conditions.map(|condition| Switch(vec![state(condition)]).into()));
     many
@@ -725,9 +735,9 @@ fn with_count(count: usize) -> Vec<BoxedBehaviour> {
     let parts: Vec<(f32, BoxedBehaviour)> = (0..count).map(|_| (1.0, MoveForward { part: 1.0 }.into())).collect();
     vec![
         MatchVelocity { near }.into(),
-        FractalWander { angle: 1.0, noise }.into(),
+        FractalWander { angle: Angle::from_radians(1.0), noise }.into(),
         form(count).into(),
-        Explore { low: Vec3::ZERO, high: Vec3::ONE, cells: USizeVec3::new(count, 1, 1) }.into(),
+        Explore { min: Vec3::ZERO, max: Vec3::ONE, columns: count, rows: 1, levels: 1 }.into(),
         ContextSteering { directions: count, ..ContextSteering::new(vec![]) }.into(),
         ContextSteering::new(parts).into(),
         Switch((0..count).map(|_| state()).collect()).into(),

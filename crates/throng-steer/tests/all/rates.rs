@@ -1,7 +1,7 @@
 //! Independence of the time step: with any behaviour, agents move with the same statistics at three time steps.
 
 use crate::harness::{Actor, RATES, Stage};
-use glam::{Quat, USizeVec3, Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
 use throng::parameters::Angle;
@@ -10,9 +10,9 @@ use throng::space::{Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Rng, Stimulus, Target};
 use throng_steer::{
     Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Evade, EvadeAll, Explore, Face,
-    Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold,
-    Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
+    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Docking, Evade, EvadeAll, Explore,
+    Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide,
+    Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
     MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, RunningSum, Seek,
     Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed, Tether, UnalignedAvoidance,
     Wander, WeightedSum, Whiskers, crowd_path, queue_at_door,
@@ -90,31 +90,36 @@ const LEADER: Target = Target::Agent(0);
 #[test]
 fn of_one() {
     let field = |place: Vec3, time: f64| Vec3::Z.cross(place).normalize_or_zero() + Vec3::X * (0.3 * time as f32).sin();
+    let follow = || FollowFlow { flow: Arc::new(field), prediction: 0.3 };
     let region = (Vec3::new(-3.0, -3.0, 0.0), Vec3::new(3.0, 3.0, 0.0));
     check(vec![
         ("seek", Seek { target: at(15.0, 12.0) }.into()),
-        ("flee", Flee { panic_distance: 5.0, ..Flee::from(LEADER) }.into()),
+        ("flee", Flee { panic_distance: 5.0, ..Flee::new(LEADER) }.into()),
         ("arrive", Arrive::new(at(1.0, 2.0)).into()),
-        ("pursue", Pursue::from(LEADER).into()),
+        ("pursue", Pursue::new(LEADER).into()),
         (
             "pursue by distance",
             Pursue { prediction: Prediction::Distance { per_metre: 0.3, most: 2.0 }, quarry: LEADER }.into(),
         ),
-        ("evade", Evade { panic_distance: 4.0, ..Evade::from(LEADER) }.into()),
+        ("evade", Evade { panic_distance: 4.0, ..Evade::new(LEADER) }.into()),
         ("offset pursuit", OffsetPursuit { quarry: LEADER, prediction: Prediction::default(), distance: 1.0 }.into()),
-        ("interpose", Interpose { between: [LEADER, at(0.0, 5.0)], ratio: 0.3, slowing_distance: 1.0 }.into()),
+        ("interpose", Interpose { ratio: 0.3, ..Interpose::new(LEADER, at(0.0, 5.0)) }.into()),
         ("shadow", Shadow { quarry: LEADER, distance: 1.0, slowing_distance: 1.0 }.into()),
         (
             "keep station",
             KeepStation { leader: LEADER, offset: Vec3::new(-1.0, 1.0, 0.0), slowing_distance: 1.0 }.into(),
         ),
-        ("dock", Dock { place: Vec3::X * 2.0, direction: Vec3::Y, speed: 0.0, time: None }.into()),
+        ("dock", Dock::new(Vec3::X * 2.0, Angle::degrees(90.0)).into()),
+        (
+            "docking",
+            Docking { place: Vec3::X * 2.0, direction: Vec3::new(1.0, 2.0, 0.0), speed: 0.5, time: None }.into(),
+        ),
         ("wander", Wander::default().into()),
         ("fractal wander", FractalWander::default().into()),
-        ("explore", Explore { low: region.0, high: region.1, cells: USizeVec3::new(3, 3, 1) }.into()),
-        ("forage", Forage { food: LEADER, range: 3.0, wander: Wander::default().into() }.into()),
+        ("explore", Explore { min: region.0, max: region.1, columns: 3, rows: 3, levels: 1 }.into()),
+        ("forage", Forage { food: LEADER, range: 3.0, of: Wander::default().into() }.into()),
         ("fear", Fear { range: 6.0, fades: 5.0 }.into()),
-        ("follow flow", FollowFlow::new(field, 0.3).into()),
+        ("follow flow", follow().into()),
         ("move forward", MoveForward { part: 0.2 }.into()),
         ("target speed", TargetSpeed { speed: 1.4 }.into()),
         (
@@ -122,28 +127,21 @@ fn of_one() {
             Priority { epsilon: 0.0, parts: vec![Tether { to: LEADER, length: 2.0 }.into(), Wander::default().into()] }
                 .into(),
         ),
-        (
-            "face",
-            WeightedSum(vec![(1.0, Face { target: LEADER }.into()), (1.0, FollowFlow::new(field, 0.3).into())]).into(),
-        ),
+        ("face", WeightedSum(vec![(1.0, Face { target: LEADER }.into()), (1.0, follow().into())]).into()),
         (
             "match orientation",
-            WeightedSum(vec![
-                (1.0, MatchOrientation { with: LEADER }.into()),
-                (1.0, FollowFlow::new(field, 0.3).into()),
-            ])
-            .into(),
+            WeightedSum(vec![(1.0, MatchOrientation { with: LEADER }.into()), (1.0, follow().into())]).into(),
         ),
         ("constant force", ConstantForce(Vec3::new(0.3, 0.2, 0.0)).into()),
         (
             "head for",
             WeightedSum(vec![
-                (1.0, HeadFor { direction: Vec3::Y, full: 0.5 }.into()),
+                (1.0, HeadFor { full: 0.5, ..HeadFor::new(Angle::degrees(90.0)) }.into()),
                 (1.0, TargetSpeed { speed: 1.2 }.into()),
             ])
             .into(),
         ),
-        ("slip through", SlipThrough::from(at(15.0, 12.0)).into()),
+        ("slip through", SlipThrough::new(at(15.0, 12.0)).into()),
         ("evade all", EvadeAll::default().into()),
         ("look where you go", WeightedSum(vec![(1.0, LookWhereYouGo.into()), (1.0, Wander::default().into())]).into()),
     ]);

@@ -3,10 +3,11 @@
 use crate::harness::{Actor, Stage, angle, ask, flier, on_ground, rate, vector};
 use glam::Vec3;
 use proptest::prelude::*;
+use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
 use throng::steer::{BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, Stimulus, Target};
 use throng_steer::{
-    Arrive, Dock, Evade, Face, Fear, Flee, FollowFlow, Interpose, KeepStation, LookWhereYouGo, MatchOrientation,
+    Arrive, Docking, Evade, Face, Fear, Flee, FollowFlow, Interpose, KeepStation, LookWhereYouGo, MatchOrientation,
     MoveForward, OffsetPursuit, Prediction, Pursue, Seek, Shadow, TargetSpeed, Tether, takeoff,
 };
 
@@ -30,10 +31,10 @@ proptest! {
         prop_assume!(place.distance(Vec3::ONE) > 0.01);
         let view = view(velocity);
         let seek = view.chosen(ask(&Seek { target: at(place) }, &view));
-        let flee = view.chosen(ask(&Flee::from(at(place)), &view));
+        let flee = view.chosen(ask(&Flee::new(at(place)), &view));
         let expected = (place - Vec3::ONE).normalize() * 1.8;
         prop_assert!(seek.distance(expected) < 1e-4 && flee.distance(-expected) < 1e-4);
-        let panics = Flee { panic_distance: 3.0, ..Flee::from(at(place)) };
+        let panics = Flee { panic_distance: 3.0, ..Flee::new(at(place)) };
         prop_assert_eq!(ask(&panics, &view).is_some(), place.distance(Vec3::ONE) <= 3.0);
     }
 
@@ -62,12 +63,12 @@ proptest! {
     ) {
         let prediction =
             [Prediction::Constant(0.3), Prediction::Distance { per_metre: 0.3, most: 3.0 }, Prediction::default()][kind];
-        let winding = FollowFlow::new(
-            move |_: Vec3, time: f64| Vec3::new((turning * time as f32).cos(), (turning * time as f32).sin(), 0.0) * speed,
-            0.0,
-        );
+        let winding = FollowFlow {
+            flow: Arc::new(move |_: Vec3, time: f64| Vec3::new((turning * time as f32).cos(), (turning * time as f32).sin(), 0.0) * speed),
+            prediction: 0.0,
+        };
         let quarry = Actor::new(Motion::at_rest(start, Vec3::X), Vehicle::default(), winding);
-        let hunter = Actor::new(Motion::default(), Vehicle::default(), Pursue { prediction, ..Pursue::from(Target::Agent(0)) });
+        let hunter = Actor::new(Motion::default(), Vehicle::default(), Pursue { prediction, ..Pursue::new(Target::Agent(0)) });
         let mut stage = Stage::new(seconds, vec![quarry, hunter]);
         let mut nearest = f32::INFINITY;
         stage.run(60.0, |stage| {
@@ -81,8 +82,8 @@ proptest! {
     fn evasion_keeps_away(start in on_ground(6.0), slower in 0.3f32..0.95, seconds in rate()) {
         prop_assume!(start.length() > 2.0);
         let slow = Vehicle { max_speed: 1.8 * slower, ..Vehicle::default() };
-        let hunter = Actor::new(Motion::default(), slow, Pursue::from(Target::Agent(1)));
-        let prey = Actor::new(Motion::at_rest(start, -start), Vehicle::default(), Evade::from(Target::Agent(0)));
+        let hunter = Actor::new(Motion::default(), slow, Pursue::new(Target::Agent(1)));
+        let prey = Actor::new(Motion::at_rest(start, -start), Vehicle::default(), Evade::new(Target::Agent(0)));
         let mut stage = Stage::new(seconds, vec![hunter, prey]);
         let mut nearest = f32::INFINITY;
         let apart = |stage: &Stage| stage.actors[0].motion.position.distance(stage.actors[1].motion.position);
@@ -106,7 +107,7 @@ proptest! {
             offset, velocity: theirs, forward: theirs.normalize(), radius: 0.2, number: 1, group: 0,
         };
         let view = SteeringInput { neighbours: &[seen], ..view(velocity) };
-        let chosen = view.chosen(ask(&Pursue::from(Target::Nearest(GroupFilter::All)), &view));
+        let chosen = view.chosen(ask(&Pursue::new(Target::Nearest(GroupFilter::All)), &view));
         prop_assert!(chosen.distance((offset + theirs * time).normalize() * 1.8) < 2e-3);
     }
 
@@ -117,7 +118,7 @@ proptest! {
         prop_assume!(velocity.length() > 0.1 && offset.length() > 0.5);
         let seen = SteeringNeighbour { offset, velocity, forward: velocity.normalize(), radius: 0.2, number: 1, group: 0 };
         let view = SteeringInput { neighbours: &[seen], ..view(Vec3::ZERO) };
-        let chosen = view.chosen(ask(&Evade::from(Target::Nearest(GroupFilter::All)), &view));
+        let chosen = view.chosen(ask(&Evade::new(Target::Nearest(GroupFilter::All)), &view));
         let covers = (offset.length() / velocity.length()).min(10.0);
         let passes = (0..4000).map(|i| i as f32 * 0.01).min_by(|a, b| {
             (offset + velocity * *a).length().total_cmp(&(offset + velocity * *b).length())
@@ -144,7 +145,7 @@ proptest! {
         seconds in rate(),
     ) {
         let walk = |place| Actor::new(Motion::moving(place, velocity), Vehicle::default(), still());
-        let between = Interpose { between: [Target::Agent(0), Target::Agent(1)], ratio, slowing_distance: 1.0 };
+        let between = Interpose { ratio, ..Interpose::new(Target::Agent(0), Target::Agent(1)) };
         let guard = Actor::new(Motion::at_rest(Vec3::new(3.0, 9.0, 0.0), Vec3::X), Vehicle::default(), between);
         let mut stage = Stage::new(seconds, vec![walk(places[0]), walk(places[1]), guard]);
         stage.run(40.0, |_| ());
@@ -181,7 +182,7 @@ proptest! {
     ) {
         prop_assume!(direction.length() > 0.1 && place.length() > 3.0);
         let speed = if rests { 0.0 } else { through };
-        let dock = Dock { place, direction, speed, time: timed.then_some(25.0) };
+        let dock = Docking { place, direction, speed, time: timed.then_some(25.0) };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::moving(Vec3::ZERO, velocity), Vehicle::default(), dock)]);
         let (mut before, mut there) = (Motion::default(), None);
         stage.run(60.0, |stage| {
@@ -205,7 +206,7 @@ proptest! {
     /// The velocity of the field at the predicted position, limited by the top speed.
     #[test]
     fn a_flow_is_taken_on_where_it_will_be(velocity in vector(1.5), field in vector(1.0), prediction in 0.0f32..2.0) {
-        let flow = FollowFlow::new(move |place: Vec3, time: f64| field * place.x + Vec3::Y * time as f32, prediction);
+        let flow = FollowFlow { flow: Arc::new(move |place: Vec3, time: f64| field * place.x + Vec3::Y * time as f32), prediction };
         let view = SteeringInput { time: 0.5, ..view(velocity) };
         let expected = field * (1.0 + velocity.x * prediction) + Vec3::Y * 0.5;
         prop_assert!(view.chosen(ask(&flow, &view)).distance(expected.clamp_length_max(1.8)) < 1e-4);
@@ -215,7 +216,7 @@ proptest! {
     #[test]
     fn flows_are_followed(start in on_ground(3.0), seconds in rate()) {
         prop_assume!(start.length() > 2.0);
-        let whirl = FollowFlow::new(|place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero(), 0.25);
+        let whirl = FollowFlow { flow: Arc::new(|place: Vec3, _: f64| Vec3::Z.cross(place).normalize_or_zero()), prediction: 0.25 };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::at_rest(start, start), Vehicle::default(), whirl)]);
         stage.run(10.0, |_| ());
         let Motion { position, velocity, .. } = stage.actors[0].motion;
@@ -285,8 +286,8 @@ fn nothing_comes_of_nothing() {
     let view = SteeringInput { motion: Motion::default(), ..SteeringInput::default() };
     let here = at(Vec3::ZERO);
     assert_eq!(ask(&Seek { target: here }, &view), None);
-    assert_eq!(ask(&Pursue::from(here), &view), None);
-    assert!(ask(&Evade::from(here), &view).is_some_and(|said| said.force.is_finite()));
+    assert_eq!(ask(&Pursue::new(here), &view), None);
+    assert!(ask(&Evade::new(here), &view).is_some_and(|said| said.force.is_finite()));
     assert_eq!(ask(&Seek { target: Target::Agent(1) }, &view), None);
     assert_eq!(ask(&LookWhereYouGo, &view), None);
 }

@@ -4,6 +4,7 @@ use crate::harness::{Actor, RADIUS, Stage, angle, ask, on_ground};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{GroupFilter, SteeringInput, SteeringNeighbour, Target};
 use throng_steer::{ConstantForce, EvadeAll, HeadFor, MoveForward, SlipThrough, WeightedSum};
 
@@ -67,13 +68,13 @@ proptest! {
             !behind && across < 1.6 && ahead >= -0.4 && ahead <= way.length()
         });
         prop_assume!(!near_a_rule);
-        let slip = SlipThrough::from(Target::Point(place));
+        let slip = SlipThrough::new(Target::Point(place));
         prop_assert_eq!(slip.is_clear(&view), !closed);
         // the agent never brakes or turns back
         let chosen = view.chosen(ask(&slip, &view));
-        prop_assert!(angle(chosen, velocity) <= slip.turn + 1e-3, "{} rad aside", angle(chosen, velocity));
+        prop_assert!(angle(chosen, velocity) <= slip.turn.radians() + 1e-3, "{} rad aside", angle(chosen, velocity));
         prop_assert!((chosen.length() - 1.8).abs() < 1e-3);
-        if !closed && angle(place - view.position(), velocity) < slip.turn {
+        if !closed && angle(place - view.position(), velocity) < slip.turn.radians() {
             prop_assert!(angle(chosen, place - view.position()) < 1e-3);
         }
     }
@@ -83,7 +84,7 @@ proptest! {
         prop_assume!(direction.length() > 0.1 && velocity.length() > 0.2);
         // opposite to a heading there is no side to turn to
         prop_assume!(angle(direction, velocity) < 3.0);
-        let head = HeadFor { direction, full: 0.2 };
+        let head = HeadFor::new(Angle::from_radians(libm::atan2f(direction.y, direction.x)));
         let go = WeightedSum(vec![(1.0, head.into()), (1.0, MoveForward { part: 0.2 }.into())]);
         let press = ConstantForce(direction * 9.0);
         for behaviour in [throng::steer::BoxedBehaviour::from(go), press.into()] {
@@ -101,7 +102,7 @@ proptest! {
 fn it_slips_between_defenders() {
     for seconds in [0.02, 0.04, 0.1] {
         let goal = Vec3::X * 30.0;
-        let slip = SlipThrough::from(Target::Point(goal));
+        let slip = SlipThrough::new(Target::Point(goal));
         let runner = Actor::new(Motion::moving(Vec3::ZERO, Vec3::X), Vehicle::default(), slip);
         let stands = |x: f32, y: f32| {
             let place = Vec3::new(x, y, 0.0);

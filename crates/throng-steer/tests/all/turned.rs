@@ -3,15 +3,16 @@
 use crate::harness::{Actor, Stage, flier, on_ground, rotation, vector};
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
+use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
 use throng::parameters::Angle;
 use throng::steer::{BoxedBehaviour, GroupFilter, Stimulus, Target, TraceRecorder};
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, Boids, CloseAvoidance, Cohesion, ContextSteering, Dock,
-    Evade, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, Forage, FractalWander, Hold, Interpose, Irregular,
-    KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward, Noise,
-    OffsetPursuit, Pattern, Prediction, Pursue, Queue, Seek, Separation, Shadow, StopAndWait, TargetSpeed, Tether,
-    UnalignedAvoidance, Wander, WeightedSum,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, Boids, CloseAvoidance, Cohesion, ContextSteering,
+    Docking, Evade, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, Forage, FractalWander, Hold, Interpose,
+    Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward,
+    Noise, OffsetPursuit, Pattern, Prediction, Pursue, Queue, Seek, Separation, Shadow, StopAndWait, TargetSpeed,
+    Tether, UnalignedAvoidance, Wander, WeightedSum,
 };
 
 /// All behaviours, in a scene with this rotation.
@@ -21,25 +22,25 @@ fn all(by: Quat) -> Vec<BoxedBehaviour> {
     let field = move |at: Vec3, time: f64| at * 0.1 + place * time.sin() as f32;
     vec![
         Seek { target: point }.into(),
-        Flee::from(near).into(),
-        Pursue::from(other).into(),
-        Evade::from(other).into(),
+        Flee::new(near).into(),
+        Pursue::new(other).into(),
+        Evade::new(other).into(),
         OffsetPursuit { quarry: other, prediction: Prediction::default(), distance: 2.0 }.into(),
         KeepStation { leader: other, offset: Vec3::new(-1.0, 2.0, 0.5), slowing_distance: 2.0 }.into(),
         Arrive::new(point).into(),
-        Interpose { between: [other, point], ratio: 0.3, slowing_distance: 1.0 }.into(),
+        Interpose { ratio: 0.3, ..Interpose::new(other, point) }.into(),
         Shadow { quarry: other, distance: 1.0, slowing_distance: 1.0 }.into(),
-        Dock { place, direction: by * Vec3::Y, speed: 0.0, time: None }.into(),
+        Docking { place, direction: by * Vec3::Y, speed: 0.0, time: None }.into(),
         Wander::default().into(),
         FractalWander::default().into(),
-        Forage { food: near, range: 2.0, wander: Wander::default().into() }.into(),
+        Forage { food: near, range: 2.0, of: Wander::default().into() }.into(),
         Tether { to: point, length: 1.0 }.into(),
         TargetSpeed { speed: 1.0 }.into(),
         MoveForward { part: 0.5 }.into(),
         Face { target: point }.into(),
         LookWhereYouGo.into(),
         MatchOrientation { with: other }.into(),
-        FollowFlow::new(field, 0.5).into(),
+        FollowFlow { flow: Arc::new(field), prediction: 0.5 }.into(),
         Fear { range: 9.0, fades: 4.0 }.into(),
         Separation::default().into(),
         Cohesion::default().into(),

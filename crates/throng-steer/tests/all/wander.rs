@@ -2,9 +2,10 @@
 
 use crate::harness::{Actor, RATES, Stage, angle, ask, flier, on_ground, rate, told};
 use crate::single::view;
-use glam::{USizeVec3, Vec3};
+use glam::Vec3;
 use proptest::prelude::*;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, Target};
 use throng_steer::{Explore, Forage, FractalWander, Noise, TargetSpeed, Wander};
 
@@ -15,7 +16,7 @@ proptest! {
         prop_assume!(velocity.length() > 0.1);
         let noise = Noise { turbulent, ..Noise::default() };
         let view = SteeringInput { time, vehicle: Vehicle::default(), ..view(velocity) };
-        let (_, reasons) = told(&FractalWander { angle: most, noise }, &view);
+        let (_, reasons) = told(&FractalWander { angle: Angle::from_radians(most), noise }, &view);
         let SteeringReason::Aim(aim) = reasons[0].reason else { panic!("{reasons:?}") };
         let turned = angle(velocity, aim - Vec3::ONE) * velocity.cross(aim - Vec3::ONE).z.signum();
         prop_assert!((turned - most * noise.at(time, 0, view.rng)).abs() < 2e-3 && turned.abs() <= most + 1e-3);
@@ -31,7 +32,7 @@ proptest! {
         };
         let foods: Vec<SteeringNeighbour> = places.iter().enumerate().map(food).collect();
         let view = SteeringInput { neighbours: &foods, vehicle: Vehicle::default(), ..view(Vec3::ZERO) };
-        let forage = Forage { food: Target::Nearest(GroupFilter::Group(3)), range, wander: TargetSpeed { speed: 0.3 }.into() };
+        let forage = Forage { food: Target::Nearest(GroupFilter::Group(3)), range, of: TargetSpeed { speed: 0.3 }.into() };
         let seen = foods.iter().find(|food| food.group == 3).map(|food| food.offset).filter(|offset| offset.length() <= range);
         let expected = seen.map_or(Vec3::X * 0.3, |offset| offset.normalize() * 1.8);
         prop_assert!(view.chosen(ask(&forage, &view)).distance(expected) < 1e-3);
@@ -44,10 +45,10 @@ proptest! {
     /// From any start, every cell is visited within the time that visiting the cells one after another takes.
     #[test]
     fn explorers_see_everything(start in on_ground(12.0), size in (3.0f32..10.0, 3.0f32..10.0), x in 1usize..6, y in 1usize..6, seconds in rate()) {
-        let (high, cells) = (Vec3::new(size.0, size.1, 0.0), USizeVec3::new(x, y, 1));
-        let explore = Explore { low: Vec3::ZERO, high, cells };
+        let max = Vec3::new(size.0, size.1, 0.0);
+        let explore = Explore { min: Vec3::ZERO, max, columns: x, rows: y, levels: 1 };
         let mut stage = Stage::new(seconds, vec![Actor::new(Motion::at_rest(start, Vec3::X), Vehicle::default(), explore)]);
-        stage.run(15.0 + (x * y) as f32 * high.length() / 1.8, |_| ());
+        stage.run(15.0 + (x * y) as f32 * max.length() / 1.8, |_| ());
         let visits = &stage.actors[0].memory[2..];
         prop_assert!(visits.iter().all(|&seconds| seconds > 0.0), "{visits:?}");
     }
@@ -56,7 +57,11 @@ proptest! {
 /// Mean cosine of the angle that a wandering agent has turned after a while.
 fn memory_of_direction(rate: u32, flies: bool) -> f64 {
     let vehicle = if flies { flier() } else { Vehicle::default() };
-    let actor = Actor::new(Motion::moving(Vec3::ZERO, Vec3::X), vehicle, Wander { strength: 1.0, rate: 1.5 });
+    let actor = Actor::new(
+        Motion::moving(Vec3::ZERO, Vec3::X),
+        vehicle,
+        Wander { strength: 1.0, rate: Angle::from_radians(1.5) },
+    );
     let mut stages: Vec<Stage> =
         (0..1500).map(|seed| Stage { seed, ..Stage::new(1.0 / rate as f32, vec![actor.clone()]) }).collect();
     stages.iter_mut().for_each(|stage| stage.run(0.6, |_| ()));
@@ -76,7 +81,7 @@ fn wandering_is_the_same_at_any_rate() {
 /// The point on the circle is a Brownian motion: its angle spreads with the square root of time.
 #[test]
 fn the_wandering_point_spreads_as_it_should() {
-    let wander = Wander { strength: 1.0, rate: 0.8 };
+    let wander = Wander { strength: 1.0, rate: Angle::from_radians(0.8) };
     for rate in [15, 60, 240] {
         let cosines = (0..2000).map(|number| {
             let mut memory = [1.0, 0.0, 0.0];
@@ -107,7 +112,7 @@ fn fractal_wandering_does_not_depend_on_the_rate_at_all() {
 /// A place that cannot be reached, for example behind a wall: the agent tries another after a while.
 #[test]
 fn explorers_give_up_on_what_they_cannot_reach() {
-    let explore = Explore { low: Vec3::ZERO, high: Vec3::new(4.0, 2.0, 0.0), cells: USizeVec3::new(2, 1, 1) };
+    let explore = Explore { min: Vec3::ZERO, max: Vec3::new(4.0, 2.0, 0.0), columns: 2, rows: 1, levels: 1 };
     let stuck = Vehicle { max_speed: 1e-3, ..Vehicle::default() };
     let mut stage = Stage::new(1.0, vec![Actor::new(Motion::default(), stuck, explore)]);
     let mut aims = std::collections::BTreeSet::new();

@@ -9,7 +9,6 @@ mod group;
 mod names;
 mod place;
 mod single;
-mod slip;
 mod takeoff;
 mod target;
 mod vehicle;

@@ -6,7 +6,7 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::Takeoff;
 use throng::steer::BoxedBehaviour;
-use throng_steer::Dock;
+use throng_steer::Docking;
 
 /// Default gravitational acceleration, m/s².
 const GRAVITY: f32 = 9.81;
@@ -25,6 +25,6 @@ impl BuildBehaviour for Takeoff {
             Problem::new(at, Kind::Conflict, message)
                 .hint("set a greater rise, or a `to` nearer to `from`, not above it")
         })?;
-        Ok(Dock { place: from, direction: run, speed: run.length(), time: None }.into())
+        Ok(Docking { place: from, direction: run, speed: run.length(), time: None }.into())
     }
 }

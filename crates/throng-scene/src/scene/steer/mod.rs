@@ -17,7 +17,6 @@ mod group;
 mod place;
 mod position;
 mod single;
-mod slip;
 mod target;
 
 pub use combine::*;
@@ -25,7 +24,6 @@ pub use group::*;
 pub use place::*;
 pub use position::Position;
 pub use single::*;
-pub use slip::*;
 pub use target::{GroupFilter, Member, Target};
 
 use crate::registry::{Behaviours, Steer, described};
@@ -45,56 +43,8 @@ pub(in crate::scene) use parameters;
 
 described! {
     Steer in Behaviours:
-    /// Moves straight away from a target (Reynolds 1999).
-    Flee = "flee",
-    /// Moves to the predicted position of a quarry (Reynolds 1999).
-    Pursue = "pursue",
-    /// Moves away from the predicted position of a menace (Reynolds 1999).
-    Evade = "evade",
-    /// Passes a quarry at a distance (Reynolds 1999).
-    OffsetPursuit = "offset_pursuit",
-    /// Approaches a quarry, then moves as it moves (Reynolds 1999).
-    Shadow = "shadow",
-    /// Moves between two targets (Reynolds 1999).
-    Interpose = "interpose",
-    /// Keeps a place beside a leader, as wingmen do.
-    KeepStation = "keep_station",
-    /// Moves to a place, in a direction, at a speed, at a time (Reynolds 1999, "arrival").
-    Dock = "dock",
     /// Runs up to a leap, as gdx-ai's jump does.
     Takeoff = "takeoff",
-    /// Wanders at random (Reynolds 1999).
-    Wander = "wander",
-    /// Wanders by noise (Reynolds 1999).
-    FractalWander = "fractal_wander",
-    /// Sweeps a region (Reynolds 1999).
-    Explore = "explore",
-    /// Wanders until it sees its food, then moves there (Reynolds 1999).
-    Forage = "forage",
-    /// Turns to a target; does not move.
-    Face = "face",
-    /// Turns to the orientation of another agent.
-    MatchOrientation = "match_orientation",
-    /// Turns to its direction of motion.
-    LookWhereYouGo = "look_where_you_go",
-    /// Moves away from events until they are forgotten.
-    Fear = "fear",
-    /// Turns to a direction.
-    HeadFor = "head_for",
-    /// Applies a constant force.
-    ConstantForce = "constant_force",
-    /// Moves away from the predicted positions of several agents.
-    EvadeAll = "evade_all",
-    /// Moves past the defenders of a target.
-    SlipThrough = "slip_through",
-    /// Moves with a flow (Reynolds 1999).
-    FollowFlow = "follow_flow",
-    /// Applies a force straight ahead.
-    MoveForward = "move_forward",
-    /// Reaches a speed, whatever its direction.
-    TargetSpeed = "target_speed",
-    /// Returns when it is too far from something.
-    Tether = "tether",
     /// Keeps away from near neighbours (Reynolds 1999).
     Separation = "separation",
     /// Turns to the mean direction of near neighbours (Reynolds 1999).

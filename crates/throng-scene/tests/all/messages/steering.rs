@@ -53,7 +53,7 @@ a.toml:6:33: group `walkers`: steer.cohesion.near.angle is 270, but must be from
 a.toml:6:25: group `walkers`: steer.wander.rate is inf, but must be a finite number of at most 100,000,000 in size
   6 | steer.wander = { rate = inf }
     |                         ^^^
-  hint: `rate`: Rate of change of the side, degrees per square root of a second. Without it, 57.3. Limit: >= 0.",
+  hint: `rate`: Rate of change of the side, degrees per square root of a second. Limit: >= 0. Default: 57.29578.",
     );
 }
 

@@ -5,6 +5,7 @@ use crate::harness::{Actor, RADIUS, RATES, Stage, flier};
 use glam::Vec3;
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::space::surface::{Cuboid, Cylinder, Mesh, SeenFrom, Sphere, Surface};
 use throng::steer::{Barriers, BoxedBehaviour};
 use throng_steer::{AvoidObstacles, Contain, Wander};
@@ -47,7 +48,7 @@ fn no_agent_leaves_a_container() {
         for (rate, seconds) in RATES.into_iter().enumerate() {
             for vehicle in [Vehicle::default(), flier()] {
                 let contain = Contain::inside(surface.clone());
-                let wander = Wander { rate: 2.0, ..Wander::default() };
+                let wander = Wander { rate: Angle::from_radians(2.0), ..Wander::default() };
                 let wanderer = first(vec![contain.into(), wander.into()]);
                 let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), vehicle, wanderer)]);
                 stage.seed = (index * 3 + rate) as u64;

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 use throng::field::Governed;
 use throng::motion::{Locomotion, Vehicle, WrapAround};
+use throng::parameters::Angle;
 use throng::space::surface::{SeenFrom, Sphere};
 use throng::steer::{Barriers, BoxedBehaviour, SteeringReason, Target};
 use throng::{Agent, Error, Group, Settings, SubSteps, TraceRequest, World};
@@ -70,7 +71,7 @@ fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World 
 
     // flight in a space that wraps around
     let vehicle = Vehicle { locomotion: Locomotion::Level, ..Vehicle::default() };
-    let fly = Dock { place: at(0.0, -60.0, 30.0), direction: Vec3::X, speed: 1.0, time: None };
+    let fly = Dock { speed: 1.0, ..Dock::new(at(0.0, -60.0, 30.0), Angle::default()) };
     let ball = WrapAround { center: at(0.0, -60.0, 20.0), radius: 6.0 };
     let flying = world
         .add_group(Group { origin: group_origin, wrap_around: Some(ball), ..Group::vehicles(fly, vehicle) })

@@ -66,7 +66,7 @@ fn pursuers_find_their_quarry_by_its_number_wherever_it_is() {
     let vehicle = Vehicle::default();
     let fast = Vehicle { max_speed: 3.0, ..vehicle };
     let quarry = world.add_group(Group::vehicles(Wander::default(), vehicle)).unwrap();
-    let pursuers = world.add_group(Group::vehicles(Pursue::from(Target::Agent(7)), fast)).unwrap();
+    let pursuers = world.add_group(Group::vehicles(Pursue::new(Target::Agent(7)), fast)).unwrap();
     let quarry = world.add_agent(Agent { number: Some(7), ..agent((0.0, 0.0, 0.0), quarry, &vehicle) }).unwrap();
     let pursuer = world.add_agent(agent((60.0, -30.0, 0.0), pursuers, &fast)).unwrap();
     let caught = (0..3000).any(|_| {
