@@ -55,6 +55,17 @@ pub trait Behaviours {
 pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<Seek>();
     behaviours.add::<Arrive>();
+    behaviours.add::<Separation>();
+    behaviours.add::<Alignment>();
+    behaviours.add::<Cohesion>();
+    behaviours.add::<MatchVelocity>();
+    behaviours.add::<Flocking>();
+    behaviours.add::<Boids>();
+    behaviours.add::<AvoidNeighbours>();
+    behaviours.add::<CloseAvoidance>();
+    behaviours.add::<UnalignedAvoidance>();
+    behaviours.add::<Queue>();
+    behaviours.add::<FollowLeader>();
 }
 
 /// The page about behaviours that users write: its example is a test.

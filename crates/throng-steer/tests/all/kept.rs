@@ -9,6 +9,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use throng::motion::{Basis, Forces, Integrator, Limits, Locomotion, Motion, Steering, Vehicle, WrapAround};
 use throng::motion::{faces, limit, turn};
+use throng::parameters::Angle;
 use throng::space::surface::{Barrier, Cuboid, Cylinder, Moved, Plane, Pose, SeenFrom, Sphere};
 use throng::space::{PathDirection, Pathway, Raster};
 use throng::steer::{
@@ -20,7 +21,7 @@ use throng_steer::{
     Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor,
     Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation,
     MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue,
-    Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed,
+    Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Strengths, Switch, TargetSpeed,
     Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, crowd_path, queue_at_door, takeoff,
 };
 
@@ -36,9 +37,13 @@ const STRANGER: Target = Target::Nearest(GroupFilter::OtherGroups);
 
 /// A neighbourhood with all of its limits.
 const SOME: Neighbourhood =
-    Neighbourhood { distance: 3.0, angle: 2.0, always: 2.0, most: 2, groups: GroupFilter::OtherGroups };
+    Neighbourhood { distance: 3.0, angle: radians(2.0), always: 2.0, most: 2, groups: GroupFilter::OtherGroups };
 const FRIENDS: Neighbourhood =
-    Neighbourhood { distance: 2.0, angle: 1.2, always: 3.0, most: 3, groups: GroupFilter::OwnGroup };
+    Neighbourhood { distance: 2.0, angle: radians(1.2), always: 3.0, most: 3, groups: GroupFilter::OwnGroup };
+
+const fn radians(radians: f32) -> Angle {
+    Angle::from_radians(radians)
+}
 
 fn single() -> Vec<Named> {
     let predicts = Prediction::Distance { per_metre: 0.3, most: 0.8 };
@@ -110,7 +115,7 @@ fn single() -> Vec<Named> {
 }
 
 fn group() -> Vec<Named> {
-    let rule = |weight, distance, angle| Rule { weight, distance, angle };
+    let rule = |weight, distance, angle| Rule { weight, distance, angle: radians(angle) };
     let flocking = Flocking {
         separation: rule(0.5, 2.0, 2.0),
         alignment: rule(0.2, 3.0, 3.2),
@@ -118,11 +123,11 @@ fn group() -> Vec<Named> {
         always: 2.0,
         groups: GroupFilter::All,
     };
-    let strengths = [0.7, 1.0, 0.6, 0.9];
+    let strengths = Strengths { avoid: 0.7, matching: 1.0, center: 0.6, migrate: 0.9 };
     let boids = Boids { near: SOME, forward: 0.4, avoidance: 0.8, strengths, migration: Some(POINT) };
     let queue = Queue { distance: 4.0, width: 0.5, ..Queue::new(Seek { target: POINT }) };
     let slow = Queue { groups: GroupFilter::OwnGroup, distance: 2.0, gap: 0.5, headway: 1.5, ..queue.clone() };
-    let file = FollowLeader { single_file: true, gap: 0.6, free: 1.0, width: 0.9, ..FollowLeader::from(LEADER) };
+    let file = FollowLeader { single_file: true, gap: 0.6, free: 1.0, width: 0.9, ..FollowLeader::new(LEADER) };
     let form = |pattern| KeepFormation { leader: LEADER, pattern, count: 5, spacing: 1.2, slowing_distance: 1.0 };
     vec![
         ("separation", Separation::default().into()),
@@ -152,7 +157,7 @@ fn group() -> Vec<Named> {
             "queue, facing",
             Queue::new(sum([(1.0, Arrive::new(POINT).into()), (1.0, Face { target: NEAR }.into())])).into(),
         ),
-        ("follow the leader", FollowLeader::from(LEADER).into()),
+        ("follow the leader", FollowLeader::new(LEADER).into()),
         ("follow the leader, in file", file.into()),
         ("follow the leader, apart", FollowLeader { spacing: 1.7, slowing_distance: 0.5, ..file }.into()),
         ("line", form(Pattern::Line).into()),
@@ -538,7 +543,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let all = || vec![MoveForward { part: 1.0 }.into(), part()];
     let weighted = || vec![(1.0, part()), (x, MoveForward { part: 1.0 }.into())];
     let near = Neighbourhood { always: x, ..SOME };
-    let hoods = [near, Neighbourhood { distance: x, ..SOME }, Neighbourhood { angle: x, ..SOME }];
+    let hoods = [near, Neighbourhood { distance: x, ..SOME }, Neighbourhood { angle: radians(x), ..SOME }];
     let predictions =
         [Prediction::Constant(x), Prediction::Distance { per_metre: x, most: 1.0 }, Prediction::Cases { most: x }];
     let noise = Noise { gain: x, ..Noise::default() };
@@ -549,7 +554,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let slip = SlipThrough::from(POINT);
     let (boids, flocking, rule) = (Boids::default(), Flocking::default(), Flocking::default().cohesion);
     let queue = || Queue::new(MoveForward { part: 1.0 });
-    let follow = FollowLeader::from(LEADER);
+    let follow = FollowLeader::new(LEADER);
     let form = KeepFormation { leader: LEADER, pattern: Pattern::Line, count: 5, spacing: 1.0, slowing_distance: x };
     let waits = || StopAndWait::new(MoveForward { part: 1.0 });
     let irregular =
@@ -620,11 +625,11 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         Flocking { always: x, ..flocking }.into(),
         Flocking { separation: Rule { weight: x, ..rule }, ..flocking }.into(),
         Flocking { alignment: Rule { distance: x, ..rule }, ..flocking }.into(),
-        Flocking { cohesion: Rule { angle: x, ..rule }, ..flocking }.into(),
+        Flocking { cohesion: Rule { angle: radians(x), ..rule }, ..flocking }.into(),
         Boids { near, ..boids }.into(),
         Boids { forward: x, ..boids }.into(),
         Boids { avoidance: x, ..boids }.into(),
-        Boids { strengths: [1.0, 1.0, x, 1.0], ..boids }.into(),
+        Boids { strengths: Strengths { center: x, ..boids.strengths }, ..boids }.into(),
         UnalignedAvoidance { horizon: x, ..UnalignedAvoidance::default() }.into(),
         UnalignedAvoidance { gap: x, ..UnalignedAvoidance::default() }.into(),
         AvoidNeighbours { horizon: x, ..AvoidNeighbours::default() }.into(),

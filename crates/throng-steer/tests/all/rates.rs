@@ -170,7 +170,7 @@ fn among_others() {
         ("close avoidance", crossing(CloseAvoidance { groups: GroupFilter::All, gap: 0.3 }.into())),
         ("unaligned avoidance", crossing(UnalignedAvoidance::default().into())),
         ("queue", Queue::new(seek()).into()),
-        ("follow leader", FollowLeader::from(LEADER).into()),
+        ("follow leader", FollowLeader::new(LEADER).into()),
         (
             "keep formation",
             KeepFormation { leader: LEADER, pattern: Pattern::Wedge, count: 4, spacing: 1.0, slowing_distance: 1.0 }

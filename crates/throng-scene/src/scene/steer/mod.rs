@@ -97,28 +97,6 @@ described! {
     TargetSpeed = "target_speed",
     /// Returns when it is too far from something.
     Tether = "tether",
-    /// Keeps away from near neighbours (Reynolds 1999).
-    Separation = "separation",
-    /// Turns to the mean direction of near neighbours (Reynolds 1999).
-    Alignment = "alignment",
-    /// Moves to the centre of near neighbours (Reynolds 1999).
-    Cohesion = "cohesion",
-    /// Matches the mean velocity of near neighbours (Reynolds 1987).
-    MatchVelocity = "match_velocity",
-    /// Separation, alignment and cohesion together (Reynolds 1999).
-    Flocking = "flocking",
-    /// The flock of 1987 (Reynolds 1987).
-    Boids = "boids",
-    /// Turns aside from the first neighbour that will come too near, as OpenSteer does.
-    AvoidNeighbours = "avoid_neighbours",
-    /// Turns aside from a neighbour that is too close, as OpenSteer does.
-    CloseAvoidance = "close_avoidance",
-    /// Turns, brakes or speeds up for the first neighbour that will come too near (Reynolds 1999).
-    UnalignedAvoidance = "unaligned_avoidance",
-    /// Moves no faster than the neighbours right ahead (Reynolds 1999).
-    Queue = "queue",
-    /// Follows behind a leader, out of its way (Reynolds 1999).
-    FollowLeader = "follow_leader",
     /// Keeps its place in a formation that moves with a leader.
     KeepFormation = "keep_formation",
     /// Avoids obstacles in its way (Reynolds 1999).
