@@ -66,6 +66,16 @@ pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<UnalignedAvoidance>();
     behaviours.add::<Queue>();
     behaviours.add::<FollowLeader>();
+    behaviours.add::<AvoidObstacles>();
+    behaviours.add::<AvoidMap>();
+    behaviours.add::<Whiskers>();
+    behaviours.add::<Contain>();
+    behaviours.add::<FollowPath>();
+    behaviours.add::<StayOnPath>();
+    behaviours.add::<FollowWall>();
+    behaviours.add::<Hide>();
+    behaviours.add::<CrowdPath>();
+    behaviours.add::<QueueAtDoor>();
 }
 
 /// The page about behaviours that users write: its example is a test.

@@ -99,26 +99,6 @@ described! {
     Tether = "tether",
     /// Keeps its place in a formation that moves with a leader.
     KeepFormation = "keep_formation",
-    /// Avoids obstacles in its way (Reynolds 1999).
-    AvoidObstacles = "avoid_obstacles",
-    /// Avoids obstacles by a map of them, as OpenSteer's cars do.
-    AvoidMap = "avoid_map",
-    /// Moves away from what its whiskers touch, as in gdx-ai.
-    Whiskers = "whiskers",
-    /// Stays on one side of a surface (Reynolds 1999).
-    Contain = "contain",
-    /// Moves along a path (Reynolds 1999).
-    FollowPath = "follow_path",
-    /// Returns to a path that it is about to leave, as in OpenSteer.
-    StayOnPath = "stay_on_path",
-    /// Moves along a wall (Reynolds 1999).
-    FollowWall = "follow_wall",
-    /// Hides from another agent behind an obstacle (Reynolds 1999).
-    Hide = "hide",
-    /// Moves along a path among other agents (Reynolds 1999, "crowd path following").
-    CrowdPath = "crowd_path",
-    /// Moves through a door among other agents (Reynolds 1999, "queuing").
-    QueueAtDoor = "queue_at_door",
     /// Moves by noise and guides, as insects do (Wang et al. 2014).
     Swarm = "swarm",
     /// The sum of all parts, each times its weight (Reynolds 1999).
