@@ -4,7 +4,6 @@ use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::parameters::Angle;
 use throng::space::surface::{Barrier, Surface};
-use throng::parameters::Angle;
 use throng::space::{PathDirection, Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, Target};
 use throng_scene::{Kind, Plan, Scene};
@@ -78,7 +77,10 @@ fn beat() -> Pathway {
 #[test]
 fn what_is_not_said_is_the_librarys_default() {
     assert_steers("avoid_obstacles = {}", throng_steer::AvoidObstacles::from(everything()));
-    assert_steers("whiskers = {}", throng_steer::Whiskers { obstacles: everything(), ..throng_steer::Whiskers::default() });
+    assert_steers(
+        "whiskers = {}",
+        throng_steer::Whiskers { obstacles: everything(), ..throng_steer::Whiskers::default() },
+    );
     assert_steers("follow_wall = {}", throng_steer::FollowWall::from(everything()));
     assert_steers(
         "hide = { from = \"goal\" }",
@@ -87,10 +89,7 @@ fn what_is_not_said_is_the_librarys_default() {
     let dome = sides().2.remove(0);
     assert_steers("contain = { surface = \"dome\" }", throng_steer::Contain::on_side(dome.surface, dome.seen_from));
     assert_steers("follow_path = { path = \"beat\" }", throng_steer::FollowPath::new(beat()));
-    assert_steers(
-        "stay_on_path = { path = \"beat\" }",
-        throng_steer::StayOnPath::new(beat()),
-    );
+    assert_steers("stay_on_path = { path = \"beat\" }", throng_steer::StayOnPath::new(beat()));
     assert_steers("crowd_path = { path = \"beat\" }", throng_steer::CrowdPath::new(beat()));
     let door = Target::Point(Vec3::X);
     assert_steers(
@@ -207,7 +206,12 @@ fn mistakes_are_named() {
             "no surface or obstacle `oak`",
             "dome, pillar",
         ),
-        ("follow_wall = { obstacles = [] }", Kind::MissingKey, "this list of names is empty", "leave it out, or name what counts"),
+        (
+            "follow_wall = { obstacles = [] }",
+            Kind::MissingKey,
+            "this list of names is empty",
+            "leave it out, or name what counts",
+        ),
         ("contain = { surface = \"pillar\" }", Kind::UnknownKey, "there is no surface `pillar`", "there is: dome"),
         ("follow_path = { path = \"round\" }", Kind::UnknownKey, "there is no path `round`", "there is: beat"),
         ("avoid_obstacles = { gap = -1 }", Kind::OutOfRange, "gap is -1, but must be 0 or more", ""),

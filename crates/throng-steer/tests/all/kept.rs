@@ -16,13 +16,14 @@ use throng::steer::{
     Barriers, Behaviour, BoxedBehaviour, GroupFilter, Rng, SteeringInput, Stimulus, Target, TraceEntry, TraceRecorder,
 };
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, DriveByMap, QueueAtDoor, Dock, Evade, EvadeAll, Explore, Face,
-    Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor,
-    Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation,
-    MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue,
-    Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Strengths, Switch, TargetSpeed,
-    Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, takeoff,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion,
+    Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, DriveByMap, Evade, EvadeAll,
+    Explore, Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage,
+    FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo,
+    MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority,
+    Pursue, Queue, QueueAtDoor, Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath,
+    StopAndWait, Strengths, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign,
+    takeoff,
 };
 
 type Named = (&'static str, BoxedBehaviour);
@@ -262,12 +263,13 @@ fn place() -> Vec<Named> {
     let hollow = || Barriers::default().with(ball(), SeenFrom::Both).with(floor(), SeenFrom::Outside);
     let avoid = || AvoidObstacles { towards: POINT, ..AvoidObstacles::from(walled()) };
     let careful = AvoidObstacles { horizon: 3.5, gap: 0.5, keeps: 0.3, towards: AGENT, obstacles: hollow() };
-    let hide = Hide::new(NEAR, walled());
+    let hide = Hide { obstacles: walled(), ..Hide::new(NEAR) };
     let far = Hide {
+        obstacles: solids().with(floor(), SeenFrom::Both),
         gap: 0.6,
         range: 3.0,
         slowing_distance: 0.3,
-        ..Hide::new(AGENT, solids().with(floor(), SeenFrom::Both))
+        ..Hide::new(AGENT)
     };
     let corners = [(-5.0, -3.0, 0.0), (0.0, -2.0, 0.4), (2.0, 2.0, 0.0), (5.0, 3.0, -0.5), (5.0, 6.0, 0.0)];
     let corners = corners.map(|(x, y, z)| Vec3::new(x, y, z));
@@ -275,7 +277,7 @@ fn place() -> Vec<Named> {
     let ring = Arc::new(Pathway::new(&corners[..4], 0.7, true).unwrap());
     let along = |path: &Arc<Pathway>| FollowPath::new(path.clone());
     let quick = FollowPath {
-        seconds: 1.5,
+        horizon: 1.5,
         slowing_distance: 3.0,
         inner: 0.4,
         direction: PathDirection::Backward,
@@ -327,7 +329,10 @@ fn place() -> Vec<Named> {
         ("avoid a map, to the left", DriveByMap::new(posts.clone(), Circles(0.85)).into()),
         ("avoid a map, to the right", DriveByMap::new(posts, Circles(-0.95)).into()),
         ("a crowd on a path", CrowdPath::new(ring.clone()).into()),
-        ("a crowd at a door", QueueAtDoor { goal: POINT, door: Target::Point(Vec3::new(0.0, -3.0, 0.0)), obstacles: solids() }.into()),
+        (
+            "a crowd at a door",
+            QueueAtDoor { goal: POINT, door: Target::Point(Vec3::new(0.0, -3.0, 0.0)), obstacles: solids() }.into(),
+        ),
     ]
 }
 
@@ -562,7 +567,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let avoid = || AvoidObstacles::from(solids());
     let contain = || Contain::inside(room());
     let wall = || FollowWall::from(solids());
-    let hide = || Hide::new(POINT, solids());
+    let hide = || Hide { obstacles: solids(), ..Hide::new(POINT) };
     let path = Arc::new(Pathway::new(&[Vec3::ZERO, Vec3::X], 1.0, false).unwrap());
     let along = || FollowPath::new(path.clone());
     let map = Arc::new(Raster::new(Vec2::ZERO, 1.0, 1, vec![false]).unwrap());
@@ -689,7 +694,6 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         Hide { gap: x, ..hide() }.into(),
         Hide { range: x, ..hide() }.into(),
         Hide { slowing_distance: x, ..hide() }.into(),
-        Hide { avoid: AvoidObstacles { gap: x, ..avoid() }, ..hide() }.into(),
         FollowPath { horizon: x, ..along() }.into(),
         FollowPath { inner: x, ..along() }.into(),
         FollowPath { slowing_distance: x, ..along() }.into(),
