@@ -139,7 +139,7 @@ pub fn seeker(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     let base = Target::Point(cast.place(0.0, 0.0));
     let slip = SlipThrough::new(base).past(cast.group("defenders")?);
     let near = avoidance(cast, base, 0.9)?;
-    let far = AvoidObstacles { seconds: 2.0, ..near.clone() };
+    let far = AvoidObstacles { horizon: 2.0, ..near.clone() };
     Ok(Seeker { slip, near, far }.into())
 }
 
@@ -154,7 +154,7 @@ impl Behaviour for Seeker {
         }
         let way = self.slip.target.find(view).map_or(Vec3::ZERO, |mark| view.to(mark.position));
         let straight = way.normalize_or_zero().dot(view.forward()) > STRAIGHT;
-        let farther = straight && way.length() > self.far.seconds * view.motion.speed() && self.slip.is_clear(view);
+        let farther = straight && way.length() > self.far.horizon * view.motion.speed() && self.slip.is_clear(view);
         let avoid = if farther { &self.far } else { &self.near };
         avoid.steer(view, memory, why).or_else(|| self.slip.steer(view, &mut [], why))
     }
@@ -203,6 +203,6 @@ impl Behaviour for Defender {
 }
 
 /// Returns the avoidance of the solid surfaces of a scene.
-fn avoidance(cast: &SceneNames<'_>, towards: Target, seconds: f32) -> Result<AvoidObstacles, Error> {
-    Ok(AvoidObstacles { towards, seconds, ..AvoidObstacles::from(cast.barriers()?) })
+fn avoidance(cast: &SceneNames<'_>, towards: Target, horizon: f32) -> Result<AvoidObstacles, Error> {
+    Ok(AvoidObstacles { towards, horizon, ..AvoidObstacles::from(cast.barriers()?) })
 }

@@ -8,7 +8,7 @@ use throng::motion::Steering;
 use throng::space::{PathDirection, Pathway, Raster};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
 use throng::{Agent, AgentRef, Error, Rules, World};
-use throng_steer::{AvoidMap, FollowPath};
+use throng_steer::{DriveByMap, FollowPath};
 
 /// Counts the laps of the group `car` on the path `route`, and puts stuck cars back on it.
 #[derive(Clone, Debug)]
@@ -105,8 +105,8 @@ pub fn driver(cast: &SceneNames<'_>) -> Result<BoxedBehaviour, Error> {
     // walls are thin: a cell is solid where one runs through it
     let solid = |at: Vec2| barriers.0.iter().any(|barrier| barrier.surface.query(at.extend(0.0)).distance < 0.5 * CELL);
     let map = Raster::of(local(low), local(high), CELL, solid)?;
-    let follow = FollowPath { seconds: AHEAD, ..FollowPath::from(Pathway::clone(&route)) };
-    Ok(AvoidMap::new(Arc::new(map), Drive { follow }).into())
+    let follow = FollowPath { horizon: AHEAD, ..FollowPath::new(Pathway::clone(&route)) };
+    Ok(DriveByMap::new(Arc::new(map), Drive { follow }).into())
 }
 
 /// How far ahead the driver looks along the route, seconds.

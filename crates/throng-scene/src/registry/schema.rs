@@ -57,9 +57,14 @@ pub(super) fn schema_of(json: Json) -> Schema {
 
 /// Returns the schema of a parameter, with its doc line, default, unit and limit.
 fn of_parameter(parameter: &Parameter, generator: &mut SchemaGenerator) -> Json {
-    let mut json = of_kind(parameter.kind, generator);
+    let default = (parameter.default)();
+    let mut json = match (parameter.kind, &default) {
+        // files give some of the parameters: the default has the other ones
+        (Kind::Table(table), Some(_)) => of_table_with_default(&table(), generator),
+        (kind, _) => of_kind(kind, generator),
+    };
     json["description"] = parameter.about.into();
-    if let Some(default) = (parameter.default)() {
+    if let Some(default) = default {
         json["default"] = written(default);
     }
     if !parameter.unit.is_empty() {
@@ -72,6 +77,17 @@ fn of_parameter(parameter: &Parameter, generator: &mut SchemaGenerator) -> Json 
         }
     }
     json
+}
+
+/// Returns the schema of a table that need not give any of its parameters.
+fn of_table_with_default(table: &Table, generator: &mut SchemaGenerator) -> Json {
+    definition(table.name, table.about, generator, |generator| {
+        let mut json = table_schema(table, generator);
+        if let Some(map) = json.as_object_mut() {
+            map.remove("required");
+        }
+        json
+    })
 }
 
 fn of_kind(kind: Kind, generator: &mut SchemaGenerator) -> Json {

@@ -57,7 +57,7 @@ fn what_is_not_said_is_the_librarys_default() {
     assert_steers("avoid_neighbours = {}", throng_steer::AvoidNeighbours::default());
     assert_steers("close_avoidance = {}", throng_steer::CloseAvoidance::default());
     assert_steers("unaligned_avoidance = {}", throng_steer::UnalignedAvoidance::default());
-    assert_steers("follow_leader = { leader = \"goal\" }", throng_steer::FollowLeader::from(goal));
+    assert_steers("follow_leader = { leader = \"goal\" }", throng_steer::FollowLeader::new(goal));
     assert_steers("queue = { of.wander = {} }", throng_steer::Queue::new(throng_steer::Wander::default()));
     assert_steers(
         "stop_and_wait = { of.wander = {} }",
@@ -190,7 +190,7 @@ fn what_is_said_is_so() {
     );
     let near = Neighbourhood {
         distance: 3.0,
-        angle: std::f32::consts::FRAC_PI_2,
+        angle: Angle::degrees(90.0),
         always: 2.0,
         most: 7,
         groups: GroupFilter::OwnGroup,
@@ -211,7 +211,11 @@ fn what_is_said_is_so() {
     let boids = throng_steer::Boids::default();
     assert_steers(
         "boids = { strengths = { matching = 0.5, migrate = 0 }, migration = \"goal\" }",
-        throng_steer::Boids { strengths: [1.0, 0.5, 0.5, 0.0], migration: Some(goal), ..boids },
+        throng_steer::Boids {
+            strengths: throng_steer::Strengths { matching: 0.5, migrate: 0.0, ..boids.strengths },
+            migration: Some(goal),
+            ..boids
+        },
     );
     assert_steers(
         "keep_formation = { leader = { group = \"sheep\" }, pattern = \"wedge\", spacing = 1.5 }",

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
+use throng::parameters::Angle;
 use throng::space::surface::{Barrier, Surface};
 use throng::space::{PathDirection, Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, Target};
@@ -76,21 +77,24 @@ fn beat() -> Pathway {
 #[test]
 fn what_is_not_said_is_the_librarys_default() {
     assert_steers("avoid_obstacles = {}", throng_steer::AvoidObstacles::from(everything()));
-    assert_steers("whiskers = {}", throng_steer::Whiskers::fan(everything(), 2.0, 1.0, 0.61));
+    assert_steers(
+        "whiskers = {}",
+        throng_steer::Whiskers { obstacles: everything(), ..throng_steer::Whiskers::default() },
+    );
     assert_steers("follow_wall = {}", throng_steer::FollowWall::from(everything()));
-    assert_steers("hide = { from = \"goal\" }", throng_steer::Hide::new(Target::Goal, everything()));
+    assert_steers(
+        "hide = { from = \"goal\" }",
+        throng_steer::Hide { obstacles: everything(), ..throng_steer::Hide::new(Target::Goal) },
+    );
     let dome = sides().2.remove(0);
     assert_steers("contain = { surface = \"dome\" }", throng_steer::Contain::on_side(dome.surface, dome.seen_from));
-    assert_steers("follow_path = { path = \"beat\" }", throng_steer::FollowPath::from(beat()));
-    assert_steers(
-        "stay_on_path = { path = \"beat\" }",
-        throng_steer::StayOnPath { path: Arc::new(beat()), seconds: 1.0 },
-    );
-    assert_steers("crowd_path = { path = \"beat\" }", throng_steer::crowd_path(beat().into()));
+    assert_steers("follow_path = { path = \"beat\" }", throng_steer::FollowPath::new(beat()));
+    assert_steers("stay_on_path = { path = \"beat\" }", throng_steer::StayOnPath::new(beat()));
+    assert_steers("crowd_path = { path = \"beat\" }", throng_steer::CrowdPath::new(beat()));
     let door = Target::Point(Vec3::X);
     assert_steers(
         "queue_at_door = { door = [101, 50] }",
-        throng_steer::queue_at_door(Target::Goal, door, everything()),
+        throng_steer::QueueAtDoor { obstacles: everything(), ..throng_steer::QueueAtDoor::new(door) },
     );
 }
 
@@ -104,12 +108,12 @@ fn a_map_has_what_is_solid_or_beyond_a_cage() {
         square || wall || at.distance(Vec2::new(-5.0, 5.0)) < 1.5 || at.abs().max_element() > 9.5 || at.length() > 7.5
     };
     let map = Raster::of(Vec2::splat(-10.75), Vec2::splat(11.25), 1.0, solid).unwrap();
-    let drive = throng_steer::AvoidMap::new(Arc::new(map), throng_steer::Wander::default());
+    let drive = throng_steer::DriveByMap::new(Arc::new(map), throng_steer::Wander::default());
     let corners = "min = [89.25, 39.25], max = [111.25, 61.25]";
     assert_steers(&format!("avoid_map = {{ {corners}, of.wander = {{}} }}"), drive.clone());
     assert_steers(
         &format!("avoid_map = {{ {corners}, horizon = 3, margin = 0.5, curved = false, of.wander = {{}} }}"),
-        throng_steer::AvoidMap { seconds: 3.0, margin: 0.5, curved: false, ..drive },
+        throng_steer::DriveByMap { horizon: 3.0, margin: 0.5, curved: false, ..drive },
     );
 }
 
@@ -121,7 +125,7 @@ fn what_is_said_is_so() {
         "avoid_obstacles = { obstacles = \"pillar\", towards = [101, 50], horizon = 3, gap = 0.5, keeps = 0 }",
         throng_steer::AvoidObstacles {
             towards: east,
-            seconds: 3.0,
+            horizon: 3.0,
             gap: 0.5,
             keeps: 0.0,
             ..Barriers(vec![obstacles[0].clone()]).into()
@@ -130,10 +134,10 @@ fn what_is_said_is_so() {
     assert_steers(
         "whiskers = { obstacles = [\"dome\", \"pillar\"], rays = [{ length = 2, beside = 0.2 }, { length = 1, angle = 90 }], clearance = 0.5 }",
         throng_steer::Whiskers {
-            barriers: Barriers(vec![surfaces[0].clone(), obstacles[0].clone()]),
-            whiskers: vec![
-                Whisker { beside: 0.2, angle: 0.0, length: 2.0 },
-                Whisker { beside: 0.0, angle: std::f32::consts::FRAC_PI_2, length: 1.0 },
+            obstacles: Barriers(vec![surfaces[0].clone(), obstacles[0].clone()]),
+            rays: vec![
+                Whisker { beside: 0.2, ..Whisker::new(2.0) },
+                Whisker { angle: Angle::degrees(90.0), ..Whisker::new(1.0) },
             ],
             clearance: 0.5,
         },
@@ -141,18 +145,18 @@ fn what_is_said_is_so() {
     assert_steers(
         "contain = { surface = \"dome\", horizon = 2, angle = 90, gap = 0.3 }",
         throng_steer::Contain {
-            seconds: 2.0,
-            angle: std::f32::consts::FRAC_PI_2,
+            horizon: 2.0,
+            angle: Angle::degrees(90.0),
             gap: 0.3,
             ..throng_steer::Contain::on_side(surfaces[0].surface.clone(), surfaces[0].seen_from)
         },
     );
     let back = throng_steer::FollowPath {
         direction: PathDirection::Backward,
-        seconds: 2.0,
+        horizon: 2.0,
         slowing_distance: 3.0,
         inner: 0.5,
-        ..beat().into()
+        ..throng_steer::FollowPath::new(beat())
     };
     assert_steers(
         "follow_path = { path = \"beat\", direction = \"backward\", horizon = 2, slowing_distance = 3, inner = 0.5 }",
@@ -160,30 +164,30 @@ fn what_is_said_is_so() {
     );
     assert_steers(
         "stay_on_path = { path = \"beat\", horizon = 0 }",
-        throng_steer::StayOnPath { path: Arc::new(beat()), seconds: 0.0 },
+        throng_steer::StayOnPath { path: Arc::new(beat()), horizon: 0.0 },
     );
     let solid = Barriers([edges, obstacles].concat());
     assert_steers(
         "follow_wall = { obstacles = \"obstacles\", offset = 0.5, horizon = 1, range = 2 }",
-        throng_steer::FollowWall { barriers: solid.clone(), offset: 0.5, seconds: 1.0, range: 2.0 },
+        throng_steer::FollowWall { obstacles: solid.clone(), offset: 0.5, horizon: 1.0, range: 2.0 },
     );
     assert_steers(
         "hide = { from = [101, 50], obstacles = \"obstacles\", gap = 1, range = 9, slowing_distance = 2 }",
         throng_steer::Hide {
+            obstacles: solid.clone(),
             gap: 1.0,
             range: 9.0,
             slowing_distance: 2.0,
-            ..throng_steer::Hide::new(east, solid.clone())
+            ..throng_steer::Hide::new(east)
         },
     );
-    let follow = throng_steer::FollowPath { direction: PathDirection::Backward, seconds: 1.0, ..beat().into() };
     assert_steers(
         "crowd_path = { path = \"beat\", direction = \"backward\", horizon = 1 }",
-        throng_steer::crowd_path(follow),
+        throng_steer::CrowdPath { path: Arc::new(beat()), direction: PathDirection::Backward, horizon: 1.0 },
     );
     assert_steers(
         "queue_at_door = { goal = [101, 50], door = \"goal\", obstacles = \"obstacles\" }",
-        throng_steer::queue_at_door(east, Target::Goal, solid),
+        throng_steer::QueueAtDoor { goal: east, door: Target::Goal, obstacles: solid },
     );
 }
 
@@ -202,7 +206,12 @@ fn mistakes_are_named() {
             "no surface or obstacle `oak`",
             "dome, pillar",
         ),
-        ("follow_wall = { obstacles = [] }", Kind::MissingKey, "this list of names is empty", "leave out `obstacles`"),
+        (
+            "follow_wall = { obstacles = [] }",
+            Kind::MissingKey,
+            "this list of names is empty",
+            "leave it out, or name what counts",
+        ),
         ("contain = { surface = \"pillar\" }", Kind::UnknownKey, "there is no surface `pillar`", "there is: dome"),
         ("follow_path = { path = \"round\" }", Kind::UnknownKey, "there is no path `round`", "there is: beat"),
         ("avoid_obstacles = { gap = -1 }", Kind::OutOfRange, "gap is -1, but must be 0 or more", ""),

@@ -2,6 +2,7 @@
 
 use crate::Neighbourhood;
 use throng::Error;
+use throng::parameters::Value;
 use throng::steer::{SteeringInput, Target};
 
 /// A condition on one agent in one step. Limit: numbers >= 0, except those of figures.
@@ -80,7 +81,7 @@ impl Condition {
             Self::Nearer(_, least) | Self::Farther(_, least) | Self::After(least) | Self::Chance(least) => {
                 Error::unless(*least >= 0.0, "number of a condition", *least, "0 or more")
             }
-            Self::Crowded(near, _) => near.check(),
+            Self::Crowded(near, _) => near.check_limits(),
             Self::Figure(_, least, most) => {
                 Error::unless(least <= most, "most of a figure", *most, "the least or more")
             }

@@ -4,21 +4,26 @@ use super::Neighbourhood;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Turns to the mean forward direction of the neighbours: the force is that mean less the agent's own forward
-/// direction. [`MatchVelocity`](super::MatchVelocity) also matches their speed.
+/// Turns to the mean direction of near neighbours (Reynolds 1999).
+///
+/// The force is the mean forward direction less the agent's own forward direction. [`MatchVelocity`](super::MatchVelocity) also matches their speed.
 ///
 /// ```
 /// use throng_steer::{Alignment, Neighbourhood};
 /// let bird = Alignment { near: Neighbourhood { most: 7, ..Neighbourhood::default() }, full: 0.5 };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alignment {
-    /// The neighbourhood.
+    /// The neighbours. Without it, all that the neighbour search finds.
     pub near: Neighbourhood,
-    /// Difference of the directions, 0 to 2, from which on the force is the vehicle's top force; 0: always the top
-    /// force, as in OpenSteer, which may cause jitter. Limit: >= 0.
+    /// Difference of the directions, 0 to 2, from which on it uses all of the force; 0: it always does.
+    ///
+    /// To use all of the force always, as in OpenSteer, may cause jitter.
+    #[parameter(least = 0)]
     pub full: f32,
 }
 
@@ -35,7 +40,6 @@ impl Behaviour for Alignment {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.full >= 0.0, "full turn", self.full, "0 or more")?;
-        self.near.check()
+        self.check_limits()
     }
 }

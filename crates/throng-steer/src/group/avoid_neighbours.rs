@@ -5,10 +5,12 @@ use crate::approach::nearest_time;
 use std::f32::consts::FRAC_1_SQRT_2;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 
-/// Turns aside, with the whole force, from the first neighbour that will come too near, and keeps the speed.
-/// [`UnalignedAvoidance`](super::UnalignedAvoidance) changes the speed too.
+/// Turns aside from the first neighbour that will come too near, as OpenSteer does.
+///
+/// It uses the whole force, and keeps the speed. [`UnalignedAvoidance`](super::UnalignedAvoidance) changes the speed too.
 ///
 /// Neighbours that are too close already come first ([`CloseAvoidance`]). The agent passes a neighbour that comes
 /// towards it, or that goes the same way, on the free side. Where two ways cross, the faster agent passes behind the
@@ -19,18 +21,14 @@ use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, St
 /// use throng_steer::AvoidNeighbours;
 /// let walker = AvoidNeighbours { groups: GroupFilter::All, horizon: 3.0 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AvoidNeighbours {
-    /// The agents to avoid.
+    /// The neighbours.
     pub groups: GroupFilter,
-    /// Time horizon, seconds. Limit: > 0.
+    /// How far ahead it looks, seconds.
+    #[parameter(default = 3.0, unit = "s", above = 0)]
     pub horizon: f32,
-}
-
-impl Default for AvoidNeighbours {
-    fn default() -> Self {
-        Self { groups: GroupFilter::All, horizon: 3.0 }
-    }
 }
 
 impl Behaviour for AvoidNeighbours {
@@ -40,7 +38,7 @@ impl Behaviour for AvoidNeighbours {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.horizon)
+        self.check_limits()
     }
 }
 

@@ -11,40 +11,56 @@ use crate::combine::Budget;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Angle, Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// The flock of 1987.
+/// The flock of 1987 (Reynolds 1987).
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::Boids;
 /// let starlings = Boids { migration: Some(Target::Goal), ..Boids::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boids {
-    /// The neighbourhood.
+    /// The neighbours. Without it, all within 9 m and 137.5° of ahead.
+    #[parameter(default = Neighbourhood {
+        distance: 9.0,
+        angle: Angle::from_radians(2.4),
+        ..Neighbourhood::default()
+    })]
     pub near: Neighbourhood,
-    /// Extra weight of a neighbour straight ahead at the top speed. Limit: >= 0.
+    /// Additional weight of neighbours ahead, at the greatest speed.
+    #[parameter(default = 1.0, least = 0)]
     pub forward: f32,
-    /// Distance at which the urge to avoid a neighbour is 1, metres; the urge falls off by the square of the distance.
-    /// Limit: > 0.
+    /// Distance of a neighbour, metres, at which the urge to avoid it is 1.
+    ///
+    /// The urge falls off with the square of the distance.
+    #[parameter(default = 1.5, unit = "m", above = 0)]
     pub avoidance: f32,
-    /// Upper bounds of the three urges of the flock and of migration. Limit: 0 to 1.
-    pub strengths: [f32; 4],
-    /// The target of migration, if any.
+    /// The greatest strength of each urge.
+    pub strengths: Strengths,
+    /// The target of a migration, if there is one.
     pub migration: Option<Target>,
 }
 
-impl Default for Boids {
-    fn default() -> Self {
-        Self {
-            near: Neighbourhood { distance: 9.0, angle: 2.4, ..Neighbourhood::default() },
-            forward: 1.0,
-            avoidance: 1.5,
-            strengths: [1.0, 0.8, 0.5, 0.4],
-            migration: None,
-        }
-    }
+/// The greatest strength of each urge of a flock, 0 to 1.
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strengths {
+    /// To avoid neighbours.
+    #[parameter(default = 1.0, least = 0, most = 1)]
+    pub avoid: f32,
+    /// To match the neighbours' velocity.
+    #[parameter(default = 0.8, least = 0, most = 1)]
+    pub matching: f32,
+    /// To move to the neighbours' centre.
+    #[parameter(default = 0.5, least = 0, most = 1)]
+    pub center: f32,
+    /// To migrate.
+    #[parameter(default = 0.4, least = 0, most = 1)]
+    pub migrate: f32,
 }
 
 impl Behaviour for Boids {
@@ -56,7 +72,8 @@ impl Behaviour for Boids {
         }
         let mut budget = Budget(1.0);
         let mut sum = Vec3::ZERO;
-        for (urge, strength) in urges.into_iter().zip(self.strengths) {
+        let Strengths { avoid, matching, center, migrate } = self.strengths;
+        for (urge, strength) in urges.into_iter().zip([avoid, matching, center, migrate]) {
             let granted = budget.grant(view.passable(urge).clamp_length_max(1.0) * strength);
             why.note(|| SteeringReason::Wishes(granted));
             sum += granted;
@@ -65,13 +82,7 @@ impl Behaviour for Boids {
     }
 
     fn check(&self) -> Result<(), Error> {
-        self.near.check()?;
-        Error::unless(self.forward >= 0.0, "forward bias", self.forward, "0 or more")?;
-        Error::unless_positive("distance of avoidance", self.avoidance)?;
-        for strength in self.strengths {
-            Error::unless((0.0..=1.0).contains(&strength), "strength", strength, "from 0 to 1")?;
-        }
-        Ok(())
+        self.check_limits()
     }
 }
 

@@ -3,20 +3,25 @@
 use super::separation::aside;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Turns aside, with the whole force, from the nearest neighbour that is too close.
+/// Turns aside from a neighbour that is too close, as OpenSteer does.
+///
+/// It turns from the nearest one, with the whole force.
 ///
 /// ```
 /// use throng::steer::GroupFilter;
 /// use throng_steer::CloseAvoidance;
 /// let careful = CloseAvoidance { groups: GroupFilter::All, gap: 0.1 };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CloseAvoidance {
-    /// The agents to avoid.
+    /// The neighbours.
     pub groups: GroupFilter,
-    /// Least distance between bodies, metres. Limit: >= 0.
+    /// Least gap between bodies, metres.
+    #[parameter(unit = "m", least = 0)]
     pub gap: f32,
 }
 
@@ -32,6 +37,6 @@ impl Behaviour for CloseAvoidance {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")
+        self.check_limits()
     }
 }

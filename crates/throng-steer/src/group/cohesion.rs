@@ -4,20 +4,24 @@ use super::Neighbourhood;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Steers to the mean position of the neighbours.
+/// Moves to the centre of near neighbours (Reynolds 1999).
 ///
 /// ```
 /// use throng_steer::{Cohesion, Neighbourhood};
 /// let sheep = Cohesion { near: Neighbourhood { distance: 9.0, ..Neighbourhood::default() }, full: 3.0 };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cohesion {
-    /// The neighbourhood.
+    /// The neighbours. Without it, all that the neighbour search finds.
     pub near: Neighbourhood,
-    /// Distance of the mean position, metres, from which on the force is the vehicle's top force; 0: always the top
-    /// force, as in OpenSteer, which may cause jitter. Limit: >= 0.
+    /// Distance of the centre, metres, from which on it uses all of the force; 0: it always does.
+    ///
+    /// To use all of the force always, as in OpenSteer, may cause jitter.
+    #[parameter(unit = "m", least = 0)]
     pub full: f32,
 }
 
@@ -34,7 +38,6 @@ impl Behaviour for Cohesion {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.full >= 0.0, "full pull", self.full, "0 or more")?;
-        self.near.check()
+        self.check_limits()
     }
 }

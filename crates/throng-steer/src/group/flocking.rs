@@ -4,23 +4,28 @@ use super::{Alignment, Cohesion, Falloff, Neighbourhood, Separation, flocking_si
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Angle, Value, parameters};
 use throng::steer::{Behaviour, FlockBatch, GroupFilter, SteeringInput, TraceRecorder};
 
-/// One of the three rules of a flock.
+/// A rule of a flock.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
-    /// Force, as a part of the vehicle's top force. Limit: >= 0.
+    /// Its force, as a part of the vehicle's greatest force.
+    #[parameter(required, least = 0)]
     pub weight: f32,
-    /// Range, metres. Limit: > 0.
+    /// Reach, metres.
+    #[parameter(required, unit = "m", above = 0, infinite)]
     pub distance: f32,
-    /// Angle to either side of the forward direction, radians. Limit: 0 to pi.
-    pub angle: f32,
+    /// Half the angle of view, degrees from straight ahead.
+    #[parameter(required, unit = "°", least = 0, most = 180)]
+    pub angle: Angle,
 }
 
-/// Separation, alignment and cohesion together, by nine numbers. The defaults are those of OpenSteer's boids, which
-/// have a top speed of 9 m/s, a top force of 27 N and a radius of 0.5 m.
+/// Separation, alignment and cohesion together (Reynolds 1999).
 ///
-/// As in OpenSteer each rule has its full force however small the correction is. For a gradual force use a
+/// The defaults are those of OpenSteer's boids, which have a top speed of 9 m/s, a top force of 27 N and a radius of
+/// 0.5 m. As in OpenSteer each rule has its full force however small the correction is. For a gradual force use a
 /// [`WeightedSum`](crate::WeightedSum) of [`Separation`], [`Alignment`] and [`Cohesion`].
 ///
 /// ```
@@ -28,30 +33,24 @@ pub struct Rule {
 /// let flocking = Flocking::default();
 /// let close = Flocking { cohesion: Rule { weight: 0.6, ..flocking.cohesion }, ..flocking };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flocking {
-    /// Away from the neighbours.
+    /// Separation. Without it, weight 0.444, 5 m, 135°.
+    #[parameter(default = Rule { weight: 12.0 / 27.0, distance: 5.0, angle: Angle::from_radians(2.356) })]
     pub separation: Rule,
-    /// To the mean forward direction of the neighbours.
+    /// Alignment. Without it, weight 0.296, 7.5 m, 45.6°.
+    #[parameter(default = Rule { weight: 8.0 / 27.0, distance: 7.5, angle: Angle::from_radians(0.795) })]
     pub alignment: Rule,
-    /// To the mean position of the neighbours.
+    /// Cohesion. Without it, weight 0.296, 9 m, 98.6°.
+    #[parameter(default = Rule { weight: 8.0 / 27.0, distance: 9.0, angle: Angle::from_radians(1.721) })]
     pub cohesion: Rule,
-    /// A neighbour within this multiple of the agent's radius counts at any angle. Limit: >= 0.
+    /// Within this many of its own radii all neighbours count, at any angle.
+    #[parameter(default = 3.0, least = 0)]
     pub always: f32,
     /// The agents of the flock.
+    #[parameter(default = GroupFilter::OwnGroup)]
     pub groups: GroupFilter,
-}
-
-impl Default for Flocking {
-    fn default() -> Self {
-        Self {
-            separation: Rule { weight: 12.0 / 27.0, distance: 5.0, angle: 2.356 },
-            alignment: Rule { weight: 8.0 / 27.0, distance: 7.5, angle: 0.795 },
-            cohesion: Rule { weight: 8.0 / 27.0, distance: 9.0, angle: 1.721 },
-            always: 3.0,
-            groups: GroupFilter::OwnGroup,
-        }
-    }
 }
 
 impl Behaviour for Flocking {
@@ -79,10 +78,7 @@ impl Behaviour for Flocking {
     }
 
     fn check(&self) -> Result<(), Error> {
-        for rule in [self.separation, self.alignment, self.cohesion] {
-            Error::unless(rule.weight >= 0.0, "weight", rule.weight, "0 or more")?;
-        }
-        self.near().iter().try_for_each(Neighbourhood::check)
+        self.check_limits()
     }
 }
 

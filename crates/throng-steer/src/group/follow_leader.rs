@@ -5,41 +5,46 @@ use crate::single::keep;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{
     Behaviour, GroupFilter, Kinematics, SteeringInput, SteeringNeighbour, SteeringReason, Target, TraceRecorder,
 };
 
-/// Follows behind a leader, keeps out of the leader's way, and keeps its distance from other followers and from the
-/// leader; in a bunch, or in single file.
+/// Follows behind a leader, out of its way (Reynolds 1999).
+///
+/// It keeps its distance from other followers and from the leader; in a bunch, or in single file.
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::FollowLeader;
-/// let ducklings = FollowLeader { single_file: true, gap: 0.5, ..FollowLeader::from(Target::Agent(0)) };
+/// let ducklings = FollowLeader { single_file: true, gap: 0.5, ..FollowLeader::new(Target::Agent(0)) };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FollowLeader {
     /// The leader.
+    #[parameter(required)]
     pub leader: Target,
-    /// Whether followers go in single file, in the order of their numbers: each agent follows the agent of its group
-    /// with the greatest number below its own among its neighbours, and the leader if there is none.
+    /// Whether followers form a single file, in the order of the group; else they form a bunch.
+    ///
+    /// In single file each agent follows the agent of its group with the greatest number below its own among its
+    /// neighbours, and the leader if there is none.
     pub single_file: bool,
-    /// Distance behind the leader, metres. Limit: >= 0.
+    /// Distance behind the leader or the follower ahead, metres.
+    #[parameter(default = 1.0, unit = "m", least = 0)]
     pub gap: f32,
-    /// Length of the zone ahead of the leader that followers leave, metres. Limit: >= 0.
+    /// Length of the area ahead of the leader that it keeps free, metres.
+    #[parameter(default = 3.0, unit = "m", least = 0)]
     pub free: f32,
-    /// Extent of that zone to either side, metres. Limit: >= 0.
+    /// Extent of that area to either side, metres.
+    #[parameter(default = 0.6, unit = "m", least = 0)]
     pub width: f32,
-    /// Distance at which a follower begins to slow down, metres. Limit: >= 0.
+    /// Distance at which it starts to slow down, metres.
+    #[parameter(default = 2.0, unit = "m", least = 0)]
     pub slowing_distance: f32,
-    /// Distance between followers, metres. Limit: > 0.
+    /// Distance between followers, metres.
+    #[parameter(default = 0.8, unit = "m", above = 0)]
     pub spacing: f32,
-}
-
-impl From<Target> for FollowLeader {
-    fn from(leader: Target) -> Self {
-        Self { leader, single_file: false, gap: 1.0, free: 3.0, width: 0.6, slowing_distance: 2.0, spacing: 0.8 }
-    }
 }
 
 /// Number of neighbours at the spacing that together push with the whole force.
@@ -67,16 +72,7 @@ impl Behaviour for FollowLeader {
     }
 
     fn check(&self) -> Result<(), Error> {
-        let lengths = [
-            ("gap", self.gap),
-            ("free way", self.free),
-            ("width of the free way", self.width),
-            ("slowing distance", self.slowing_distance),
-        ];
-        for (what, length) in lengths {
-            Error::unless(length >= 0.0, what, length, "0 or more")?;
-        }
-        Error::unless_positive("spacing", self.spacing)
+        self.check_limits()
     }
 }
 

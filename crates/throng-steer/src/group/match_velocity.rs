@@ -4,17 +4,19 @@ use super::Neighbourhood;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Steers to the mean velocity of the neighbours.
+/// Matches the mean velocity of near neighbours (Reynolds 1987).
 ///
 /// ```
 /// use throng_steer::{MatchVelocity, Neighbourhood};
 /// let fish = MatchVelocity { near: Neighbourhood { distance: 3.0, ..Neighbourhood::default() } };
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[parameters]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchVelocity {
-    /// The neighbourhood.
+    /// The neighbours. Without it, all that the neighbour search finds.
     pub near: Neighbourhood,
 }
 
@@ -32,6 +34,6 @@ impl Behaviour for MatchVelocity {
     }
 
     fn check(&self) -> Result<(), Error> {
-        self.near.check()
+        self.check_limits()
     }
 }

@@ -19,7 +19,7 @@ mod unaligned_avoidance;
 pub use alignment::Alignment;
 pub use assignment::assign;
 pub use avoid_neighbours::AvoidNeighbours;
-pub use boids::Boids;
+pub use boids::{Boids, Strengths};
 pub use close_avoidance::CloseAvoidance;
 pub use cohesion::Cohesion;
 pub use flocking::{Flocking, Rule};

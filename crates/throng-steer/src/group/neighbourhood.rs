@@ -1,38 +1,42 @@
 //! The neighbourhood of an agent in a flock.
 
 use std::f32::consts::PI;
-use throng::Error;
+use throng::parameters::{Angle, parameters};
 use throng::steer::{GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder};
 
-/// The neighbours that a behaviour takes into account: the agents within a range and an angle, or the nearest few.
+/// The neighbours that a behaviour takes into account, of those that the agent's neighbour search finds.
 ///
-/// Metric (Reynolds 1987 and 1999; OpenSteer's inBoidNeighborhood): a distance and an angle. Topological (Ballerini et
+/// The agents within a range and an angle, or the nearest few. Metric (Reynolds 1987 and 1999; OpenSteer's inBoidNeighborhood): a distance and an angle. Topological (Ballerini et
 /// al., PNAS 105, 2008): the six or seven nearest, at any distance; such flocks do not break when they are stretched.
 ///
 /// ```
+/// use throng::parameters::Angle;
 /// use throng_steer::Neighbourhood;
 /// let starling = Neighbourhood { most: 7, ..Neighbourhood::default() };
-/// let opensteer = Neighbourhood { distance: 5.0, angle: 2.36, always: 3.0, ..Neighbourhood::default() };
+/// let angle = Angle::degrees(135.0);
+/// let opensteer = Neighbourhood { distance: 5.0, angle, always: 3.0, ..Neighbourhood::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbourhood {
-    /// Range between centres, metres; infinite for the agent's whole perception range. Limit: > 0.
+    /// Reach, metres between centres. Without it, that of the neighbour search.
+    #[parameter(default = f32::INFINITY, unit = "m", above = 0, infinite)]
     pub distance: f32,
-    /// Angle to either side of the forward direction, radians; pi for all round. Limit: 0 to pi.
-    pub angle: f32,
-    /// A neighbour within this multiple of the agent's radius belongs to it at any angle. Limit: >= 0.
+    /// Half the angle of view, degrees from straight ahead; 180: all round.
+    #[parameter(default = ALL_ROUND, unit = "°", least = 0, most = 180)]
+    pub angle: Angle,
+    /// Within this many of its own radii all neighbours count, at any angle.
+    #[parameter(least = 0)]
     pub always: f32,
-    /// Greatest number of neighbours; the nearest count. Limit: >= 1.
+    /// Greatest number of neighbours, the nearest first. Without it, all.
+    #[parameter(default = usize::MAX, least = 1)]
     pub most: usize,
-    /// The groups that count.
+    /// The agents that count.
     pub groups: GroupFilter,
 }
 
-impl Default for Neighbourhood {
-    fn default() -> Self {
-        Self { distance: f32::INFINITY, angle: PI, always: 0.0, most: usize::MAX, groups: GroupFilter::All }
-    }
-}
+/// Half the angle of view of an agent that sees all round.
+const ALL_ROUND: Angle = Angle::from_radians(PI);
 
 impl Neighbourhood {
     /// Returns the neighbours that belong to it, nearest first.
@@ -52,27 +56,16 @@ impl Neighbourhood {
         SquaredBounds {
             range_squared: self.distance * self.distance,
             always_squared: always * always,
-            cosine: if self.angle < PI { squared(libm::cosf(self.angle)) } else { -2.0 },
+            cosine: if self.angle < ALL_ROUND { squared(libm::cosf(self.angle.radians())) } else { -2.0 },
         }
     }
 
     /// Records the neighbourhood and the neighbours that belong to it.
     pub(super) fn tell(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) {
         if why.is_requested() {
-            why.note(|| SteeringReason::Looks { distance: self.distance, angle: self.angle });
+            why.note(|| SteeringReason::Looks { distance: self.distance, angle: self.angle.radians() });
             self.of(view).for_each(|other| why.note(|| SteeringReason::Regards(other.number)));
         }
-    }
-
-    /// Checks the numbers.
-    ///
-    /// # Errors
-    /// [`Error::Limit`] names the number.
-    pub fn check(&self) -> Result<(), Error> {
-        Error::unless(self.distance > 0.0, "distance of neighbours", self.distance, "greater than 0")?;
-        Error::unless((0.0..=PI).contains(&self.angle), "angle of neighbours", self.angle, "from 0 to pi")?;
-        Error::unless(self.always >= 0.0, "radii that always count", self.always, "0 or more")?;
-        Error::unless(self.most > 0, "number of neighbours", self.most as f64, "1 or more")
     }
 }
 

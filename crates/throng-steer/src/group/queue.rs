@@ -3,13 +3,15 @@
 use crate::single::settling_time;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{
     Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, SteeringReason, TraceRecorder,
 };
 
-/// Limits the speed of a part by the agents right ahead that go the same way or stand: the agent does not push.
+/// Moves no faster than the neighbours right ahead (Reynolds 1999).
 ///
-/// The limit is half of the speed of the agent ahead, and more in proportion to the distance between the bodies. With
+/// Limits the speed of a part by the agents right ahead that move the same way or stand: the agent does not push. The
+/// limit is half of the speed of the agent ahead, and more in proportion to the distance between the bodies. With
 /// the whole of that speed the agent would come nearer than the gap when the agent ahead brakes, since it follows with
 /// a delay. With half of it the agent never does, however suddenly the agent ahead stops, and it follows by half the
 /// headway in time.
@@ -19,28 +21,28 @@ use throng::steer::{
 /// use throng_steer::{Queue, Seek};
 /// let patient = Queue { gap: 0.3, ..Queue::new(Seek { target: Target::Goal }) };
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Queue {
-    /// The agents to queue behind.
+    /// The neighbours that it queues behind.
     pub groups: GroupFilter,
-    /// How far ahead it looks, metres between centres. Limit: > 0.
+    /// How far ahead it looks, metres between centres.
+    #[parameter(default = 2.0, unit = "m", above = 0, infinite)]
     pub distance: f32,
-    /// How much wider than the two bodies the checked strip is, metres. Limit: >= 0.
+    /// Width of its corridor beyond the widths of the two bodies, metres.
+    #[parameter(unit = "m", least = 0)]
     pub width: f32,
-    /// Least distance between standing bodies, metres. Limit: >= 0.
+    /// Gap between bodies at rest, metres.
+    #[parameter(default = 0.1, unit = "m", least = 0)]
     pub gap: f32,
-    /// Seconds in which the agent closes all but a third of a greater gap, and twice the time by which it follows;
-    /// longer if the vehicle responds too slowly. Limit: > 0.
+    /// Seconds in which it closes all but a third of a greater gap.
+    ///
+    /// Twice the time by which it follows; longer if the vehicle responds too slowly.
+    #[parameter(default = 0.5, unit = "s", above = 0)]
     pub headway: f32,
-    /// The part.
+    /// The behaviour that it restrains.
+    #[parameter(required)]
     pub of: BoxedBehaviour,
-}
-
-impl Queue {
-    /// Returns a queue behind all agents within 2 m, with a gap of 0.1 m.
-    pub fn new(of: impl Into<BoxedBehaviour>) -> Self {
-        Self { groups: GroupFilter::All, distance: 2.0, width: 0.0, gap: 0.1, headway: 0.5, of: of.into() }
-    }
 }
 
 impl Behaviour for Queue {
@@ -63,10 +65,7 @@ impl Behaviour for Queue {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.distance > 0.0, "distance", self.distance, "greater than 0")?;
-        Error::unless(self.width >= 0.0, "width of the lane", self.width, "0 or more")?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
-        Error::unless_positive("headway", self.headway)?;
+        self.check_limits()?;
         self.of.check()
     }
 }

@@ -5,44 +5,43 @@ use super::Neighbourhood;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, SteeringInput, SteeringNeighbour, TraceRecorder};
 
-/// How the repulsion by a neighbour decreases with the distance.
+/// How the repulsion of a neighbour falls off.
+#[parameters]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Falloff {
-    /// By the distance (Reynolds 1999, OpenSteer).
+    /// With the distance (Reynolds 1999, OpenSteer).
     #[default]
     Inverse,
-    /// By the square of the distance: better damped (Reynolds 1987).
+    /// With the square of the distance: better damped (Reynolds 1987).
     InverseSquare,
 }
 
-/// Steers away from each neighbour, the more the nearer the neighbour is.
+/// Keeps away from near neighbours (Reynolds 1999).
+///
+/// The nearer a neighbour is, the greater is the force away from it.
 ///
 /// ```
 /// use throng_steer::{Neighbourhood, Separation};
 /// let near = Neighbourhood { distance: 1.5, ..Neighbourhood::default() };
 /// let polite = Separation { near, ..Separation::default() };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation {
-    /// The neighbourhood.
+    /// The neighbours. Without it, all within 2 m.
+    #[parameter(default = Neighbourhood { distance: 2.0, ..Neighbourhood::default() })]
     pub near: Neighbourhood,
-    /// How the repulsion decreases.
+    /// How the repulsion falls off.
     pub falloff: Falloff,
-    /// Length of the sum of repulsions, 1/m (or 1/m²), from which on the force is the vehicle's top force; 0: always
-    /// the top force, as in OpenSteer, which may cause jitter. One neighbour at 1 m gives 1. Limit: >= 0.
+    /// Length of the sum of repulsions from which on it uses all of the force; one neighbour at 1 m has length 1; 0: it
+    /// always does.
+    ///
+    /// To use all of the force always, as in OpenSteer, may cause jitter.
+    #[parameter(default = 2.0, least = 0)]
     pub full: f32,
-}
-
-impl Default for Separation {
-    fn default() -> Self {
-        Self {
-            near: Neighbourhood { distance: 2.0, ..Neighbourhood::default() },
-            falloff: Falloff::default(),
-            full: 2.0,
-        }
-    }
 }
 
 impl Behaviour for Separation {
@@ -60,8 +59,7 @@ impl Behaviour for Separation {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.full >= 0.0, "full push", self.full, "0 or more")?;
-        self.near.check()
+        self.check_limits()
     }
 }
 

@@ -3,9 +3,10 @@
 use super::avoid_neighbours::{first_threat, note_threat};
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, TraceRecorder};
 
-/// Avoids the first neighbour that will come too near: the agent turns aside, and speeds up or brakes.
+/// Turns, brakes or speeds up for the first neighbour that will come too near (Reynolds 1999).
 ///
 /// The change of velocity is such that both agents are apart by a gap at their closest approach. A neighbour that the
 /// agent touches comes first. On an exact collision course the agent goes to the right.
@@ -15,20 +16,17 @@ use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, Tr
 /// use throng_steer::UnalignedAvoidance;
 /// let walker = UnalignedAvoidance { groups: GroupFilter::All, horizon: 4.0, gap: 0.2 };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnalignedAvoidance {
-    /// The agents to avoid.
+    /// The neighbours.
     pub groups: GroupFilter,
-    /// Time horizon, seconds. Limit: > 0.
+    /// How far ahead it looks, seconds.
+    #[parameter(default = 3.0, unit = "s", above = 0)]
     pub horizon: f32,
-    /// Least distance between bodies in passing, metres. Limit: >= 0.
+    /// Gap between bodies that pass each other, metres.
+    #[parameter(default = 0.1, unit = "m", least = 0)]
     pub gap: f32,
-}
-
-impl Default for UnalignedAvoidance {
-    fn default() -> Self {
-        Self { groups: GroupFilter::All, horizon: 3.0, gap: 0.1 }
-    }
 }
 
 /// Part of the sum of radii and gap below which the closest approach counts as exact: then there is no side on which to
@@ -52,7 +50,6 @@ impl Behaviour for UnalignedAvoidance {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("time horizon", self.horizon)?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")
+        self.check_limits()
     }
 }

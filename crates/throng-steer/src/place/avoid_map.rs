@@ -1,15 +1,96 @@
 //! Obstacle avoidance on a map of cells: OpenSteer's "driving through map based obstacles".
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use std::f32::consts::PI;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{GroundPlace, Value, parameters};
 use throng::space::Raster;
-use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
+use throng::steer::{Barriers, Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Follows the steering of a part, and turns and brakes where the way is not free: for fast vehicles that turn in wide
-/// circles.
+/// Avoids obstacles by a map of them, as OpenSteer's cars do.
+///
+/// Turns and brakes the motion of a part where the way is not free: for fast vehicles that turn in wide circles. From
+/// these parameters a [`DriveByMap`] is made, with a map of the obstacles.
+///
+/// ```
+/// use glam::{Vec2, Vec3};
+/// use throng::space::surface::{SeenFrom, Sphere};
+/// use throng::steer::{Barriers, BoxedBehaviour};
+/// use throng_steer::{AvoidMap, MoveForward};
+///
+/// let obstacles = Barriers::default().with(Sphere::new(Vec3::X * 9.0, 2.0)?, SeenFrom::Outside);
+/// let of = MoveForward { part: 1.0 };
+/// let drive = AvoidMap { obstacles, cell: 0.5, ..AvoidMap::new(Vec2::splat(-30.0), Vec2::splat(30.0), of) };
+/// let drive: BoxedBehaviour = drive.try_into()?;
+/// # Ok::<(), throng::Error>(())
+/// ```
+#[parameters]
+#[derive(Clone, Debug)]
+pub struct AvoidMap {
+    /// The obstacles.
+    #[parameter(absent = "everything")]
+    pub obstacles: Barriers,
+    /// The corner of the map with the least coordinates; everything outside the map is solid.
+    #[parameter(required, from = GroundPlace)]
+    pub min: Vec2,
+    /// The corner with the greatest coordinates.
+    #[parameter(required, from = GroundPlace)]
+    pub max: Vec2,
+    /// Side of its square cells, metres; a cell is solid if an obstacle is nearer to its centre than half of that. There
+    /// are at most 1,000,000 cells in all.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
+    pub cell: f32,
+    /// How far ahead it looks at top speed, seconds.
+    #[parameter(default = HORIZON, unit = "s", above = 0)]
+    pub horizon: f32,
+    /// Extent of its corridor beyond its body, to either side at top speed, metres.
+    #[parameter(default = MARGIN, unit = "m", least = 0)]
+    pub margin: f32,
+    /// Whether it predicts its motion along its present arc; else straight ahead.
+    #[parameter(default = true)]
+    pub curved: bool,
+    /// The behaviour of the part.
+    #[parameter(required)]
+    pub of: BoxedBehaviour,
+}
+
+impl AvoidMap {
+    /// Returns the map of the obstacles.
+    fn map(&self) -> Result<Raster, Error> {
+        let cells = ((self.max - self.min).as_dvec2() / f64::from(self.cell)).ceil();
+        if !(cells.min_element() >= 1.0 && cells.element_product() <= MOST_CELLS) {
+            let count = format!("{} by {} cells; there must be 1 to {MOST_CELLS} in all", cells.x, cells.y);
+            let why = format!("{count}: set min and max, corners, or a greater cell");
+            return Err(Error::Shape { what: "the map".into(), why });
+        }
+        let near = 0.5 * self.cell;
+        let solid = |place: Vec2| self.obstacles.ahead(place.extend(0.0), Vec3::ZERO, near, 0.0).is_some();
+        Raster::of(self.min, self.max, self.cell, solid)
+    }
+}
+
+impl TryFrom<AvoidMap> for BoxedBehaviour {
+    type Error = Error;
+
+    fn try_from(said: AvoidMap) -> Result<Self, Error> {
+        said.check_limits()?;
+        let map = Arc::new(said.map()?);
+        let AvoidMap { horizon, margin, curved, of, .. } = said;
+        Ok(DriveByMap { map, of, horizon, margin, curved }.into())
+    }
+}
+
+/// The most cells of a map.
+const MOST_CELLS: f64 = 1e6;
+/// OpenSteer's look-ahead at top speed, seconds.
+const HORIZON: f32 = 2.1;
+/// OpenSteer's extent of the corridor at top speed, metres.
+const MARGIN: f32 = 1.5;
+
+/// Follows the steering of a part, and turns and brakes where a map is solid: for fast vehicles that turn in wide
+/// circles. [`AvoidMap`] makes the map from obstacles.
 ///
 /// It scans the corridor that the body will sweep along its present arc; the corridor is wider at a higher speed. On
 /// each side of the corridor it casts four diverging rays, the wings. It turns to a side of the corridor that is free;
@@ -22,25 +103,25 @@ use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, Tr
 /// use throng::motion::Motion;
 /// use throng::space::Raster;
 /// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
-/// use throng_steer::{AvoidMap, Seek};
+/// use throng_steer::{DriveByMap, Seek};
 ///
 /// let rock = |at: Vec2| at.distance(Vec2::new(3.5, 0.5)) < 2.0;
 /// let map = Raster::of(Vec2::splat(-30.0), Vec2::splat(30.0), 0.5, rock)?;
-/// let drive = AvoidMap::new(Arc::new(map), Seek { target: Target::Point(Vec3::X * 20.0) });
+/// let drive = DriveByMap::new(Arc::new(map), Seek { target: Target::Point(Vec3::X * 20.0) });
 /// let view = SteeringInput { motion: Motion::moving(Vec3::ZERO, Vec3::X), ..SteeringInput::default() };
 /// let steering = drive.steer(&view, &mut [0.0; 2], &mut TraceRecorder::default()).expect("a rock is in its way");
 /// assert!(steering.force.y < 0.0, "there is more room on the right");
 /// # Ok::<(), throng::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct AvoidMap {
+pub struct DriveByMap {
     /// The solid cells, in the coordinates of the [`SteeringInput`].
     pub map: Arc<Raster>,
     /// The part.
     pub of: BoxedBehaviour,
     /// How far ahead it scans at the top speed, seconds; little more than half of that at low speed, but at least 3 m.
     /// Limit: > 0.
-    pub seconds: f32,
+    pub horizon: f32,
     /// How much farther than the body the corridor reaches to either side at the top speed, metres; less than half of
     /// that at low speed. Limit: >= 0.
     pub margin: f32,
@@ -48,10 +129,10 @@ pub struct AvoidMap {
     pub curved: bool,
 }
 
-impl AvoidMap {
+impl DriveByMap {
     /// Returns the behaviour with OpenSteer's numbers.
     pub fn new(map: Arc<Raster>, of: impl Into<BoxedBehaviour>) -> Self {
-        Self { map, of: of.into(), seconds: 2.1, margin: 1.5, curved: true }
+        Self { map, of: of.into(), horizon: HORIZON, margin: MARGIN, curved: true }
     }
 }
 
@@ -96,7 +177,7 @@ struct MapScan {
     room: [f32; 2],
 }
 
-impl Behaviour for AvoidMap {
+impl Behaviour for DriveByMap {
     /// How many seconds the vehicle still keeps to a side, and the side; then the words of the part.
     fn memory(&self) -> usize {
         2 + self.of.words()
@@ -138,20 +219,20 @@ impl Behaviour for AvoidMap {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
+        Error::unless_positive("horizon", self.horizon)?;
         Error::unless(self.margin >= 0.0 && self.margin.is_finite(), "margin", self.margin, "0 or more and finite")?;
         self.of.check()
     }
 }
 
-impl AvoidMap {
+impl DriveByMap {
     /// Scans the corridor and the wings along the present arc.
     fn scan(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) -> MapScan {
         let (motion, cell) = (&view.motion, self.map.cell());
         let part = (motion.speed() / view.vehicle.max_speed).min(1.0);
         let mix = |(rest, top): (f32, f32)| rest + (top - rest) * part;
         let curvature = if self.curved { motion.curvature.dot(motion.basis.side) } else { 0.0 };
-        let reach = (motion.speed() * self.seconds * mix((SHORT, 1.0))).max(LEAST_REACH) + view.radius;
+        let reach = (motion.speed() * self.horizon * mix((SHORT, 1.0))).max(LEAST_REACH) + view.radius;
         let reach = reach.min(MOST_TURN / curvature.abs().max(f32::MIN_POSITIVE));
         let width = view.radius + self.margin * mix((NARROW, 1.0));
         let solid = |along: f32, beside: f32| self.map.is_solid(place(view, curvature, along, beside).truncate());

@@ -5,12 +5,14 @@ use glam::Vec3;
 use std::f32::consts::PI;
 use throng::Error;
 use throng::motion::{Steering, angle_between, turned};
+use throng::parameters::{Value, parameters};
 use throng::space::surface::PathIntersection;
-use throng::steer::Barriers;
-use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
+use throng::steer::{Barriers, Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Steers round obstacles. Nothing to correct while the way ahead is free and the way back to the preferred direction
-/// is free of the obstacle that was passed.
+/// Avoids obstacles in its way (Reynolds 1999).
+///
+/// Nothing to correct while the way ahead is free and the way back to the preferred direction is free of the obstacle
+/// that was passed.
 ///
 /// The way ahead is the cylinder that the body sweeps in some seconds. The nearest obstacle in it counts. The agent
 /// turns to the side that costs less: a smaller turn past the obstacle, and a smaller turn back to the preferred
@@ -33,25 +35,36 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecor
 /// let walk = Priority { epsilon: 0.0, parts: vec![avoid.into(), Seek { target: Target::Goal }.into()] };
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct AvoidObstacles {
     /// The obstacles.
-    pub barriers: Barriers,
-    /// The preferred direction leads to this target; straight ahead if there is none.
+    #[parameter(absent = "everything")]
+    pub obstacles: Barriers,
+    /// The target: it decides the side on which the agent passes. If it does not exist, straight ahead.
+    #[parameter(default = Target::Goal)]
     pub towards: Target,
-    /// How far ahead it looks, seconds at the present speed; farther if the agent turns slowly. Limit: > 0.
-    pub seconds: f32,
-    /// Distance between the body and obstacles, metres. Limit: >= 0.
+    /// How far ahead it looks, seconds; farther if it turns slowly.
+    #[parameter(default = HORIZON, unit = "s", above = 0)]
+    pub horizon: f32,
+    /// Gap between its body and obstacles, metres.
+    #[parameter(default = 0.15, unit = "m", least = 0)]
     pub gap: f32,
-    /// How long it keeps to a side of an obstacle after the obstacle has left the way, seconds. Limit: >= 0.
+    /// Seconds for which it keeps to a side of an obstacle that is no longer in the way.
+    #[parameter(default = KEEPS, unit = "s", least = 0)]
     pub keeps: f32,
 }
 
 impl From<Barriers> for AvoidObstacles {
-    fn from(barriers: Barriers) -> Self {
-        Self { barriers, towards: Target::Goal, seconds: 2.0, gap: 0.15, keeps: 1.5 }
+    fn from(obstacles: Barriers) -> Self {
+        Self { obstacles, ..Self::default() }
     }
 }
+
+/// Default look-ahead, seconds.
+const HORIZON: f32 = 2.0;
+/// Default time for which a side is kept, seconds.
+const KEEPS: f32 = 1.5;
 
 /// Factor on the cost of the side that is kept.
 const KEPT: f32 = 0.8;
@@ -65,27 +78,42 @@ const TRIES: u8 = 11;
 const SLOW: f32 = 0.5;
 
 impl Behaviour for AvoidObstacles {
-    /// The obstacle that was avoided last, counted from 1; the seconds for which the side is still kept; the side, as
-    /// left and up.
     fn memory(&self) -> usize {
-        4
+        Passing::MEMORY
     }
 
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let preferred = self.towards.find(view).map(|mark| view.to(mark.position));
-        self.avoid(preferred, view, memory, why)
+        let Self { ref obstacles, horizon, gap, keeps, .. } = *self;
+        Passing { obstacles, horizon, gap, keeps }.avoid(preferred, view, memory, why)
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")?;
-        Error::unless(self.keeps >= 0.0, "time that a side is kept", self.keeps, "0 or more")
+        self.check_limits()
     }
 }
 
-impl AvoidObstacles {
+/// How an agent passes obstacles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passing<'o> {
+    obstacles: &'o Barriers,
+    horizon: f32,
+    gap: f32,
+    keeps: f32,
+}
+
+impl<'o> Passing<'o> {
+    /// The obstacle that was avoided last, counted from 1; the seconds for which the side is still kept; the side, as
+    /// left and up.
+    pub const MEMORY: usize = 4;
+
+    /// Returns how an agent passes obstacles with a gap, metres.
+    pub const fn with_gap(obstacles: &'o Barriers, gap: f32) -> Self {
+        Self { obstacles, horizon: HORIZON, gap, keeps: KEEPS }
+    }
+
     /// Steers round obstacles on the way to a preferred direction; straight ahead if it is `None`.
-    pub(super) fn avoid(
+    pub fn avoid(
         &self,
         preferred: Option<Vec3>,
         view: &SteeringInput<'_>,
@@ -102,9 +130,9 @@ impl AvoidObstacles {
         };
         // within the gap of one obstacle the swept cylinder touches that obstacle and hides what comes after it; its
         // axis does not
-        let beyond = self.barriers.ahead(view.position(), course.basis.forward, 0.0, course.reach);
+        let beyond = self.obstacles.ahead(view.position(), course.basis.forward, 0.0, course.reach);
         why.note(|| SteeringReason::Feels(view.position() + course.basis.forward * course.reach));
-        let here = self.barriers.nearest(view.position()).map(|here| (here.point, here.free()));
+        let here = self.obstacles.nearest(view.position()).map(|here| (here.point, here.free()));
         let near = beyond.map(|(_, hit)| (hit.point, hit.free())).into_iter().chain(here);
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
             // an agent that turned back to its goal at once would meet the same obstacle again
@@ -116,7 +144,7 @@ impl AvoidObstacles {
             return Some(course.held_off(force, near.chain([(hit.point, hit.free())])));
         };
         why.note(|| SteeringReason::Expects(hit.point));
-        if self.barriers.0[index].forbids(hit.vehicle_outside) {
+        if self.obstacles.0[index].forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }
         let (chosen, direction) = self.choose(view, &course, kept(index), hit.free(), preferred);
@@ -132,7 +160,7 @@ impl AvoidObstacles {
 
     /// Returns the way ahead, no farther than the goal if the agent can stop there.
     fn course<'a>(&self, view: &'a SteeringInput<'a>, preferred: Option<Vec3>) -> Course<'a> {
-        let mut course = Course::new(view, self.gap, self.seconds);
+        let mut course = Course::new(view, self.gap, self.horizon);
         let needed = Course::new(view, self.gap, 0.0).reach;
         course.reach = course.reach.min(preferred.map_or(f32::INFINITY, Vec3::length).max(needed));
         course
@@ -145,7 +173,7 @@ impl AvoidObstacles {
         course: &Course<'_>,
         direction: Vec3,
     ) -> Option<(usize, PathIntersection)> {
-        self.barriers.ahead(view.position(), direction, course.radius, course.reach)
+        self.obstacles.ahead(view.position(), direction, course.radius, course.reach)
     }
 
     /// Returns the side to pass on and the direction that leads past, at the lowest cost. The cost is the turn now and

@@ -2,15 +2,17 @@
 
 use super::course::Course;
 use glam::Vec3;
-use std::f32::consts::PI;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::{Basis, Steering, turned};
+use throng::parameters::{Angle, Value, parameters};
 use throng::space::surface::{Barrier, PathIntersection, SeenFrom, Surface};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Stays on one side of a surface: within a room, an aquarium, a cage of any shape. Nothing to correct while all probes
-/// are free.
+/// Stays on one side of a surface (Reynolds 1999).
+///
+/// Within a room, an aquarium, a cage of any shape: on the side from which the surface is seen. Nothing to correct while
+/// all probes are free.
 ///
 /// The behaviour sends probes as large as the body ahead and, half as far, to the sides. Where a probe leaves the
 /// container, the agent turns away along the component of the normal at right angles to its course, the more the nearer
@@ -33,15 +35,20 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 /// assert!(turn.x < 0.0 || turn.y < 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Contain {
-    /// The surface, and the side to stay on.
-    pub barrier: Barrier<Arc<dyn Surface>>,
-    /// How far ahead it looks, seconds at the present speed; farther if the agent turns slowly. Limit: > 0.
-    pub seconds: f32,
-    /// Angle of the other probes to the sides, radians. Limit: 0 to pi.
-    pub angle: f32,
-    /// Distance between the body and the surface, metres. Limit: >= 0.
+    /// The name of the surface.
+    #[parameter(required)]
+    pub surface: Barrier<Arc<dyn Surface>>,
+    /// How far ahead it looks, seconds; farther if it turns slowly.
+    #[parameter(default = 1.0, unit = "s", above = 0)]
+    pub horizon: f32,
+    /// Angle of two further looks to the sides, half as far, degrees.
+    #[parameter(default = Angle::from_radians(0.6), unit = "°", least = 0, most = 180)]
+    pub angle: Angle,
+    /// Gap between its body and the surface, metres.
+    #[parameter(default = 0.1, unit = "m", least = 0)]
     pub gap: f32,
 }
 
@@ -53,15 +60,15 @@ impl Contain {
 
     /// Returns the containment on one side of a surface, or on the side where the agent is.
     pub fn on_side(surface: impl Surface + 'static, side: SeenFrom) -> Self {
-        Self { barrier: Barrier::new(Arc::new(surface), side), seconds: 1.0, angle: 0.6, gap: 0.1 }
+        Self::new(Barrier::<Arc<dyn Surface>>::new(Arc::new(surface), side))
     }
 }
 
 impl Behaviour for Contain {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
-        let course = Course::new(view, self.gap, self.seconds);
+        let course = Course::new(view, self.gap, self.horizon);
         let Basis { forward, side, up } = course.basis;
-        let angle = self.angle;
+        let angle = self.angle.radians();
         let probes = [(side, angle, 0.5), (side, -angle, 0.5), (up, angle, 0.5), (up, -angle, 0.5), (up, 0.0, 1.0)];
         let probes = if view.is_on_ground() { &probes[2..] } else { &probes };
         let mut touches = [None; 5];
@@ -73,19 +80,17 @@ impl Behaviour for Contain {
         let touches = touches.iter().flatten();
         let Touch { hit, urgency, .. } = touches.clone().max_by(|a, b| a.urgency.total_cmp(&b.urgency))?;
         why.note(|| SteeringReason::Expects(hit.point));
-        if self.barrier.forbids(hit.vehicle_outside) {
+        if self.surface.forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }
         let force = course.aside(hit.free()) * (view.vehicle.max_force * urgency);
-        let here = self.barrier.surface.query(view.position());
+        let here = self.surface.surface.query(view.position());
         let ahead = touches.flat_map(|touch| [touch.hit, touch.beyond]).map(|hit| (hit.point, hit.free()));
         Some(course.held_off(force, ahead.chain([(here.point, here.free())])))
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless((0.0..=PI).contains(&self.angle), "angle of the probes", self.angle, "from 0 to pi")?;
-        Error::unless(self.gap >= 0.0, "gap", self.gap, "0 or more")
+        self.check_limits()
     }
 }
 
@@ -102,7 +107,7 @@ struct Touch {
 impl Contain {
     /// Returns the contact of a probe in a direction.
     fn feel(&self, course: &Course<'_>, view: &SteeringInput<'_>, direction: Vec3, reach: f32) -> Option<Touch> {
-        let touch = |radius| self.barrier.ahead(view.position(), direction, radius, reach);
+        let touch = |radius| self.surface.ahead(view.position(), direction, radius, reach);
         let hit = touch(course.radius)?;
         // within the gap of one wall of a corner the probe touches that wall, wherever it points, and not the other
         let beyond = touch(0.0).unwrap_or(hit);

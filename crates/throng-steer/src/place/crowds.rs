@@ -6,53 +6,93 @@ use crate::{
     Arrive, CloseAvoidance, Condition, MoveForward, Neighbourhood, Priority, Queue, Separation, State, Switch,
     UnalignedAvoidance, WeightedSum,
 };
-use throng::steer::Barriers;
-use throng::steer::{BoxedBehaviour, GroupFilter, Target};
+use std::sync::Arc;
+use throng::parameters::parameters;
+use throng::space::{PathDirection, Pathway};
+use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Target};
 
 /// Range of the separation in a crowd, metres.
 const SPACING: f32 = 1.0;
 
-/// Returns a behaviour that walks along a path in a crowd: the agent stays on the path, keeps its distance from
-/// neighbours, and pushes no other agent.
+/// Moves along a path among other agents (Reynolds 1999, "crowd path following").
+///
+/// The agent stays on the path, keeps its distance from neighbours, and pushes no other agent.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::space::Pathway;
-/// use throng_steer::{crowd_path, FollowPath};
+/// use throng::steer::BoxedBehaviour;
+/// use throng_steer::CrowdPath;
 /// let path = Pathway::new(&[Vec3::ZERO, Vec3::X * 20.0, Vec3::Y * 20.0], 1.5, true)?;
-/// let crowd = crowd_path(FollowPath::from(path));
+/// let crowd = BoxedBehaviour::from(CrowdPath::new(path));
 /// # Ok::<(), throng::Error>(())
 /// ```
-pub fn crowd_path(follow: FollowPath) -> BoxedBehaviour {
-    let onward = Priority { epsilon: 0.0, parts: vec![follow.into(), MoveForward { part: 0.3 }.into()] };
-    among_others(onward)
+#[parameters]
+#[derive(Clone, Debug)]
+pub struct CrowdPath {
+    /// The name of the path.
+    ///
+    /// In code, the path: metres in the coordinates of the [`SteeringInput`](throng::steer::SteeringInput).
+    #[parameter(required)]
+    pub path: Arc<Pathway>,
+    /// Whether it moves in the order of the path's points or against it.
+    pub direction: PathDirection,
+    /// How far ahead it looks, seconds.
+    #[parameter(default = 0.5, unit = "s", above = 0)]
+    pub horizon: f32,
 }
 
-/// Returns a behaviour that goes to a goal through a door in walls, in a queue: the agent keeps its distance from
-/// neighbours and walls, and pushes no other agent.
+impl From<CrowdPath> for BoxedBehaviour {
+    fn from(CrowdPath { path, direction, horizon }: CrowdPath) -> Self {
+        let follow = FollowPath { direction, horizon, ..FollowPath::new(path) };
+        among_others(Priority { epsilon: 0.0, parts: vec![follow.into(), MoveForward { part: 0.3 }.into()] })
+    }
+}
+
+/// Moves through a door among other agents (Reynolds 1999, "queuing").
+///
+/// The agent goes to a goal through a door in walls, in a queue: it keeps its distance from neighbours and walls, and
+/// pushes no other agent.
 ///
 /// ```
 /// use glam::Vec3;
 /// use throng::space::surface::{Cuboid, Moved, Pose, SeenFrom};
-/// use throng::steer::{Barriers, Target};
-/// use throng_steer::queue_at_door;
+/// use throng::steer::{Barriers, BoxedBehaviour, Target};
+/// use throng_steer::QueueAtDoor;
 /// let wall = |y| Pose::at(Vec3::Y * y).map(|pose| Moved::new(Cuboid::new(Vec3::new(0.2, 9.0, 3.0)).expect("extents"), pose));
-/// let walls = Barriers::default().with(wall(5.0)?, SeenFrom::Outside).with(wall(-5.0)?, SeenFrom::Outside);
-/// let leave = queue_at_door(Target::Goal, Target::Point(Vec3::ZERO), walls);
+/// let obstacles = Barriers::default().with(wall(5.0)?, SeenFrom::Outside).with(wall(-5.0)?, SeenFrom::Outside);
+/// let leave = QueueAtDoor { obstacles, ..QueueAtDoor::new(Target::Point(Vec3::ZERO)) };
+/// let leave = BoxedBehaviour::from(leave);
 /// # Ok::<(), throng::Error>(())
 /// ```
-pub fn queue_at_door(goal: Target, door: Target, walls: Barriers) -> BoxedBehaviour {
-    let go = |to: Target| -> BoxedBehaviour {
-        let avoid = AvoidObstacles { towards: to, gap: 0.05, seconds: 1.0, ..AvoidObstacles::from(walls.clone()) };
-        Priority { epsilon: 0.0, parts: vec![avoid.into(), Arrive { slowing_distance: 0.0, ..Arrive::new(to) }.into()] }
-            .into()
-    };
-    let through = Condition::Nearer(door, 0.5);
-    let states =
-        vec![State { behaviour: go(door), exits: vec![(through, 1)] }, State { behaviour: go(goal), exits: vec![] }];
-    // agents that walk along the wall meet other agents head-on
-    let apart = UnalignedAvoidance { horizon: 1.0, ..UnalignedAvoidance::default() };
-    among_others(WeightedSum(vec![(1.0, Switch(states).into()), (1.0, apart.into())]))
+#[parameters]
+#[derive(Clone, Debug)]
+pub struct QueueAtDoor {
+    /// The target behind the door.
+    #[parameter(default = Target::Goal)]
+    pub goal: Target,
+    /// The position of the door.
+    #[parameter(required)]
+    pub door: Target,
+    /// The walls.
+    #[parameter(absent = "everything")]
+    pub obstacles: Barriers,
+}
+
+impl From<QueueAtDoor> for BoxedBehaviour {
+    fn from(QueueAtDoor { goal, door, obstacles }: QueueAtDoor) -> Self {
+        let go = |to: Target| -> Self {
+            let avoid = AvoidObstacles { towards: to, gap: 0.05, horizon: 1.0, ..obstacles.clone().into() };
+            let arrive = Arrive { slowing_distance: 0.0, ..Arrive::new(to) };
+            Priority { epsilon: 0.0, parts: vec![avoid.into(), arrive.into()] }.into()
+        };
+        let through = Condition::Nearer(door, 0.5);
+        let enter = State { behaviour: go(door), exits: vec![(through, 1)] };
+        let states = vec![enter, State { behaviour: go(goal), exits: vec![] }];
+        // agents that walk along the wall meet other agents head-on
+        let apart = UnalignedAvoidance { horizon: 1.0, ..UnalignedAvoidance::default() };
+        among_others(WeightedSum(vec![(1.0, Switch(states).into()), (1.0, apart.into())]))
+    }
 }
 
 /// Returns the behaviour with separation from neighbours, no faster than the agent right ahead.

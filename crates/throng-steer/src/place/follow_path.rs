@@ -1,17 +1,20 @@
 //! Path following: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
 use crate::Arrive;
-use crate::single::{approach, settling_time};
+use crate::single::{SLOWING_DISTANCE, approach, settling_time};
 use glam::Vec3;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::space::{OnPath, PathDirection, Pathway, Segment};
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
-/// Goes along a path, in either direction, and stops at the end of an open path. Nothing to correct while the agent
-/// moves in the right direction and will still be on the path: other behaviours, such as
-/// [`MoveForward`](crate::MoveForward), set the speed there.
+/// Moves along a path (Reynolds 1999).
+///
+/// It moves in either direction, and stops at the end of an open path. Nothing to correct while the agent moves in the
+/// right direction and will still be on the path: other behaviours, such as [`MoveForward`](crate::MoveForward), set the
+/// speed there.
 ///
 /// The behaviour remembers the agent's distance along the path and searches the nearest point only near that distance:
 /// where a path crosses itself the agent stays on its arm.
@@ -24,38 +27,34 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecor
 ///
 /// let path = Pathway::new(&[Vec3::Y * -5.0, Vec3::ZERO, Vec3::X * 9.0], 1.0, false)?;
 /// let steer = |follow: FollowPath| follow.steer(&SteeringInput::default(), &mut [0.0; 3], &mut TraceRecorder::default());
-/// assert!(steer(FollowPath::from(path.clone())).expect("it stands").force.x > 0.0);
-/// let back = FollowPath { direction: PathDirection::Backward, ..FollowPath::from(path) };
+/// assert!(steer(FollowPath::new(path.clone())).expect("it stands").force.x > 0.0);
+/// let back = FollowPath { direction: PathDirection::Backward, ..FollowPath::new(path) };
 /// assert!(steer(back).expect("it stands").force.y < 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct FollowPath {
-    /// The path, metres in the coordinates of the [`SteeringInput`].
+    /// The name of the path.
+    ///
+    /// In code, the path: metres in the coordinates of the [`SteeringInput`].
+    #[parameter(required)]
     pub path: Arc<Pathway>,
-    /// The direction along the path.
+    /// Whether it moves in the order of the path's points or against it.
     pub direction: PathDirection,
-    /// How far ahead the agent's position is predicted, and how far along the path the agent aims, seconds at its
-    /// speed. Limit: > 0.
-    pub seconds: f32,
-    /// Distance from the end of an open path at which the agent begins to slow down, metres. Limit: >= 0.
+    /// How far ahead it looks, and how far ahead along the path the point is that it seeks, seconds at its speed.
+    #[parameter(default = 0.5, unit = "s", above = 0)]
+    pub horizon: f32,
+    /// Distance from the end of an open path at which it starts to slow down, metres.
+    #[parameter(default = SLOWING_DISTANCE, unit = "m", least = 0)]
     pub slowing_distance: f32,
-    /// Part of the radius to which an agent that would leave the path is led back. 1: the correction ends as soon as
-    /// the agent will stay on the path, so it keeps to the edge that bends lead it to, as in the paper. Less than 1:
-    /// the agent is led farther in. Limit: 0 to 1.
+    /// Part of the path's radius to which it is led back if it is about to leave the path; 1: it keeps to the edge that it
+    /// reaches in bends.
+    ///
+    /// 1: the correction ends as soon as the agent will stay on the path, as in the paper. Less than 1: the agent is led
+    /// farther in.
+    #[parameter(default = 1.0, least = 0, most = 1)]
     pub inner: f32,
-}
-
-impl From<Pathway> for FollowPath {
-    fn from(path: Pathway) -> Self {
-        Arc::new(path).into()
-    }
-}
-
-impl From<Arc<Pathway>> for FollowPath {
-    fn from(path: Arc<Pathway>) -> Self {
-        Self { path, direction: PathDirection::Forward, seconds: 0.5, slowing_distance: 1.0, inner: 1.0 }
-    }
 }
 
 /// Least speed for the distance of the aim, as a part of the top speed.
@@ -70,7 +69,7 @@ impl Behaviour for FollowPath {
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [known, along, led_back] = memory else { return None };
         let path = &*self.path;
-        let reach = view.vehicle.max_speed * self.seconds;
+        let reach = view.vehicle.max_speed * self.horizon;
         let known_along = (*known > 0.0).then_some(*along);
         let now = self.find(view.position(), known_along, reach);
         (*known, *along) = (1.0, now.along);
@@ -78,14 +77,14 @@ impl Behaviour for FollowPath {
             PathDirection::Forward => path.length() - now.along,
             PathDirection::Backward => now.along,
         };
-        let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.seconds;
+        let ahead = view.motion.speed().max(SLOW * view.vehicle.max_speed) * self.horizon;
         let aim = path.at(now.along + ahead * self.direction.sign());
         self.tell(now, ahead, why);
         if !path.is_cyclic() && left <= ahead {
             let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::new(Target::Point(aim)) };
             return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
         }
-        let future = view.motion.position_in(self.seconds);
+        let future = view.motion.position_in(self.horizon);
         why.note(|| SteeringReason::Expects(future));
         let slows = self.slowing_distance.max(view.vehicle.max_speed * settling_time(view, 0.0));
         if !path.is_cyclic() && left < slows {
@@ -106,9 +105,7 @@ impl Behaviour for FollowPath {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless((0.0..=1.0).contains(&self.inner), "inner part of the path", self.inner, "from 0 to 1")?;
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+        self.check_limits()
     }
 }
 

@@ -4,11 +4,13 @@ use super::course::Course;
 use glam::Vec3;
 use throng::Error;
 use throng::motion::{Basis, Steering};
-use throng::steer::Barriers;
-use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+use throng::parameters::{Value, parameters};
+use throng::steer::{Barriers, Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Goes along the nearest wall at a distance. The wall stays on the left or the right hand, where it was first. Nothing
-/// to correct where no wall is near.
+/// Moves along a wall (Reynolds 1999).
+///
+/// It moves along the nearest wall, at a distance. The wall stays on the left or the right hand, where it was first.
+/// Nothing to correct where no wall is near.
 ///
 /// The behaviour predicts the agent's position, or the point of a wall that the agent would hit before. It takes the
 /// nearest point of the wall, goes out along the normal there and on along the wall, and seeks that place.
@@ -27,21 +29,26 @@ use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 /// assert!(steering.force.y < 0.0, "it is too far from it");
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct FollowWall {
     /// The walls.
-    pub barriers: Barriers,
-    /// Distance between the agent's centre and the wall, metres. Limit: > 0.
+    #[parameter(absent = "everything")]
+    pub obstacles: Barriers,
+    /// Distance between the wall and its centre, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
     pub offset: f32,
-    /// How far ahead the position is predicted, seconds. Limit: > 0.
-    pub seconds: f32,
-    /// Greatest distance of a wall that is followed, metres. Limit: > 0.
+    /// How far ahead it looks, seconds.
+    #[parameter(default = 0.3, unit = "s", above = 0)]
+    pub horizon: f32,
+    /// Greatest distance of a wall that counts, metres.
+    #[parameter(default = 5.0, unit = "m", above = 0, infinite)]
     pub range: f32,
 }
 
 impl From<Barriers> for FollowWall {
-    fn from(barriers: Barriers) -> Self {
-        Self { barriers, offset: 1.0, seconds: 0.3, range: 5.0 }
+    fn from(obstacles: Barriers) -> Self {
+        Self { obstacles, ..Self::default() }
     }
 }
 
@@ -53,25 +60,25 @@ impl Behaviour for FollowWall {
 
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let [hand] = memory else { return None };
-        let course = Course::new(view, 0.0, self.seconds);
-        let here = self.barriers.nearest(view.position()).filter(|here| here.distance.abs() <= self.range);
+        let course = Course::new(view, 0.0, self.horizon);
+        let here = self.obstacles.nearest(view.position()).filter(|here| here.distance.abs() <= self.range);
         let Some(here) = here else {
             *hand = 0.0;
             return None;
         };
         // the agent turns before it comes nearer than the offset to a wall across its way
-        let reach = view.motion.speed() * self.seconds + self.offset;
+        let reach = view.motion.speed() * self.horizon + self.offset;
         why.note(|| SteeringReason::Feels(view.position() + course.basis.forward * reach));
-        let ahead = self.barriers.ahead(view.position(), course.basis.forward, 0.0, reach).map(|(_, hit)| hit);
+        let ahead = self.obstacles.ahead(view.position(), course.basis.forward, 0.0, reach).map(|(_, hit)| hit);
         let (point, free) = match ahead {
             Some(hit) => (hit.point, hit.free()),
             None => {
-                let near = self.barriers.nearest(view.motion.position_in(self.seconds))?;
+                let near = self.obstacles.nearest(view.motion.position_in(self.horizon))?;
                 (near.point, near.free())
             }
         };
         let along = along(&course.basis, free, hand);
-        let place = point + free * self.offset + along * self.offset.min(view.vehicle.max_speed * self.seconds);
+        let place = point + free * self.offset + along * self.offset.min(view.vehicle.max_speed * self.horizon);
         why.note(|| SteeringReason::Expects(point));
         let force = view.seek(place, why)?.force;
         let surfaces = ahead.map(|hit| (hit.point, hit.free()));
@@ -79,9 +86,7 @@ impl Behaviour for FollowWall {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("offset from the wall", self.offset)?;
-        Error::unless_positive("horizon", self.seconds)?;
-        Error::unless(self.range > 0.0, "range", self.range, "greater than 0")
+        self.check_limits()
     }
 }
 

@@ -11,10 +11,10 @@ mod hide;
 mod stay_on_path;
 mod whiskers;
 
-pub use avoid_map::AvoidMap;
+pub use avoid_map::{AvoidMap, DriveByMap};
 pub use avoid_obstacles::AvoidObstacles;
 pub use contain::Contain;
-pub use crowds::{crowd_path, queue_at_door};
+pub use crowds::{CrowdPath, QueueAtDoor};
 pub use follow_path::FollowPath;
 pub use follow_wall::FollowWall;
 pub use hide::Hide;

@@ -3,35 +3,42 @@
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
+use throng::parameters::{Value, parameters};
 use throng::space::Pathway;
 use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
-/// Comes back to a path that the agent is about to leave, or has left. Nothing to correct while the predicted position
-/// is on the path, in any direction, even round a corner.
+/// Returns to a path that it is about to leave, as in OpenSteer.
+///
+/// Whichever way it moves: nothing to correct while the predicted position is on the path, in any direction, even round a
+/// corner.
 ///
 /// ```
 /// use glam::Vec3;
-/// use std::sync::Arc;
 /// use throng::space::Pathway;
 /// use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 /// use throng_steer::StayOnPath;
 ///
 /// let path = Pathway::new(&[Vec3::Y * 5.0, Vec3::new(9.0, 5.0, 0.0)], 1.0, false)?;
-/// let steering = StayOnPath { path: Arc::new(path), seconds: 1.0 }.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
+/// let steering = StayOnPath::new(path).steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default());
 /// assert!(steering.expect("it is off the path").force.y > 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct StayOnPath {
-    /// The path, metres in the coordinates of the [`SteeringInput`].
+    /// The name of the path.
+    ///
+    /// In code, the path: metres in the coordinates of the [`SteeringInput`].
+    #[parameter(required)]
     pub path: Arc<Pathway>,
-    /// How far ahead the position is predicted, seconds. Limit: >= 0.
-    pub seconds: f32,
+    /// How far ahead it looks, seconds.
+    #[parameter(default = 1.0, unit = "s", least = 0)]
+    pub horizon: f32,
 }
 
 impl Behaviour for StayOnPath {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
-        let future = view.motion.position_in(self.seconds);
+        let future = view.motion.position_in(self.horizon);
         let on_path = self.path.nearest(future);
         if on_path.outside <= 0.0 {
             return None;
@@ -41,6 +48,6 @@ impl Behaviour for StayOnPath {
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.seconds >= 0.0 && self.seconds.is_finite(), "horizon", self.seconds, "0 or more and finite")
+        self.check_limits()
     }
 }

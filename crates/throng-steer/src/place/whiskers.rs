@@ -1,24 +1,30 @@
 //! Whiskers: obstacle avoidance by a few rays, as in gdx-ai (RaycastObstacleAvoidance).
 
-use std::f32::consts::PI;
 use throng::Error;
 use throng::motion::{Steering, turned};
-use throng::steer::Barriers;
-use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+use throng::parameters::{Angle, Value, parameters};
+use throng::steer::{Barriers, Behaviour, SteeringInput, SteeringReason, TraceRecorder};
 
+/// A whisker.
+///
 /// A ray of a fixed length from the agent.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whisker {
-    /// Distance of its start to the left of the agent's centre, metres; negative to the right.
-    pub beside: f32,
-    /// Angle to the left of the forward direction, radians. Limit: -pi to pi.
-    pub angle: f32,
-    /// Length, metres. Limit: > 0.
+    /// Its length, metres.
+    #[parameter(required, unit = "m", above = 0)]
     pub length: f32,
+    /// Its angle to the left of ahead, degrees.
+    #[parameter(unit = "°", least = -180, most = 180)]
+    pub angle: Angle,
+    /// Offset of its start to the left of the agent's centre, metres.
+    #[parameter(unit = "m")]
+    pub beside: f32,
 }
 
-/// Turns away from surfaces that the whiskers touch: seeks a point off the surface at the nearest touch. Nothing to
-/// correct while the whiskers touch nothing.
+/// Moves away from what its whiskers touch, as in gdx-ai.
+///
+/// It seeks a point off the surface at the nearest touch. Nothing to correct while the whiskers touch nothing.
 ///
 /// The behaviour is cheap, but rays miss thin obstacles, and two rays on both sides of one obstacle may disagree in
 /// turn: put the whiskers into a [`Hold`](crate::Hold). [`AvoidObstacles`](super::AvoidObstacles) misses
@@ -28,42 +34,52 @@ pub struct Whisker {
 /// use glam::Vec3;
 /// use throng::space::surface::{Plane, SeenFrom};
 /// use throng::steer::{Barriers, Behaviour, SteeringInput, TraceRecorder};
+/// use throng::parameters::Angle;
 /// use throng_steer::Whiskers;
 ///
 /// let wall = Plane::new(Vec3::X * 2.0, Vec3::new(-1.0, 1.0, 0.0))?;
-/// let whiskers = Whiskers::fan(Barriers::default().with(wall, SeenFrom::Outside), 3.0, 1.0, 0.6);
+/// let whiskers = Whiskers::fan(Barriers::default().with(wall, SeenFrom::Outside), 3.0, 1.0, Angle::degrees(35.0));
 /// let steering = whiskers.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()).expect("it is ahead");
 /// assert!(steering.force.y > 0.0);
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
 pub struct Whiskers {
     /// The obstacles.
-    pub barriers: Barriers,
-    /// The rays.
-    pub whiskers: Vec<Whisker>,
-    /// Distance of the sought point from the surface, metres. Limit: > 0.
+    #[parameter(absent = "everything")]
+    pub obstacles: Barriers,
+    /// The whiskers. Without them, one of 2 m ahead, and one of 1 m to each side, 35° from ahead.
+    #[parameter(default = fan(2.0, 1.0, Angle::from_radians(0.61)))]
+    pub rays: Vec<Whisker>,
+    /// Distance of the point that it moves to from the touched surface, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
     pub clearance: f32,
 }
 
 impl Whiskers {
     /// Returns a single whisker straight ahead.
-    pub fn single(barriers: Barriers, length: f32) -> Self {
-        Self { barriers, whiskers: vec![Whisker { beside: 0.0, angle: 0.0, length }], clearance: 1.0 }
+    pub fn single(obstacles: Barriers, length: f32) -> Self {
+        Self { obstacles, rays: vec![Whisker::new(length)], ..Self::default() }
     }
 
     /// Returns two whiskers straight ahead, one from each side, with a distance between them, metres.
-    pub fn parallel(barriers: Barriers, length: f32, apart: f32) -> Self {
-        let whiskers = [0.5, -0.5].map(|side| Whisker { beside: side * apart, angle: 0.0, length });
-        Self { whiskers: whiskers.into(), ..Self::single(barriers, length) }
+    pub fn parallel(obstacles: Barriers, length: f32, apart: f32) -> Self {
+        let rays = [0.5, -0.5].map(|side| Whisker { beside: side * apart, ..Whisker::new(length) });
+        Self { obstacles, rays: rays.into(), ..Self::default() }
     }
 
-    /// Returns one whisker straight ahead, and one to each side at an angle, radians, with a length of their own.
-    pub fn fan(barriers: Barriers, length: f32, side_length: f32, angle: f32) -> Self {
-        let mut fan = Self::single(barriers, length);
-        fan.whiskers.extend([angle, -angle].map(|angle| Whisker { beside: 0.0, angle, length: side_length }));
-        fan
+    /// Returns one whisker straight ahead, and one to each side at an angle, with a length of their own.
+    pub fn fan(obstacles: Barriers, length: f32, side_length: f32, angle: Angle) -> Self {
+        Self { obstacles, rays: fan(length, side_length, angle), ..Self::default() }
     }
+}
+
+/// Returns one whisker straight ahead, and one to each side at an angle.
+fn fan(length: f32, side_length: f32, angle: Angle) -> Vec<Whisker> {
+    let right = Angle::from_radians(-angle.radians());
+    let sides = [angle, right].map(|angle| Whisker { angle, ..Whisker::new(side_length) });
+    [Whisker::new(length)].into_iter().chain(sides).collect()
 }
 
 /// Touches at equal distances, within rounding: the touch of the first whisker counts.
@@ -74,15 +90,12 @@ impl Behaviour for Whiskers {
         let basis = &view.motion.basis;
         let touch = |whisker: &Whisker| {
             let start = view.position() + basis.side * whisker.beside;
-            let direction = turned(basis.forward, basis.up, whisker.angle);
+            let direction = turned(basis.forward, basis.up, whisker.angle.radians());
             why.note(|| SteeringReason::Feels(start + direction * whisker.length));
-            self.barriers.ahead(start, direction, 0.0, whisker.length).map(|(_, hit)| hit)
+            self.obstacles.ahead(start, direction, 0.0, whisker.length).map(|(_, hit)| hit)
         };
-        let hit = self
-            .whiskers
-            .iter()
-            .filter_map(touch)
-            .reduce(|a, b| if b.distance < NEARER * a.distance { b } else { a })?;
+        let touches = self.rays.iter().filter_map(touch);
+        let hit = touches.reduce(|a, b| if b.distance < NEARER * a.distance { b } else { a })?;
         why.note(|| SteeringReason::Expects(hit.point));
         // where the whisker meets the surface head-on the normal gives no side, but the hint does
         let off = view.passable(hit.free() + hit.steer_hint).normalize_or(-basis.forward);
@@ -90,11 +103,6 @@ impl Behaviour for Whiskers {
     }
 
     fn check(&self) -> Result<(), Error> {
-        for whisker in &self.whiskers {
-            Error::unless(whisker.beside.is_finite(), "start of a whisker", whisker.beside, "finite")?;
-            Error::unless((-PI..=PI).contains(&whisker.angle), "angle of a whisker", whisker.angle, "from -pi to pi")?;
-            Error::unless_positive("length of a whisker", whisker.length)?;
-        }
-        Error::unless_positive("clearance", self.clearance)
+        self.check_limits()
     }
 }

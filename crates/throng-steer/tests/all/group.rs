@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, Target};
 use throng_steer::{
     Alignment, AvoidNeighbours, Boids, CloseAvoidance, Cohesion, Falloff, Flocking, FollowFlow, FollowLeader,
@@ -84,7 +85,7 @@ proptest! {
     ) {
         prop_assume!(velocity.length() > 0.1);
         let hood = Neighbourhood {
-            distance, angle: degrees.to_radians(), always: 3.0, most, ..Neighbourhood::default()
+            distance, angle: Angle::from_radians(degrees.to_radians()), always: 3.0, most, ..Neighbourhood::default()
         };
         let sharp = all.iter().all(|other| (angle(other.offset, velocity).to_degrees() - degrees).abs() > 0.01);
         prop_assume!(sharp);
@@ -131,7 +132,8 @@ proptest! {
     fn flocking_is_nine_numbers(all in others(), velocity in vector(1.0)) {
         prop_assume!(velocity.length() > 0.1);
         let forward = view(velocity, &[]).forward();
-        let rule = |weight: f32, distance: f32, degrees: f32| Rule { weight, distance, angle: degrees.to_radians() };
+        let degrees = |degrees: f32| Angle::from_radians(degrees.to_radians());
+        let rule = |weight: f32, distance: f32, angle: f32| Rule { weight, distance, angle: degrees(angle) };
         let flocking = Flocking {
             separation: rule(0.4, 3.0, 135.0), alignment: rule(0.3, 4.0, 45.0), cohesion: rule(0.2, 5.0, 100.0),
             groups: GroupFilter::All, ..Flocking::default()
@@ -326,7 +328,7 @@ proptest! {
     /// Followers end up behind the leader, apart from each other, and out of its way when it turns back.
     #[test]
     fn followers_follow(off in prop::collection::vec(on_ground(0.5), 6), single_file: bool, seconds in rate()) {
-        let follow = FollowLeader { single_file, ..FollowLeader::from(Target::Agent(0)) };
+        let follow = FollowLeader { single_file, ..FollowLeader::new(Target::Agent(0)) };
         let start =
             |i: usize| Motion::at_rest(Vec3::new((i % 3) as f32 - 2.0, (i / 3) as f32 - 1.0, 0.0) * 1.5 + off[i], Vec3::X);
         let slow = Vehicle { max_speed: 1.0, ..Vehicle::default() };

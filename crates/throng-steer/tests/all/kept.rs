@@ -16,13 +16,7 @@ use throng::steer::{
     Barriers, Behaviour, BoxedBehaviour, GroupFilter, Rng, SteeringInput, Stimulus, Target, TraceEntry, TraceRecorder,
 };
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Docking, Evade, EvadeAll, Explore,
-    Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander,
-    HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation,
-    MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue,
-    Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed,
-    Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, crowd_path, queue_at_door, takeoff,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion, Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade, EvadeAll, Explore, Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, QueueAtDoor, Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Strengths, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, takeoff,
 };
 
 type Named = (&'static str, BoxedBehaviour);
@@ -37,9 +31,13 @@ const STRANGER: Target = Target::Nearest(GroupFilter::OtherGroups);
 
 /// A neighbourhood with all of its limits.
 const SOME: Neighbourhood =
-    Neighbourhood { distance: 3.0, angle: 2.0, always: 2.0, most: 2, groups: GroupFilter::OtherGroups };
+    Neighbourhood { distance: 3.0, angle: radians(2.0), always: 2.0, most: 2, groups: GroupFilter::OtherGroups };
 const FRIENDS: Neighbourhood =
-    Neighbourhood { distance: 2.0, angle: 1.2, always: 3.0, most: 3, groups: GroupFilter::OwnGroup };
+    Neighbourhood { distance: 2.0, angle: radians(1.2), always: 3.0, most: 3, groups: GroupFilter::OwnGroup };
+
+const fn radians(radians: f32) -> Angle {
+    Angle::from_radians(radians)
+}
 
 fn single() -> Vec<Named> {
     let predicts = Prediction::Distance { per_metre: 0.3, most: 0.8 };
@@ -115,7 +113,7 @@ fn single() -> Vec<Named> {
 }
 
 fn group() -> Vec<Named> {
-    let rule = |weight, distance, angle| Rule { weight, distance, angle };
+    let rule = |weight, distance, angle| Rule { weight, distance, angle: radians(angle) };
     let flocking = Flocking {
         separation: rule(0.5, 2.0, 2.0),
         alignment: rule(0.2, 3.0, 3.2),
@@ -123,11 +121,11 @@ fn group() -> Vec<Named> {
         always: 2.0,
         groups: GroupFilter::All,
     };
-    let strengths = [0.7, 1.0, 0.6, 0.9];
+    let strengths = Strengths { avoid: 0.7, matching: 1.0, center: 0.6, migrate: 0.9 };
     let boids = Boids { near: SOME, forward: 0.4, avoidance: 0.8, strengths, migration: Some(POINT) };
     let queue = Queue { distance: 4.0, width: 0.5, ..Queue::new(Seek { target: POINT }) };
     let slow = Queue { groups: GroupFilter::OwnGroup, distance: 2.0, gap: 0.5, headway: 1.5, ..queue.clone() };
-    let file = FollowLeader { single_file: true, gap: 0.6, free: 1.0, width: 0.9, ..FollowLeader::from(LEADER) };
+    let file = FollowLeader { single_file: true, gap: 0.6, free: 1.0, width: 0.9, ..FollowLeader::new(LEADER) };
     let form = |pattern| KeepFormation { leader: LEADER, pattern, count: 5, spacing: 1.2, slowing_distance: 1.0 };
     vec![
         ("separation", Separation::default().into()),
@@ -157,7 +155,7 @@ fn group() -> Vec<Named> {
             "queue, facing",
             Queue::new(sum([(1.0, Arrive::new(POINT).into()), (1.0, Face { target: NEAR }.into())])).into(),
         ),
-        ("follow the leader", FollowLeader::from(LEADER).into()),
+        ("follow the leader", FollowLeader::new(LEADER).into()),
         ("follow the leader, in file", file.into()),
         ("follow the leader, apart", FollowLeader { spacing: 1.7, slowing_distance: 0.5, ..file }.into()),
         ("line", form(Pattern::Line).into()),
@@ -270,21 +268,22 @@ fn place() -> Vec<Named> {
     let floor = || Plane::new(Vec3::new(0.0, 0.0, -1.0), Vec3::Z).unwrap();
     let hollow = || Barriers::default().with(ball(), SeenFrom::Both).with(floor(), SeenFrom::Outside);
     let avoid = || AvoidObstacles { towards: POINT, ..AvoidObstacles::from(walled()) };
-    let careful = AvoidObstacles { seconds: 3.5, gap: 0.5, keeps: 0.3, towards: AGENT, barriers: hollow() };
-    let hide = Hide::new(NEAR, walled());
+    let careful = AvoidObstacles { horizon: 3.5, gap: 0.5, keeps: 0.3, towards: AGENT, obstacles: hollow() };
+    let hide = Hide { obstacles: walled(), ..Hide::new(NEAR) };
     let far = Hide {
+        obstacles: solids().with(floor(), SeenFrom::Both),
         gap: 0.6,
         range: 3.0,
         slowing_distance: 0.3,
-        ..Hide::new(AGENT, solids().with(floor(), SeenFrom::Both))
+        ..Hide::new(AGENT)
     };
     let corners = [(-5.0, -3.0, 0.0), (0.0, -2.0, 0.4), (2.0, 2.0, 0.0), (5.0, 3.0, -0.5), (5.0, 6.0, 0.0)];
     let corners = corners.map(|(x, y, z)| Vec3::new(x, y, z));
     let open = Arc::new(Pathway::with_radii(&corners, &[0.8, 0.5, 1.0, 0.6], false).unwrap());
     let ring = Arc::new(Pathway::new(&corners[..4], 0.7, true).unwrap());
-    let along = |path: &Arc<Pathway>| FollowPath::from(path.clone());
+    let along = |path: &Arc<Pathway>| FollowPath::new(path.clone());
     let quick = FollowPath {
-        seconds: 1.5,
+        horizon: 1.5,
         slowing_distance: 3.0,
         inner: 0.4,
         direction: PathDirection::Backward,
@@ -295,13 +294,13 @@ fn place() -> Vec<Named> {
     let map = Arc::new(Raster::of(Vec2::splat(-10.0), Vec2::splat(10.0), 0.4, solid).unwrap());
     let posts = |at: Vec2| (at - (at / 2.4).round() * 2.4).length() < 0.5;
     let posts = Arc::new(Raster::of(Vec2::splat(-10.0), Vec2::splat(10.0), 0.3, posts).unwrap());
-    let drive = |of: BoxedBehaviour| AvoidMap::new(map.clone(), of);
+    let drive = |of: BoxedBehaviour| DriveByMap::new(map.clone(), of);
     let speeds = || sum([(1.0, along(&ring).into()), (1.0, TargetSpeed { speed: 2.0 }.into())]);
-    let straight = AvoidMap { seconds: 1.2, margin: 0.3, curved: false, ..drive(speeds()) };
+    let straight = DriveByMap { horizon: 1.2, margin: 0.3, curved: false, ..drive(speeds()) };
     let contain = || Contain::inside(room());
-    let wide = Contain { seconds: 2.5, angle: 1.2, gap: 0.4, ..Contain::on_side(ball(), SeenFrom::Both) };
+    let wide = Contain { horizon: 2.5, angle: radians(1.2), gap: 0.4, ..Contain::on_side(ball(), SeenFrom::Both) };
     let follow = || FollowWall::from(solids());
-    let close = FollowWall { offset: 0.5, seconds: 0.8, range: 1.5, ..FollowWall::from(hollow()) };
+    let close = FollowWall { offset: 0.5, horizon: 0.8, range: 1.5, ..FollowWall::from(hollow()) };
     vec![
         ("avoid obstacles", avoids(avoid())),
         ("avoid obstacles, going", goes(AvoidObstacles { towards: Target::Goal, ..avoid() }, Target::Goal)),
@@ -315,7 +314,7 @@ fn place() -> Vec<Named> {
         ("follow a wall, inside", FollowWall { range: 9.0, ..FollowWall::from(walled()) }.into()),
         ("whisker", avoids(Whiskers::single(walled(), 2.0))),
         ("whiskers, parallel", avoids(Whiskers { clearance: 0.4, ..Whiskers::parallel(walled(), 3.0, 0.8) })),
-        ("whiskers, fan", goes(Whiskers::fan(hollow(), 3.0, 1.5, 0.7), AGENT)),
+        ("whiskers, fan", goes(Whiskers::fan(hollow(), 3.0, 1.5, radians(0.7)), AGENT)),
         ("hide", hide.into()),
         ("hide, from afar", far.into()),
         ("follow a path", along(&open).into()),
@@ -324,19 +323,22 @@ fn place() -> Vec<Named> {
         ("follow a ring", along(&ring).into()),
         (
             "follow a ring, back",
-            avoids(FollowPath { direction: PathDirection::Backward, seconds: 1.0, inner: 0.7, ..along(&ring) }),
+            avoids(FollowPath { direction: PathDirection::Backward, horizon: 1.0, inner: 0.7, ..along(&ring) }),
         ),
-        ("stay on a path", avoids(StayOnPath { path: open.clone(), seconds: 0.5 })),
-        ("stay on a ring", avoids(StayOnPath { path: ring.clone(), seconds: 1.5 })),
+        ("stay on a path", avoids(StayOnPath { path: open.clone(), horizon: 0.5 })),
+        ("stay on a ring", avoids(StayOnPath { path: ring.clone(), horizon: 1.5 })),
         ("avoid a map", drive(Seek { target: Target::Goal }.into()).into()),
         ("avoid a map, wandering", drive(avoids(Wander::default())).into()),
         ("avoid a map, round", drive(speeds()).into()),
         ("avoid a map, straight", straight.into()),
         ("avoid a map, at times", drive(Flee { target: NEAR, panic_distance: 2.0 }.into()).into()),
-        ("avoid a map, to the left", AvoidMap::new(posts.clone(), Circles(0.85)).into()),
-        ("avoid a map, to the right", AvoidMap::new(posts, Circles(-0.95)).into()),
-        ("a crowd on a path", crowd_path(along(&ring))),
-        ("a crowd at a door", queue_at_door(POINT, Target::Point(Vec3::new(0.0, -3.0, 0.0)), solids())),
+        ("avoid a map, to the left", DriveByMap::new(posts.clone(), Circles(0.85)).into()),
+        ("avoid a map, to the right", DriveByMap::new(posts, Circles(-0.95)).into()),
+        ("a crowd on a path", CrowdPath::new(ring.clone()).into()),
+        (
+            "a crowd at a door",
+            QueueAtDoor { goal: POINT, door: Target::Point(Vec3::new(0.0, -3.0, 0.0)), obstacles: solids() }.into(),
+        ),
     ]
 }
 
@@ -552,7 +554,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let all = || vec![MoveForward { part: 1.0 }.into(), part()];
     let weighted = || vec![(1.0, part()), (x, MoveForward { part: 1.0 }.into())];
     let near = Neighbourhood { always: x, ..SOME };
-    let hoods = [near, Neighbourhood { distance: x, ..SOME }, Neighbourhood { angle: x, ..SOME }];
+    let hoods = [near, Neighbourhood { distance: x, ..SOME }, Neighbourhood { angle: radians(x), ..SOME }];
     let predictions =
         [Prediction::Constant(x), Prediction::Distance { per_metre: x, most: 1.0 }, Prediction::Cases { most: x }];
     let noise = Noise { gain: x, ..Noise::default() };
@@ -564,7 +566,7 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let slip = SlipThrough::new(POINT);
     let (boids, flocking, rule) = (Boids::default(), Flocking::default(), Flocking::default().cohesion);
     let queue = || Queue::new(MoveForward { part: 1.0 });
-    let follow = FollowLeader::from(LEADER);
+    let follow = FollowLeader::new(LEADER);
     let form = KeepFormation { leader: LEADER, pattern: Pattern::Line, count: 5, spacing: 1.0, slowing_distance: x };
     let waits = || StopAndWait::new(MoveForward { part: 1.0 });
     let irregular = || Irregular {
@@ -576,11 +578,11 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let avoid = || AvoidObstacles::from(solids());
     let contain = || Contain::inside(room());
     let wall = || FollowWall::from(solids());
-    let hide = || Hide::new(POINT, solids());
+    let hide = || Hide { obstacles: solids(), ..Hide::new(POINT) };
     let path = Arc::new(Pathway::new(&[Vec3::ZERO, Vec3::X], 1.0, false).unwrap());
-    let along = || FollowPath::from(path.clone());
+    let along = || FollowPath::new(path.clone());
     let map = Arc::new(Raster::new(Vec2::ZERO, 1.0, 1, vec![false]).unwrap());
-    let drive = || AvoidMap::new(map.clone(), MoveForward { part: 1.0 });
+    let drive = || DriveByMap::new(map.clone(), MoveForward { part: 1.0 });
     let state = |condition| State { behaviour: MoveForward { part: 1.0 }.into(), exits: vec![(condition, 0)] };
     let conditions = [
         Condition::Nearer(POINT, x),
@@ -644,11 +646,11 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         Flocking { always: x, ..flocking }.into(),
         Flocking { separation: Rule { weight: x, ..rule }, ..flocking }.into(),
         Flocking { alignment: Rule { distance: x, ..rule }, ..flocking }.into(),
-        Flocking { cohesion: Rule { angle: x, ..rule }, ..flocking }.into(),
+        Flocking { cohesion: Rule { angle: radians(x), ..rule }, ..flocking }.into(),
         Boids { near, ..boids }.into(),
         Boids { forward: x, ..boids }.into(),
         Boids { avoidance: x, ..boids }.into(),
-        Boids { strengths: [1.0, 1.0, x, 1.0], ..boids }.into(),
+        Boids { strengths: Strengths { center: x, ..boids.strengths }, ..boids }.into(),
         UnalignedAvoidance { horizon: x, ..UnalignedAvoidance::default() }.into(),
         UnalignedAvoidance { gap: x, ..UnalignedAvoidance::default() }.into(),
         AvoidNeighbours { horizon: x, ..AvoidNeighbours::default() }.into(),
@@ -692,30 +694,29 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
         ContextSteering::new(weighted()).into(),
         ContextSteering { horizon: x, ..ContextSteering::new(vec![]) }.into(),
         Switch(vec![State { behaviour: part(), exits: vec![] }]).into(),
-        AvoidObstacles { seconds: x, ..avoid() }.into(),
+        AvoidObstacles { horizon: x, ..avoid() }.into(),
         AvoidObstacles { gap: x, ..avoid() }.into(),
         AvoidObstacles { keeps: x, ..avoid() }.into(),
-        Contain { seconds: x, ..contain() }.into(),
-        Contain { angle: x, ..contain() }.into(),
+        Contain { horizon: x, ..contain() }.into(),
+        Contain { angle: radians(x), ..contain() }.into(),
         Contain { gap: x, ..contain() }.into(),
         FollowWall { offset: x, ..wall() }.into(),
-        FollowWall { seconds: x, ..wall() }.into(),
+        FollowWall { horizon: x, ..wall() }.into(),
         FollowWall { range: x, ..wall() }.into(),
         Whiskers::parallel(solids(), x, 1.0).into(),
         Whiskers::parallel(solids(), 1.0, x).into(),
-        Whiskers::fan(solids(), 1.0, 1.0, x).into(),
+        Whiskers::fan(solids(), 1.0, 1.0, radians(x)).into(),
         Whiskers { clearance: x, ..Whiskers::single(solids(), 1.0) }.into(),
         Hide { gap: x, ..hide() }.into(),
         Hide { range: x, ..hide() }.into(),
         Hide { slowing_distance: x, ..hide() }.into(),
-        Hide { avoid: AvoidObstacles { gap: x, ..avoid() }, ..hide() }.into(),
-        FollowPath { seconds: x, ..along() }.into(),
+        FollowPath { horizon: x, ..along() }.into(),
         FollowPath { inner: x, ..along() }.into(),
         FollowPath { slowing_distance: x, ..along() }.into(),
-        StayOnPath { path: path.clone(), seconds: x }.into(),
-        AvoidMap { seconds: x, ..drive() }.into(),
-        AvoidMap { margin: x, ..drive() }.into(),
-        AvoidMap { of: part(), ..drive() }.into(),
+        StayOnPath { path: path.clone(), horizon: x }.into(),
+        DriveByMap { horizon: x, ..drive() }.into(),
+        DriveByMap { margin: x, ..drive() }.into(),
+        DriveByMap { of: part(), ..drive() }.into(),
     ];
     many.extend(hoods.map(|near| MatchVelocity { near }.into()));
     many.extend(predictions.map(|prediction| Pursue { quarry: POINT, prediction }.into()));

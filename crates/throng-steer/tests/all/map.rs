@@ -7,7 +7,7 @@ use throng::Error;
 use throng::motion::{Motion, Vehicle};
 use throng::space::{Pathway, Raster};
 use throng::steer::{Behaviour, SteeringInput, Target};
-use throng_steer::{AvoidMap, FollowPath, Seek, TargetSpeed, WeightedSum};
+use throng_steer::{DriveByMap, FollowPath, Seek, TargetSpeed, WeightedSum};
 
 const CELL: f32 = 0.5;
 
@@ -41,11 +41,11 @@ fn a_map_is_what_it_was_made_of() {
 fn where_the_way_is_free_it_does_what_its_part_would() {
     let part = || Seek { target: Target::Point(Vec3::new(9.0, 9.0, 0.0)) };
     let view = SteeringInput { motion: Motion::moving(Vec3::ZERO, Vec3::X), ..SteeringInput::default() };
-    assert_eq!(ask(&AvoidMap::new(map(&[]), part()), &view), ask(&part(), &view));
+    assert_eq!(ask(&DriveByMap::new(map(&[]), part()), &view), ask(&part(), &view));
     let rock = (Vec2::X * 5.0, 2.0);
-    let blocked = ask(&AvoidMap::new(map(&[rock]), part()), &view).expect("a rock is ahead");
+    let blocked = ask(&DriveByMap::new(map(&[rock]), part()), &view).expect("a rock is ahead");
     assert!(blocked.force.y > 0.0, "where its part goes, to the left");
-    let wrong = AvoidMap { seconds: 0.0, ..AvoidMap::new(map(&[]), part()) };
+    let wrong = DriveByMap { horizon: 0.0, ..DriveByMap::new(map(&[]), part()) };
     assert!(matches!(wrong.check(), Err(Error::Limit { what: "horizon", .. })));
 }
 
@@ -67,9 +67,9 @@ fn it_drives_among_rocks() {
     for curved in [true, false] {
         let mut lengths = vec![];
         for seconds in [0.02, 0.04, 0.1] {
-            let follow = FollowPath { seconds: 1.2, ..FollowPath::from(path.clone()) };
+            let follow = FollowPath { horizon: 1.2, ..FollowPath::new(path.clone()) };
             let part = WeightedSum(vec![(1.0, follow.into()), (1.0, TargetSpeed { speed: 8.0 }.into())]);
-            let drive = AvoidMap { curved, ..AvoidMap::new(map(&rocks), part) };
+            let drive = DriveByMap { curved, ..DriveByMap::new(map(&rocks), part) };
             let vehicle = Vehicle { max_speed: 10.0, max_force: 8.0, low_speed: 0.2, ..Vehicle::default() };
             let start = Motion::moving(corners[0], Vec3::X * 5.0);
             let mut stage = Stage::new(seconds, vec![Actor::new(start, vehicle, drive)]);

@@ -9,13 +9,7 @@ use throng::space::surface::{Cuboid, Cylinder, SeenFrom, Sphere};
 use throng::space::{Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Rng, Stimulus, Target};
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidMap, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance,
-    Cohesion, Condition, ConstantForce, Contain, ContextSteering, Dithering, Dock, Docking, Evade, EvadeAll, Explore,
-    Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide,
-    Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity,
-    MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, RunningSum, Seek,
-    Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed, Tether, UnalignedAvoidance,
-    Wander, WeightedSum, Whiskers, crowd_path, queue_at_door,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion, Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade, EvadeAll, Explore, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, QueueAtDoor, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers,
 };
 
 /// Number of worlds of each kind, number of agents in each, and seconds.
@@ -169,7 +163,7 @@ fn among_others() {
         ("close avoidance", crossing(CloseAvoidance { groups: GroupFilter::All, gap: 0.3 }.into())),
         ("unaligned avoidance", crossing(UnalignedAvoidance::default().into())),
         ("queue", Queue::new(seek()).into()),
-        ("follow leader", FollowLeader::from(LEADER).into()),
+        ("follow leader", FollowLeader::new(LEADER).into()),
         (
             "keep formation",
             KeepFormation { leader: LEADER, pattern: Pattern::Wedge, count: 4, spacing: 1.0, slowing_distance: 1.0 }
@@ -192,15 +186,15 @@ fn in_places() {
         [(2.0, 0.3, 0.8), (-3.0, 2.5, 0.6), (0.0, -4.0, 1.0), (5.0, 4.0, 0.9)].map(|(x, y, r)| (Vec2::new(x, y), r));
     let rock = |place: Vec2| rocks.iter().any(|(center, radius)| place.distance(*center) < *radius);
     let map = || Arc::new(Raster::of(Vec2::splat(-20.0), Vec2::splat(20.0), 0.2, rock).unwrap());
-    let steady = Hold { seconds: 0.5, of: Whiskers::fan(solid(), 2.5, 1.0, 0.6).into() };
+    let steady = Hold { seconds: 0.5, of: Whiskers::fan(solid(), 2.5, 1.0, Angle::from_radians(0.6)).into() };
     check(vec![
         (
             "avoid obstacles",
             first(AvoidObstacles { towards: goal, ..AvoidObstacles::from(solid()) }.into(), Arrive::new(goal).into()),
         ),
-        ("avoid map", AvoidMap::new(map(), wander()).into()),
-        ("avoid map, straight", AvoidMap { curved: false, ..AvoidMap::new(map(), wander()) }.into()),
-        ("avoid map to a place", AvoidMap::new(map(), Arrive::new(goal)).into()),
+        ("avoid map", DriveByMap::new(map(), wander()).into()),
+        ("avoid map, straight", DriveByMap { curved: false, ..DriveByMap::new(map(), wander()) }.into()),
+        ("avoid map to a place", DriveByMap::new(map(), Arrive::new(goal)).into()),
         ("whiskers", first(steady.into(), Arrive::new(goal).into())),
         ("contain", first(Contain::inside(Sphere::new(Vec3::ZERO, 6.0).unwrap()).into(), wander())),
         (
@@ -210,11 +204,11 @@ fn in_places() {
             )
             .into(),
         ),
-        ("follow path", first(FollowPath::from(path.clone()).into(), MoveForward { part: 0.5 }.into())),
-        ("stay on path", first(StayOnPath { path: Arc::new(path.clone()), seconds: 0.6 }.into(), wander())),
-        ("hide", Hide::new(LEADER, solid()).into()),
-        ("crowd path", crowd_path(FollowPath::from(path))),
-        ("queue at a door", queue_at_door(goal, at(4.0, 0.0), solid())),
+        ("follow path", first(FollowPath::new(path.clone()).into(), MoveForward { part: 0.5 }.into())),
+        ("stay on path", first(StayOnPath { path: Arc::new(path.clone()), horizon: 0.6 }.into(), wander())),
+        ("hide", Hide { obstacles: solid(), ..Hide::new(LEADER) }.into()),
+        ("crowd path", CrowdPath::new(path).into()),
+        ("queue at a door", QueueAtDoor { goal, door: at(4.0, 0.0), obstacles: solid() }.into()),
     ]);
 }
 

@@ -4,6 +4,7 @@ use crate::harness;
 use glam::{DVec2, Vec3};
 use throng::Obstacle;
 use throng::motion::Motion;
+use throng::parameters::Angle;
 use throng::space::surface::{Barrier, Plane, SeenFrom, Sphere};
 use throng::space::{PathDirection, Pathway};
 use throng::steer::{Barriers, Behaviour, SteeringInput, SteeringReason, Target};
@@ -22,7 +23,7 @@ fn they_say_what_they_feel() {
     let motion = Motion::moving(Vec3::ZERO, Vec3::X * 1.5);
     let ahead = told(&AvoidObstacles::from(wall()), motion, feels);
     assert!(ahead.len() == 1 && ahead[0].y == 0.0 && ahead[0].x >= 3.0, "two seconds ahead: {ahead:?}");
-    let fan = told(&Whiskers::fan(wall(), 2.0, 1.0, 0.6), motion, feels);
+    let fan = told(&Whiskers::fan(wall(), 2.0, 1.0, Angle::from_radians(0.6)), motion, feels);
     let lengths: Vec<f32> = fan.iter().map(|end| (end.length() * 1e3).round() / 1e3).collect();
     assert_eq!(lengths, [2.0, 1.0, 1.0]);
     assert!(fan[1].y > 0.0 && fan[2].y < 0.0);
@@ -39,7 +40,7 @@ fn they_say_which_part_of_a_path_they_follow() {
     let path = Pathway::new(&corners, 1.0, true).unwrap();
     let motion = Motion::moving(Vec3::new(9.0, 0.5, 0.0), Vec3::X * 1.8);
     // 1.8 m/s for a second
-    let follow = |way| FollowPath { direction: way, seconds: 1.0, ..path.clone().into() };
+    let follow = |way| FollowPath { direction: way, horizon: 1.0, ..FollowPath::new(path.clone()) };
     let near = |found: Vec<Vec3>, expected: &[Vec3]| {
         let same = found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| a.distance(*b) < 1e-4);
         assert!(same, "{found:?} and not {expected:?}");
@@ -56,7 +57,7 @@ fn pillars_hide_agents_on_the_ground() {
     let pillar = Obstacle::Circle { center: DVec2::new(3.0, 0.0), radius: 1.0 };
     let barriers = Barriers(vec![Barrier::of_obstacle(&pillar, DVec2::ZERO).unwrap()]);
     let aim = |reason: &SteeringReason| if let SteeringReason::Aim(place) = reason { Some(*place) } else { None };
-    let hide = Hide { gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0), barriers) };
+    let hide = Hide { obstacles: barriers, gap: 0.3, ..Hide::new(Target::Point(Vec3::X * 9.0)) };
     let place = told(&hide, Motion::default(), aim);
     assert!(place[0].distance(Vec3::X * 1.5) < 1e-4, "on the far side of it: {place:?}");
 }

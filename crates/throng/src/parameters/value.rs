@@ -101,8 +101,9 @@ macro_rules! whole {
                 given.whole(Self::MAX as u64).map(|whole| whole as Self)
             }
 
+            /// Returns `None` for the greatest number of the type: it stands for no limit.
             fn write(&self) -> Option<Written> {
-                Some(Written::Whole(*self as u64))
+                (*self < Self::MAX).then_some(Written::Whole(*self as u64))
             }
 
             fn quantity(&self) -> Option<f64> {

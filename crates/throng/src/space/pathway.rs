@@ -2,6 +2,7 @@
 //! following". The queries are those of OpenSteer's `Pathway`.
 
 use crate::error::Error;
+use crate::parameters::parameters;
 use crate::space::surface::{Bounds, Bvh};
 use glam::Vec3;
 
@@ -67,14 +68,15 @@ pub struct OnPath {
     pub segment: usize,
 }
 
-/// The direction in which a path is followed.
+/// The direction of motion along a path.
+#[parameters]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PathDirection {
     /// In the order of its points.
     #[default]
     Forward,
-    /// In the reverse order.
+    /// Against the order of its points.
     Backward,
 }
 

@@ -9,7 +9,7 @@ use throng::motion::{Motion, Vehicle};
 use throng::space::Pathway;
 use throng::space::surface::{Cuboid, Moved, Pose};
 use throng::steer::Target;
-use throng_steer::{FollowPath, crowd_path, queue_at_door};
+use throng_steer::{CrowdPath, QueueAtDoor};
 
 /// The least distance between two agents.
 fn least_gap(stage: &Stage) -> f32 {
@@ -26,7 +26,7 @@ fn a_crowd_walks_along_a_path() {
     let actors = (0..24).map(|k| {
         let place = path.at(k as f32 * 1.4) * (0.9 + 0.1 * (k % 3) as f32);
         let vehicle = Vehicle { max_speed: 1.2 + 0.02 * k as f32, ..Vehicle::default() };
-        Actor::new(Motion::at_rest(place, Vec3::Z.cross(place)), vehicle, crowd_path(FollowPath::from(path.clone())))
+        Actor::new(Motion::at_rest(place, Vec3::Z.cross(place)), vehicle, CrowdPath::new(path.clone()))
     });
     for seconds in RATES {
         let mut stage = Stage::new(seconds, actors.clone().collect());
@@ -55,7 +55,8 @@ fn a_crowd_queues_at_a_door() {
     let walls = [half(5.6), half(-5.6)];
     let actors = (0..20).map(|k| {
         let place = Vec3::new(-(k / 5) as f32 * 0.8, (k % 5) as f32 * 0.9 - 1.8, 0.0);
-        let queue = queue_at_door(Target::Point(Vec3::X * 12.0), Target::Point(Vec3::X * 5.0), barriers(&walls));
+        let (goal, door) = (Target::Point(Vec3::X * 12.0), Target::Point(Vec3::X * 5.0));
+        let queue = QueueAtDoor { goal, door, obstacles: barriers(&walls) };
         Actor::new(Motion::at_rest(place, Vec3::X), Vehicle::default(), queue)
     });
     for seconds in RATES {

@@ -19,7 +19,7 @@ proptest! {
         let all = barriers(&field);
         let at = Vec3::new(x, y, 0.0);
         prop_assume!(nearest(&field, at) > 0.5 && nearest(&field, Vec3::ZERO) > 0.5);
-        let hide = Hide::new(Target::Agent(0), all);
+        let hide = Hide { obstacles: all, ..Hide::new(Target::Agent(0)) };
         let actors = vec![
             Actor::new(Motion::at_rest(Vec3::ZERO, Vec3::X), Vehicle::default(), TargetSpeed { speed: 0.0 }),
             Actor::new(Motion::at_rest(at, Vec3::X), Vehicle::default(), hide),
@@ -45,7 +45,7 @@ fn hidden_agents_are_not_seen() {
         let all = barriers(&trees);
         let hunter = first(vec![AvoidObstacles::from(all.clone()).into(), Wander::default().into()]);
         let slow = Vehicle { max_speed: 0.4, ..Vehicle::default() };
-        let hide = Hide::new(Target::Agent(0), all);
+        let hide = Hide { obstacles: all, ..Hide::new(Target::Agent(0)) };
         let actors = vec![
             Actor::new(Motion::at_rest(Vec3::ZERO, Vec3::X), slow, hunter),
             Actor::new(Motion::at_rest(Vec3::new(2.0, -1.0, 0.0), Vec3::X), Vehicle::default(), hide),

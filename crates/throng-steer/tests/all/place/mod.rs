@@ -12,6 +12,7 @@ use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::motion::Motion;
+use throng::parameters::Angle;
 use throng::space::surface::{Cuboid, Cylinder, Moved, Plane, Pose, SeenFrom, Sphere, Surface};
 use throng::space::{PathDirection, Pathway};
 use throng::steer::{Barriers, Behaviour, BoxedBehaviour, Target};
@@ -79,12 +80,12 @@ proptest! {
                 AvoidObstacles { towards: goal, ..AvoidObstacles::from(solid.clone()) }.into(),
                 Contain::inside(room).into(),
                 FollowWall::from(solid.clone()).into(),
-                Whiskers::fan(solid.clone(), 3.0, 2.0, 0.5).into(),
+                Whiskers::fan(solid.clone(), 3.0, 2.0, Angle::degrees(30.0)).into(),
                 Whiskers::parallel(solid.clone(), 3.0, 0.4).into(),
-                Hide::new(goal, solid).into(),
-                FollowPath::from(path.clone()).into(),
-                FollowPath { direction: PathDirection::Backward, ..FollowPath::from(path.clone()) }.into(),
-                StayOnPath { path: Arc::new(path), seconds: 0.5 }.into(),
+                Hide { obstacles: solid, ..Hide::new(goal) }.into(),
+                FollowPath::new(path.clone()).into(),
+                FollowPath { direction: PathDirection::Backward, ..FollowPath::new(path.clone()) }.into(),
+                StayOnPath { path: Arc::new(path), horizon: 0.5 }.into(),
             ]
         };
         let idle = || BoxedBehaviour::from(TargetSpeed { speed: 0.0 });
@@ -114,25 +115,25 @@ fn mistakes_are_named() {
     let path = || Pathway::new(&[Vec3::ZERO, Vec3::X], 1.0, false).unwrap();
     let plane = || Contain::inside(Plane::new(Vec3::ZERO, Vec3::X).unwrap());
     let wrong: Vec<BoxedBehaviour> = vec![
-        AvoidObstacles { seconds: 0.0, ..AvoidObstacles::from(none()) }.into(),
+        AvoidObstacles { horizon: 0.0, ..AvoidObstacles::from(none()) }.into(),
         AvoidObstacles { gap: -1.0, ..AvoidObstacles::from(none()) }.into(),
         AvoidObstacles { keeps: f32::NAN, ..AvoidObstacles::from(none()) }.into(),
-        Contain { seconds: f32::INFINITY, ..plane() }.into(),
-        Contain { angle: 4.0, ..plane() }.into(),
+        Contain { horizon: f32::INFINITY, ..plane() }.into(),
+        Contain { angle: Angle::degrees(200.0), ..plane() }.into(),
         Contain { gap: -0.1, ..plane() }.into(),
         FollowWall { offset: 0.0, ..FollowWall::from(none()) }.into(),
-        FollowWall { seconds: -1.0, ..FollowWall::from(none()) }.into(),
+        FollowWall { horizon: -1.0, ..FollowWall::from(none()) }.into(),
         FollowWall { range: 0.0, ..FollowWall::from(none()) }.into(),
         Whiskers::single(none(), 0.0).into(),
-        Whiskers::fan(none(), 1.0, 1.0, 4.0).into(),
+        Whiskers::fan(none(), 1.0, 1.0, Angle::degrees(200.0)).into(),
         Whiskers::parallel(none(), 1.0, f32::NAN).into(),
         Whiskers { clearance: 0.0, ..Whiskers::single(none(), 1.0) }.into(),
-        Hide { gap: -1.0, ..Hide::new(Target::Goal, none()) }.into(),
-        Hide { range: 0.0, ..Hide::new(Target::Goal, none()) }.into(),
-        Hide { slowing_distance: -1.0, ..Hide::new(Target::Goal, none()) }.into(),
-        FollowPath { seconds: 0.0, ..FollowPath::from(path()) }.into(),
-        FollowPath { slowing_distance: -1.0, ..FollowPath::from(path()) }.into(),
-        StayOnPath { path: Arc::new(path()), seconds: -1.0 }.into(),
+        Hide { gap: -1.0, ..Hide::new(Target::Goal) }.into(),
+        Hide { range: 0.0, ..Hide::new(Target::Goal) }.into(),
+        Hide { slowing_distance: -1.0, ..Hide::new(Target::Goal) }.into(),
+        FollowPath { horizon: 0.0, ..FollowPath::new(path()) }.into(),
+        FollowPath { slowing_distance: -1.0, ..FollowPath::new(path()) }.into(),
+        StayOnPath { path: Arc::new(path()), horizon: -1.0 }.into(),
     ];
     wrong.iter().for_each(|behaviour| assert!(behaviour.check().is_err(), "{behaviour:?}"));
     assert!(AvoidObstacles::from(none()).check().is_ok() && plane().check().is_ok());

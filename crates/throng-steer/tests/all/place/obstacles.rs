@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use std::slice;
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::space::surface::{Cuboid, Cylinder, Moved, Pose, Sphere, Surface};
 use throng::steer::{SteeringInput, SteeringReason, Target};
 use throng_steer::{Arrive, AvoidObstacles, Hold, Seek, Whisker, Whiskers};
@@ -94,8 +95,8 @@ proptest! {
             (0..=3000).map(|k| k as f32 * length / 3000.0).find(|&s| (start + direction * s).length() < 1.5).map(|s| (s, start + direction * s))
         });
         let expected = touches.min_by(|a, b| a.0.total_cmp(&b.0));
-        let whiskers = rays.map(|(beside, angle, length)| Whisker { beside, angle, length });
-        let feel = Whiskers { whiskers: whiskers.into(), ..Whiskers::single(barriers(&[Arc::new(ball.clone())]), 1.0) };
+        let whiskers = rays.map(|(beside, angle, length)| Whisker { beside, angle: Angle::from_radians(angle), length });
+        let feel = Whiskers { rays: whiskers.into(), ..Whiskers::single(barriers(&[Arc::new(ball.clone())]), 1.0) };
         let (said, reasons) = told(&feel, &view);
         prop_assert_eq!(said.is_some(), expected.is_some());
         if let Some((_, point)) = expected {
@@ -115,9 +116,9 @@ fn whiskers_lead_round() {
         for whiskers in [
             Whiskers::single(barriers(slice::from_ref(&pillar)), 2.5),
             Whiskers::parallel(barriers(slice::from_ref(&pillar)), 2.5, 0.8),
-            Whiskers::fan(barriers(slice::from_ref(&pillar)), 2.5, 1.0, 0.6),
+            Whiskers::fan(barriers(slice::from_ref(&pillar)), 2.5, 1.0, Angle::from_radians(0.6)),
         ] {
-            let what = format!("{:?}", whiskers.whiskers);
+            let what = format!("{:?}", whiskers.rays);
             let steady = Hold { seconds: 0.5, of: whiskers.into() };
             let walk = first(vec![steady.into(), Seek { target: goal }.into()]);
             let mut stage = Stage::new(seconds, vec![Actor::new(Motion::default(), Vehicle::default(), walk)]);

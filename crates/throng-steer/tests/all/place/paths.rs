@@ -41,7 +41,7 @@ proptest! {
         let way = if back { PathDirection::Backward } else { PathDirection::Forward };
         let (start, end) = (corners[0], corners[corners.len() - 1]);
         let (start, end) = if back { (end, start) } else { (start, end) };
-        let follow = FollowPath { direction: way, ..FollowPath::from(path.clone()) };
+        let follow = FollowPath { direction: way, ..FollowPath::new(path.clone()) };
         let motion = Motion::at_rest(start, Vec3::Y);
         let mut stage = Stage::new(RATES[rate], vec![Actor::new(motion, flier(), onward(follow))]);
         let mut outside = f32::NEG_INFINITY;
@@ -58,7 +58,7 @@ proptest! {
     #[test]
     fn wanderers_stay_on_a_path(corners in corners(), radius in 0.8f32..1.6, seed in 0u64..999, seconds in rate()) {
         let path = Arc::new(Pathway::new(&corners, radius, false).unwrap());
-        let stay = StayOnPath { path: path.clone(), seconds: 0.6 };
+        let stay = StayOnPath { path: path.clone(), horizon: 0.6 };
         let wander = first(vec![stay.into(), Wander::default().into()]);
         let start = Motion::at_rest(corners[0], Vec3::X);
         let mut stage = Stage { seed, ..Stage::new(seconds, vec![Actor::new(start, flier(), wander)]) };
@@ -77,7 +77,7 @@ fn rings_are_followed_all_the_way_round() {
     let path = Pathway::new(&corners, 0.8, true).unwrap();
     for (way, sense) in [(PathDirection::Forward, 1.0), (PathDirection::Backward, -1.0)] {
         for seconds in RATES {
-            let follow = FollowPath { direction: way, ..FollowPath::from(path.clone()) };
+            let follow = FollowPath { direction: way, ..FollowPath::new(path.clone()) };
             let start = Motion::at_rest(Vec3::X * 6.0, Vec3::X);
             let mut stage = Stage::new(seconds, vec![Actor::new(start, Vehicle::default(), onward(follow))]);
             let (mut turned, mut before) = (0.0, start.position);
@@ -103,7 +103,7 @@ fn an_eight_is_walked_as_an_eight() {
     let path = Pathway::new(&corners, 0.5, true).unwrap();
     for way in [PathDirection::Forward, PathDirection::Backward] {
         for seconds in RATES {
-            let follow = FollowPath { direction: way, ..FollowPath::from(path.clone()) };
+            let follow = FollowPath { direction: way, ..FollowPath::new(path.clone()) };
             let start = Motion::at_rest(corners[0], Vec3::Y);
             let mut stage = Stage::new(seconds, vec![Actor::new(start, Vehicle::default(), onward(follow))]);
             let mut lobes = vec![];

@@ -7,6 +7,7 @@ use glam::{DVec2, Vec3};
 use std::f32::consts::PI;
 use std::sync::Arc;
 use throng::motion::{Integrator, Locomotion, Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::perceive::SimdLevel;
 use throng::space::Pathway;
 use throng::space::surface::{Cuboid, Plane, SeenFrom, Sphere};
@@ -102,7 +103,7 @@ fn guided() -> Vec<(&'static str, Swarm)> {
 
 fn birds() -> Vec<(&'static str, Flocking, Vehicle)> {
     let bird = Vehicle { max_speed: 3.0, max_force: 9.0, locomotion: Locomotion::Banking, ..Vehicle::default() };
-    let rule = |weight, distance, angle| Rule { weight, distance, angle };
+    let rule = |weight, distance, angle| Rule { weight, distance, angle: Angle::from_radians(angle) };
     let all = Flocking {
         separation: rule(0.5, 0.3, 2.0),
         alignment: rule(0.2, 0.6, PI),

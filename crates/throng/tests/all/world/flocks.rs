@@ -3,6 +3,7 @@
 use glam::DVec2;
 use proptest::prelude::*;
 use throng::motion::{Integrator, Locomotion, Vehicle};
+use throng::parameters::Angle;
 use throng::perceive::SimdLevel;
 use throng::steer::{BoxedBehaviour, GroupFilter};
 use throng::{Agent, Group, Settings, SubSteps, World};
@@ -12,7 +13,7 @@ type One = ((f64, f64, f32), f32);
 
 fn rule() -> impl Strategy<Value = Rule> {
     (0.0f32..1.0, 0.5f32..9.0, prop_oneof![0.0f32..3.1, Just(std::f32::consts::PI)])
-        .prop_map(|(weight, distance, angle)| Rule { weight, distance, angle })
+        .prop_map(|(weight, distance, angle)| Rule { weight, distance, angle: Angle::from_radians(angle) })
 }
 
 fn flocking() -> impl Strategy<Value = Flocking> {
