@@ -42,6 +42,7 @@ pub use prediction::Prediction;
 pub use single::*;
 
 use throng::Error;
+use throng::motion::Vehicle;
 use throng::parameters::Parameters;
 use throng::steer::BoxedBehaviour;
 
@@ -49,6 +50,27 @@ use throng::steer::BoxedBehaviour;
 pub trait Behaviours {
     /// Adds a behaviour, or parameters from which a behaviour is made. Its name is [`Parameters::NAME`].
     fn add<P: Parameters + TryInto<BoxedBehaviour, Error: Into<Error>> + 'static>(&mut self);
+
+    /// Adds parameters from which a behaviour is made for a group.
+    fn add_for_group<P: ForGroup + 'static>(&mut self);
+}
+
+/// Parameters from which a behaviour is made for a group of agents.
+pub trait ForGroup: Parameters {
+    /// Makes the behaviour.
+    ///
+    /// # Errors
+    /// The agents of the group cannot do what the parameters ask for.
+    fn for_group(self, group: &GroupFacts) -> Result<BoxedBehaviour, Error>;
+}
+
+/// What a behaviour can depend on when it is made for a group.
+#[derive(Clone, Copy, Debug)]
+pub struct GroupFacts {
+    /// The vehicle of the agents.
+    pub vehicle: Vehicle,
+    /// The number of agents.
+    pub agents: usize,
 }
 
 /// Adds the behaviours of this crate to a collection.
@@ -63,6 +85,7 @@ pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<Interpose>();
     behaviours.add::<KeepStation>();
     behaviours.add::<Dock>();
+    behaviours.add_for_group::<Takeoff>();
     behaviours.add::<Wander>();
     behaviours.add::<FractalWander>();
     behaviours.add::<Explore>();
@@ -90,6 +113,7 @@ pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<UnalignedAvoidance>();
     behaviours.add::<Queue>();
     behaviours.add::<FollowLeader>();
+    behaviours.add_for_group::<KeepFormation>();
     behaviours.add::<AvoidObstacles>();
     behaviours.add::<AvoidMap>();
     behaviours.add::<Whiskers>();
@@ -107,6 +131,7 @@ pub fn register(behaviours: &mut impl Behaviours) {
     behaviours.add::<Dithering>();
     behaviours.add::<Allocation>();
     behaviours.add::<ContextSteering>();
+    behaviours.add::<Switch>();
     behaviours.add::<Amortised>();
     behaviours.add::<Hold>();
     behaviours.add::<Irregular>();

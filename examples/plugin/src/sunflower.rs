@@ -1,6 +1,5 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
-use throng_scene::steer::{AvoidObstacles, Priority};
 use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
@@ -14,8 +13,8 @@ pub fn scene() -> Scene {
         let center = [far * cos, far * sin].map(|x| libm::round(x * 1e3) / 1e3);
         Obstacle::from(Shape::Circle(Circle { center, radius: 0.3 }))
     };
-    let parts = vec![
-        AvoidObstacles::default().into(),
+    let parts = [
+        Steer::named("avoid_obstacles"),
         Steer::named("tether").with("to", vec![0.0, 0.0]).with("length", 10.0),
         Steer::named("weave"),
     ];
@@ -26,7 +25,7 @@ pub fn scene() -> Scene {
         heading: Some(Number::Uniform([0.0, 360.0])),
         guard: Some(true),
         vehicle: Some(Vehicle { max_speed: Some(1.5), ..Vehicle::default() }),
-        steer: Some(Priority::from(parts).into()),
+        steer: Some(Steer::combining("priority", parts)),
         ..Group::default()
     };
     Scene {

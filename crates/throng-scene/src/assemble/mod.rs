@@ -26,4 +26,3 @@ pub use world::{Built, BuiltGroup};
 
 pub(crate) use flow::{BuildField, BuiltField, FieldContext};
 pub(crate) use ground::{has_room, solid_shape};
-pub(crate) use steer::{BehaviourContext, BuildBehaviour};

@@ -1,22 +1,21 @@
 //! The steering behaviours, by name.
 
-use super::choice::{Catalogue, Choice, Described};
+use super::choice::{Catalogue, Choice};
 use super::entries::{Entries, Entry};
-use super::given::{FileGiven, made_by_plugin, read_value, refused};
-use super::names::Names as _;
+use super::given::{FileGiven, made_by_plugin, refused};
+use super::names::Names;
 use super::schema::of_parameters;
-use crate::assemble::{BehaviourContext, BuildBehaviour};
 use crate::caught::named;
 use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::{Schema, SchemaGenerator};
 use serde_json::Value as Json;
 use std::sync::Arc;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Parameters, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
-use throng_steer::Behaviours as Register;
+use throng_steer::{Behaviours as Register, ForGroup};
 use toml::Value;
 
 /// What an agent steers by: a behaviour, or a combination of behaviours. Its name, and what its table says.
@@ -59,7 +58,7 @@ pub type Steer = Choice<Behaviours>;
 pub struct Behaviours(Entries<MakeBehaviour>);
 
 /// Makes a behaviour for a group of a scene, from what the scene says at this path.
-type MakeBehaviour = Arc<dyn Fn(&Value, &BehaviourContext<'_>, &Path) -> Result<BoxedBehaviour, Problem> + Send + Sync>;
+type MakeBehaviour = Arc<dyn Fn(&Value, &dyn Names, &Path) -> Result<BoxedBehaviour, Problem> + Send + Sync>;
 
 /// A behaviour that the program adds.
 #[parameters]
@@ -107,10 +106,10 @@ impl Behaviours {
     ) {
         let name: Arc<str> = name.into().into();
         let of = name.clone();
-        let make: MakeBehaviour = Arc::new(move |given, making, at| {
+        let make: MakeBehaviour = Arc::new(move |given, names, at| {
             let branch = made_by_plugin(at, &format!("behaviour `{of}`"), || {
-                let parameters = FileGiven::new(given, at).with_names(making).parameters()?;
-                let branch = make(parameters, making.names(at)?)?;
+                let parameters = FileGiven::new(given, at).with_names(names).parameters()?;
+                let branch = make(parameters, names.names(at)?)?;
                 branch.check()?;
                 Ok(branch)
             })?;
@@ -120,16 +119,15 @@ impl Behaviours {
         self.0.add(Entry { name: name.to_string().into(), about: P::ABOUT, is_plugin: true, schema, make });
     }
 
-    /// Adds a behaviour of throng, which a scene describes as a `D`.
-    pub(crate) fn add_own<D: Described + JsonSchema + BuildBehaviour>(&mut self, about: &'static str) {
-        let make: MakeBehaviour = Arc::new(|given, making, at| {
-            let described: D = read_value(given, at)?;
-            let branch = described.make(making, at)?;
+    /// Adds a behaviour of throng.
+    fn add_own<P: Parameters + 'static>(&mut self, make: fn(P, &dyn Names, &Path) -> Result<BoxedBehaviour, Problem>) {
+        let make: MakeBehaviour = Arc::new(move |given, names, at| {
+            let branch = make(FileGiven::new(given, at).with_names(names).parameters()?, names, at)?;
             branch.check().map_err(|error| refused(at, &error))?;
             Ok(branch)
         });
-        let schema = |generator: &mut SchemaGenerator| generator.subschema_for::<D>();
-        self.0.add(Entry { name: D::NAME.into(), about, is_plugin: false, schema, make });
+        let schema = of_parameters::<P>;
+        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema, make });
     }
 
     /// Adds the behaviours that another set has from programs. They replace behaviours with the same names.
@@ -143,18 +141,13 @@ impl Behaviours {
     }
 
     /// Makes the behaviour that a scene chooses at a path.
-    pub(crate) fn make(
-        &self,
-        steer: &Steer,
-        making: &BehaviourContext<'_>,
-        at: &Path,
-    ) -> Result<BoxedBehaviour, Problem> {
+    pub(crate) fn make(&self, steer: &Steer, names: &dyn Names, at: &Path) -> Result<BoxedBehaviour, Problem> {
         let inside = at.name(&steer.name);
         let entry = self.0.find(&steer.name, &inside).map_err(|problem| match steer.name.as_str() {
             "custom" => problem.hint("a behaviour of a program is named like any other: steer.NAME = { .. }"),
             _ => problem,
         })?;
-        (entry.make)(&steer.parameters, making, &inside)
+        (entry.make)(&steer.parameters, names, &inside)
     }
 
     /// Returns the name of each behaviour of a plug-in, and the schema of its choice.
@@ -165,14 +158,13 @@ impl Behaviours {
 
 impl Register for Behaviours {
     fn add<P: Parameters + TryInto<BoxedBehaviour, Error: Into<Error>> + 'static>(&mut self) {
-        let make: MakeBehaviour = Arc::new(|given, making, at| {
-            let parameters: P = FileGiven::new(given, at).with_names(making).parameters()?;
-            let branch: BoxedBehaviour = parameters.try_into().map_err(|error| refused(at, &error.into()))?;
-            branch.check().map_err(|error| refused(at, &error))?;
-            Ok(branch)
+        self.add_own::<P>(|parameters, _, at| parameters.try_into().map_err(|error| refused(at, &error.into())));
+    }
+
+    fn add_for_group<P: ForGroup + 'static>(&mut self) {
+        self.add_own::<P>(|parameters, names, at| {
+            parameters.for_group(&names.group(at)?).map_err(|error| refused(at, &error))
         });
-        let schema = of_parameters::<P>;
-        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema, make });
     }
 }
 
@@ -181,7 +173,6 @@ impl Default for Behaviours {
     fn default() -> Self {
         let mut behaviours = Self(Entries::default());
         throng_steer::register(&mut behaviours);
-        crate::scene::steer::register(&mut behaviours);
         crate::games::register(&mut behaviours);
         behaviours.0.own();
         behaviours

@@ -56,6 +56,19 @@ impl<C> Choice<C> {
         Self::new(name.into(), Value::Table(Table::new()))
     }
 
+    /// Returns the choice with this name of several parts, in files `NAME = [ .. ]`: a combination of behaviours.
+    ///
+    /// ```
+    /// use throng_scene::Steer;
+    /// let in_code = Steer::combining("priority", [Steer::named("flee").with("target", "goal"), Steer::named("wander")]);
+    /// let in_a_file: Steer = toml::from_str("priority = [{ flee.target = \"goal\" }, { wander = {} }]")?;
+    /// assert_eq!(in_code, in_a_file);
+    /// # Ok::<(), toml::de::Error>(())
+    /// ```
+    pub fn combining(name: impl Into<String>, parts: impl IntoIterator<Item = Self>) -> Self {
+        Self::new(name.into(), Value::Array(parts.into_iter().map(Value::from).collect()))
+    }
+
     /// Returns the choice of a type, with the parameters that differ from their defaults. Parameters that name a part of
     /// the scene are left out: add them by [`with`](Self::with).
     pub fn of<P: Parameters + Default>(chosen: &P) -> Self {
@@ -182,6 +195,13 @@ fn is_same(a: &Value, b: &Value) -> bool {
 
 fn is_same_table(a: &Table, b: &Table) -> bool {
     a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| is_same(a, b)))
+}
+
+/// A choice as the value of a parameter: `{ NAME = its parameters }`.
+impl<C> From<Choice<C>> for Value {
+    fn from(Choice { name, parameters, .. }: Choice<C>) -> Self {
+        Self::Table(Table::from_iter([(name, parameters)]))
+    }
 }
 
 impl<C> Clone for Choice<C> {

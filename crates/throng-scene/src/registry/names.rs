@@ -10,9 +10,12 @@ use throng::field::Field;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
+use throng_steer::GroupFacts;
 
 /// The names in a scene, and what the scene has under them. `at` is the path to what the scene says.
 pub(crate) trait Names {
+    /// Returns what the behaviour of a group can depend on.
+    fn group(&self, at: &Path) -> Result<GroupFacts, Problem>;
     /// Returns a place in the coordinates of behaviours.
     fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem>;
     fn target(&self, target: &Target, at: &Path) -> Result<steer::Target, Problem>;

@@ -1,11 +1,22 @@
 //! Vector fields: a velocity at every place, which guides crowds and swarms.
 
-use super::steer::{ObstacleNames, Position, parameters};
+use super::steer::{ObstacleNames, Position};
 use super::{Number, Point, PointGoal, Region};
 use crate::registry::{Fields, Flow, described};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// Defines tables of parameters.
+macro_rules! parameters {
+    ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $key:ident: $type:ty,)* })*) => { $(
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub struct $name {
+            $($(#[$about])* pub $key: $type,)*
+        }
+    )* };
+}
 /// A field that groups and other fields refer to by its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

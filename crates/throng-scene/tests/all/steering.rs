@@ -222,7 +222,7 @@ fn what_is_said_is_so() {
         throng_steer::KeepFormation {
             leader: Target::Agent(0),
             pattern: Pattern::Wedge,
-            count: 1,
+            count: Some(1),
             spacing: 1.5,
             slowing_distance: 1.0,
         },
@@ -283,7 +283,7 @@ fn combinations_nest() {
             throng_steer::State {
                 behaviour: wander(),
                 exits: vec![
-                    (Condition::Nearer(Target::Goal, 3.0), 1),
+                    (Condition::Nearer { target: Target::Goal, than: 3.0 }, 1),
                     (
                         Condition::Any(vec![
                             Condition::After(4.0),
@@ -292,7 +292,7 @@ fn combinations_nest() {
                         ]),
                         0,
                     ),
-                    (Condition::Crowded(near, 2), 1),
+                    (Condition::Crowded { near, least: 2 }, 1),
                 ],
             },
             throng_steer::State { behaviour: seek(), exits: vec![] },

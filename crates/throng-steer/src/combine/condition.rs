@@ -2,37 +2,69 @@
 
 use crate::Neighbourhood;
 use throng::Error;
-use throng::parameters::Value;
+use throng::parameters::{FigureName, Value, parameters};
 use throng::steer::{SteeringInput, Target};
 
-/// A condition on one agent in one step. Limit: numbers >= 0, except those of figures.
+/// A condition for one agent in one step.
 ///
 /// ```
 /// use throng::steer::{GroupFilter, Target};
 /// use throng_steer::Condition;
-/// let safe = Condition::Farther(Target::Nearest(GroupFilter::OtherGroups), 8.0);
+/// let safe = Condition::Farther { target: Target::Nearest(GroupFilter::OtherGroups), than: 8.0 };
 /// let rested = Condition::All(vec![safe, Condition::After(5.0)]);
 /// assert!(rested.check().is_ok());
 /// ```
+#[parameters]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Condition {
-    /// The target exists and is nearer than this, metres.
-    Nearer(Target, f32),
-    /// The target is farther than this, metres, or does not exist.
-    Farther(Target, f32),
-    /// The agent has been in the state for this time, seconds.
+    /// A target exists, and is nearer than a distance.
+    Nearer {
+        /// The target.
+        #[parameter(required)]
+        target: Target,
+        /// The distance, metres.
+        #[parameter(required, unit = "m", least = 0)]
+        than: f32,
+    },
+    /// A target is farther than a distance, or does not exist.
+    Farther {
+        /// The target.
+        #[parameter(required)]
+        target: Target,
+        /// The distance, metres.
+        #[parameter(required, unit = "m", least = 0)]
+        than: f32,
+    },
+    /// The state has lasted for this many seconds.
+    #[parameter(unit = "s", least = 0)]
     After(f32),
-    /// At least this number of agents is in a neighbourhood.
-    Crowded(Neighbourhood, usize),
+    /// A number of neighbours is near.
+    Crowded {
+        /// The neighbourhood. Without it, the reach of the neighbour search.
+        near: Neighbourhood,
+        /// The least number.
+        #[parameter(required)]
+        least: usize,
+    },
     /// The behaviour of the state had nothing to correct in its last step.
     Done,
-    /// Random, with this mean rate, 1/s.
+    /// At random, this many times a second on average.
+    #[parameter(unit = "1/s", least = 0)]
     Chance(f32),
-    /// A [figure](SteeringInput::figures) of the world's rules, by its index, is from the first number to the second. Limit: the
-    /// first is not greater.
-    Figure(usize, f64, f64),
-    /// The inner condition does not hold.
+    /// A [figure](SteeringInput::figures) of the rules is within bounds.
+    Figure {
+        /// The name of the figure; in code its index.
+        #[parameter(required, from = FigureName)]
+        of: usize,
+        /// Lower bound. Without it, none.
+        #[parameter(default = f64::NEG_INFINITY, infinite)]
+        at_least: f64,
+        /// Upper bound. Without it, none.
+        #[parameter(default = f64::INFINITY, infinite)]
+        at_most: f64,
+    },
+    /// The condition does not hold.
     Not(Box<Condition>),
     /// All conditions hold.
     All(Vec<Condition>),
@@ -57,14 +89,14 @@ impl Condition {
             condition.holds(&SteeringInput { rng: view.rng.branch(index), ..*view }, standing)
         };
         match self {
-            Self::Nearer(target, distance) => away(target).is_some_and(|away| away < *distance),
-            Self::Farther(target, distance) => away(target).is_none_or(|away| away > *distance),
+            Self::Nearer { target, than } => away(target).is_some_and(|away| away < *than),
+            Self::Farther { target, than } => away(target).is_none_or(|away| away > *than),
             Self::After(seconds) => standing.since >= *seconds,
-            Self::Crowded(near, least) => near.of(view).take(*least).count() == *least,
+            Self::Crowded { near, least } => near.of(view).take(*least).count() == *least,
             Self::Done => standing.done,
             Self::Chance(rate) => view.rng.draw(0) < 1.0 - libm::expf(-rate * view.seconds),
-            Self::Figure(index, least, most) => {
-                view.figures.get(*index).is_some_and(|figure| (*least..=*most).contains(figure))
+            Self::Figure { of, at_least, at_most } => {
+                view.figures.get(*of).is_some_and(|figure| (*at_least..=*at_most).contains(figure))
             }
             Self::Not(condition) => !part(0, condition),
             Self::All(conditions) => conditions.iter().enumerate().all(|(index, one)| part(index, one)),
@@ -77,17 +109,14 @@ impl Condition {
     /// # Errors
     /// [`Error::Limit`] names the number.
     pub fn check(&self) -> Result<(), Error> {
+        self.check_limits()?;
         match self {
-            Self::Nearer(_, least) | Self::Farther(_, least) | Self::After(least) | Self::Chance(least) => {
-                Error::unless(*least >= 0.0, "number of a condition", *least, "0 or more")
+            Self::Figure { at_least, at_most, .. } => {
+                Error::unless(at_least <= at_most, "at_most", *at_most, "at_least or more")
             }
-            Self::Crowded(near, _) => near.check_limits(),
-            Self::Figure(_, least, most) => {
-                Error::unless(least <= most, "most of a figure", *most, "the least or more")
-            }
-            Self::Done => Ok(()),
             Self::Not(condition) => condition.check(),
             Self::All(conditions) | Self::Any(conditions) => conditions.iter().try_for_each(Self::check),
+            _ => Ok(()),
         }
     }
 }

@@ -8,6 +8,7 @@ mod dithering;
 mod hold;
 mod irregular;
 mod limited;
+mod machine;
 mod priority;
 mod running_sum;
 mod stop_and_wait;

@@ -1,22 +1,27 @@
 //! Formations: places in the frame of a leader, by a pattern (gdx-ai's formations).
 
-use crate::single::keep;
+use crate::single::{SLOWING_DISTANCE, keep};
+use crate::{ForGroup, GroupFacts};
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
 use throng::Error;
 use throng::motion::Steering;
-use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+use throng::parameters::{Value, parameters};
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, Target, TraceRecorder};
 
-/// The arrangement of the places of a formation. The leader is at the origin and faces x; y points to its left.
+/// The arrangement of the places of a formation.
+///
+/// The leader is at the origin and faces x; y points to its left.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pattern {
-    /// Abreast: left, right, left, ever farther out.
+    /// Abreast, alternating left and right, farther and farther out.
     Line,
-    /// One place behind the other.
+    /// In single file.
     Column,
-    /// A wedge: left, right, left, each pair farther out and back.
+    /// A wedge, alternating left and right, each pair farther out and back.
     Wedge,
-    /// Round the leader, from ahead to the left.
+    /// Around the leader, from ahead to the left.
     Circle,
     /// A square behind the leader, row by row from its left.
     Grid,
@@ -52,40 +57,50 @@ impl Pattern {
     }
 }
 
-/// Keeps the agent's [slot](SteeringInput::slot) in a formation that moves with a leader. [`assign`](super::assign) assigns
-/// agents to slots.
+/// Keeps its place in a formation that moves with a leader: the k-th agent of the group has the k-th place.
+///
+/// The place of an agent is its [slot](SteeringInput::slot). [`assign`](super::assign) assigns agents to slots.
 ///
 /// ```
 /// use throng::steer::Target;
 /// use throng_steer::{KeepFormation, Pattern};
-/// let geese = KeepFormation {
-///     leader: Target::Agent(0), pattern: Pattern::Wedge, count: 8, spacing: 1.5, slowing_distance: 3.0,
-/// };
+/// let geese = KeepFormation { count: Some(8), ..KeepFormation::new(Target::Agent(0), Pattern::Wedge, 1.5_f32) };
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeepFormation {
     /// The leader.
+    #[parameter(required)]
     pub leader: Target,
     /// The arrangement of the places.
+    #[parameter(required)]
     pub pattern: Pattern,
-    /// Number of places. Limit: >= 1.
-    pub count: usize,
-    /// Distance between neighbouring places, metres. Limit: > 0.
+    /// The number of places. Without it, as many as the group has agents; in code it must be given.
+    #[parameter(least = 1)]
+    pub count: Option<usize>,
+    /// Distance between neighbouring places, metres.
+    #[parameter(required, unit = "m", above = 0)]
     pub spacing: f32,
-    /// Distance from its place at which the agent begins to slow down, metres. Limit: >= 0.
+    /// Distance from its place at which it starts to slow down, metres.
+    #[parameter(default = SLOWING_DISTANCE, unit = "m", least = 0)]
     pub slowing_distance: f32,
+}
+
+impl ForGroup for KeepFormation {
+    fn for_group(self, group: &GroupFacts) -> Result<BoxedBehaviour, Error> {
+        Ok(Self { count: self.count.or(Some(group.agents)), ..self }.into())
+    }
 }
 
 impl Behaviour for KeepFormation {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
-        let place = self.pattern.place(view.slot, self.count, self.spacing);
+        let place = self.pattern.place(view.slot, self.count?, self.spacing);
         Some(keep(view, &leader, place, self.slowing_distance, why))
     }
 
     fn check(&self) -> Result<(), Error> {
-        Error::unless(self.count > 0, "number of places", self.count as f64, "1 or more")?;
-        Error::unless_positive("spacing", self.spacing)?;
-        Error::unless(self.slowing_distance >= 0.0, "slowing distance", self.slowing_distance, "0 or more")
+        Error::unless(self.count.is_some(), "count", 0.0, "1 or more")?;
+        self.check_limits()
     }
 }

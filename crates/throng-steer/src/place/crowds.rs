@@ -86,7 +86,7 @@ impl From<QueueAtDoor> for BoxedBehaviour {
             let arrive = Arrive { slowing_distance: 0.0, ..Arrive::new(to) };
             Priority { epsilon: 0.0, parts: vec![avoid.into(), arrive.into()] }.into()
         };
-        let through = Condition::Nearer(door, 0.5);
+        let through = Condition::Nearer { target: door, than: 0.5 };
         let enter = State { behaviour: go(door), exits: vec![(through, 1)] };
         let states = vec![enter, State { behaviour: go(goal), exits: vec![] }];
         // agents that walk along the wall meet other agents head-on

@@ -50,7 +50,7 @@ pub use shadow::Shadow;
 pub use slip_through::SlipThrough;
 pub use station::KeepStation;
 pub(super) use station::keep;
-pub use takeoff::takeoff;
+pub use takeoff::{Takeoff, takeoff};
 pub use target_speed::TargetSpeed;
 pub use tether::Tether;
 pub use wander::Wander;

@@ -190,7 +190,7 @@ fn a_machine_goes_from_state_to_state() {
     let (a, b) = (Target::Point(Vec3::X * 3.0), Target::Point(Vec3::Y * 3.0));
     let state = |target, next| State {
         behaviour: Seek { target }.into(),
-        exits: vec![(Condition::Nearer(target, 0.3), next), (Condition::After(60.0), 2)],
+        exits: vec![(Condition::Nearer { target, than: 0.3 }, next), (Condition::After(60.0), 2)],
     };
     let patrol = Switch(vec![state(a, 1), state(b, 0), State { behaviour: Says(None).into(), exits: vec![] }]);
     assert!(patrol.check().is_ok());
@@ -254,16 +254,30 @@ fn conditions_hold_when_they_should() {
         last.expect("it always says something").force == Vec3::Y
     };
     let (near, here) = (Target::Nearest(GroupFilter::All), Neighbourhood::default());
-    assert!(holds(Condition::Nearer(near, 2.1), 1) && !holds(Condition::Nearer(near, 1.9), 1));
-    assert!(holds(Condition::Farther(near, 1.9), 1) && holds(Condition::Farther(Target::Agent(3), 9.0), 1));
+    assert!(
+        holds(Condition::Nearer { target: near, than: 2.1 }, 1)
+            && !holds(Condition::Nearer { target: near, than: 1.9 }, 1)
+    );
+    assert!(
+        holds(Condition::Farther { target: near, than: 1.9 }, 1)
+            && holds(Condition::Farther { target: Target::Agent(3), than: 9.0 }, 1)
+    );
     assert!(!holds(Condition::After(0.95), 10) && holds(Condition::After(0.95), 12));
-    assert!(holds(Condition::Crowded(here, 1), 1) && !holds(Condition::Crowded(here, 2), 1));
+    assert!(
+        holds(Condition::Crowded { near: here, least: 1 }, 1) && !holds(Condition::Crowded { near: here, least: 2 }, 1)
+    );
     assert!(!holds(Condition::Done, 3) && holds(Condition::Not(Box::new(Condition::Done)), 1));
     assert!(!holds(Condition::Chance(0.0), 50) && holds(Condition::Chance(2.0), 50));
-    assert!(holds(Condition::Figure(1, 3.0, f64::INFINITY), 1) && holds(Condition::Figure(1, 2.0, 3.0), 1));
-    assert!(!holds(Condition::Figure(0, 1.0, 9.0), 1) && !holds(Condition::Figure(2, 0.0, 9.0), 1));
-    assert!(Condition::Figure(0, 2.0, 1.0).check().is_err());
-    let both = vec![Condition::Crowded(here, 1), Condition::Done];
+    assert!(
+        holds(Condition::Figure { of: 1, at_least: 3.0, at_most: f64::INFINITY }, 1)
+            && holds(Condition::Figure { of: 1, at_least: 2.0, at_most: 3.0 }, 1)
+    );
+    assert!(
+        !holds(Condition::Figure { of: 0, at_least: 1.0, at_most: 9.0 }, 1)
+            && !holds(Condition::Figure { of: 2, at_least: 0.0, at_most: 9.0 }, 1)
+    );
+    assert!(Condition::Figure { of: 0, at_least: 2.0, at_most: 1.0 }.check().is_err());
+    let both = vec![Condition::Crowded { near: here, least: 1 }, Condition::Done];
     assert!(holds(Condition::Any(both.clone()), 1) && !holds(Condition::All(both), 1));
 }
 

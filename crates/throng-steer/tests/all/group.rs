@@ -307,7 +307,7 @@ proptest! {
         let places: Vec<Vec3> = (0..count).map(|i| basis.to_world(pattern.place(i, count, 1.5))).collect();
         let apart = places.iter().enumerate().flat_map(|(i, a)| places[..i].iter().map(move |b| a.distance(*b))).fold(f32::INFINITY, f32::min);
         prop_assert!(count < 2 || apart > 1.499, "{apart}");
-        let keep = KeepFormation { leader: Target::Agent(0), pattern, count, spacing: 1.5, slowing_distance: 1.0 };
+        let keep = KeepFormation { leader: Target::Agent(0), pattern, count: Some(count), spacing: 1.5, slowing_distance: 1.0 };
         let slots = assign(&starts, &places);
         let member = |(start, slot): (&Vec3, usize)| Actor {
             slot, ..Actor::new(Motion::at_rest(*start, Vec3::X), Vehicle::default(), keep)

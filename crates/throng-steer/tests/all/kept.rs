@@ -16,7 +16,14 @@ use throng::steer::{
     Barriers, Behaviour, BoxedBehaviour, GroupFilter, Rng, SteeringInput, Stimulus, Target, TraceEntry, TraceRecorder,
 };
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion, Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade, EvadeAll, Explore, Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, QueueAtDoor, Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Strengths, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign, takeoff,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion,
+    Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade,
+    EvadeAll, Explore, Face, Falloff, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage,
+    FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo,
+    MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority,
+    Pursue, Queue, QueueAtDoor, Rule, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath,
+    StopAndWait, Strengths, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers, assign,
+    takeoff,
 };
 
 type Named = (&'static str, BoxedBehaviour);
@@ -126,7 +133,7 @@ fn group() -> Vec<Named> {
     let queue = Queue { distance: 4.0, width: 0.5, ..Queue::new(Seek { target: POINT }) };
     let slow = Queue { groups: GroupFilter::OwnGroup, distance: 2.0, gap: 0.5, headway: 1.5, ..queue.clone() };
     let file = FollowLeader { single_file: true, gap: 0.6, free: 1.0, width: 0.9, ..FollowLeader::new(LEADER) };
-    let form = |pattern| KeepFormation { leader: LEADER, pattern, count: 5, spacing: 1.2, slowing_distance: 1.0 };
+    let form = |pattern| KeepFormation { leader: LEADER, pattern, count: Some(5), spacing: 1.2, slowing_distance: 1.0 };
     vec![
         ("separation", Separation::default().into()),
         ("separation, square", Separation { near: SOME, falloff: Falloff::InverseSquare, full: 0.5 }.into()),
@@ -174,19 +181,23 @@ fn combined() -> Vec<Named> {
     let face = || BoxedBehaviour::from(Face { target: AGENT });
     let pulls = |x: f32, y: f32, z: f32| BoxedBehaviour::from(ConstantForce(Vec3::new(x, y, z)));
     let first = |epsilon, parts: Vec<BoxedBehaviour>| BoxedBehaviour::from(Priority { epsilon, parts });
-    let crowded = Condition::Crowded(Neighbourhood { distance: 1.5, ..Neighbourhood::default() }, 2);
+    let crowded = Condition::Crowded { near: Neighbourhood { distance: 1.5, ..Neighbourhood::default() }, least: 2 };
     let lucky = Condition::Not(Box::new(Condition::Chance(3.0)));
-    let chance = Condition::Any(vec![Condition::Chance(0.4), Condition::Figure(0, 6.0, 9.0)]);
+    let chance = Condition::Any(vec![Condition::Chance(0.4), Condition::Figure { of: 0, at_least: 6.0, at_most: 9.0 }]);
     let bored = State { behaviour: wander(), exits: vec![(Condition::After(0.5), 1), (crowded, 2)] };
     let goes = State {
         behaviour: Arrive { tolerance: 0.5, ..Arrive::new(POINT) }.into(),
-        exits: vec![(Condition::Done, 0), (Condition::Farther(POINT, 3.0), 2), (Condition::Nearer(AGENT, 1.0), 3)],
+        exits: vec![
+            (Condition::Done, 0),
+            (Condition::Farther { target: POINT, than: 3.0 }, 2),
+            (Condition::Nearer { target: AGENT, than: 1.0 }, 3),
+        ],
     };
     let flees = State { behaviour: shy(), exits: vec![(Condition::All(vec![Condition::Done, lucky]), 3), (chance, 0)] };
     let stays = State { behaviour: Hold { seconds: 0.4, of: shy() }.into(), exits: vec![(Condition::Chance(2.0), 0)] };
-    let stranger = Condition::Not(Box::new(Condition::Farther(STRANGER, 2.0)));
-    let figures = Condition::All(vec![Condition::Figure(1, 2.0, 2.0), Condition::After(0.3)]);
-    let again = vec![(Condition::Figure(9, 0.0, 9.0), 0), (stranger, 1), (figures, 0)];
+    let stranger = Condition::Not(Box::new(Condition::Farther { target: STRANGER, than: 2.0 }));
+    let figures = Condition::All(vec![Condition::Figure { of: 1, at_least: 2.0, at_most: 2.0 }, Condition::After(0.3)]);
+    let again = vec![(Condition::Figure { of: 9, at_least: 0.0, at_most: 9.0 }, 0), (stranger, 1), (figures, 0)];
     let two = [(wander(), again.clone()), (seek(), again)];
     let two = two.map(|(behaviour, exits)| State { behaviour, exits });
     let waits = StopAndWait::new(seek());
@@ -567,7 +578,8 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let (boids, flocking, rule) = (Boids::default(), Flocking::default(), Flocking::default().cohesion);
     let queue = || Queue::new(MoveForward { part: 1.0 });
     let follow = FollowLeader::new(LEADER);
-    let form = KeepFormation { leader: LEADER, pattern: Pattern::Line, count: 5, spacing: 1.0, slowing_distance: x };
+    let form =
+        KeepFormation { leader: LEADER, pattern: Pattern::Line, count: Some(5), spacing: 1.0, slowing_distance: x };
     let waits = || StopAndWait::new(MoveForward { part: 1.0 });
     let irregular = || Irregular {
         angle: Angle::from_radians(x),
@@ -585,12 +597,12 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
     let drive = || DriveByMap::new(map.clone(), MoveForward { part: 1.0 });
     let state = |condition| State { behaviour: MoveForward { part: 1.0 }.into(), exits: vec![(condition, 0)] };
     let conditions = [
-        Condition::Nearer(POINT, x),
-        Condition::Farther(POINT, x),
+        Condition::Nearer { target: POINT, than: x },
+        Condition::Farther { target: POINT, than: x },
         Condition::After(x),
         Condition::Chance(x),
-        Condition::Crowded(near, 1),
-        Condition::Figure(0, 1.0, x.into()),
+        Condition::Crowded { near, least: 1 },
+        Condition::Figure { of: 0, at_least: 1.0, at_most: x.into() },
         Condition::Not(Box::new(Condition::After(x))),
         Condition::All(vec![Condition::Done, Condition::After(x)]),
         Condition::Any(vec![Condition::Done, Condition::After(x)]),
@@ -730,8 +742,13 @@ fn with(x: f32) -> Vec<BoxedBehaviour> {
 fn with_count(count: usize) -> Vec<BoxedBehaviour> {
     let near = Neighbourhood { most: count, ..SOME };
     let noise = Noise { octaves: count as u32, ..Noise::default() };
-    let form =
-        |count| KeepFormation { leader: LEADER, pattern: Pattern::Line, count, spacing: 1.0, slowing_distance: 1.0 };
+    let form = |count| KeepFormation {
+        leader: LEADER,
+        pattern: Pattern::Line,
+        count: Some(count),
+        spacing: 1.0,
+        slowing_distance: 1.0,
+    };
     let state = || State { behaviour: MoveForward { part: 1.0 }.into(), exits: vec![(Condition::Done, 3)] };
     let parts: Vec<(f32, BoxedBehaviour)> = (0..count).map(|_| (1.0, MoveForward { part: 1.0 }.into())).collect();
     vec![

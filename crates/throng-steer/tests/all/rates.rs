@@ -9,7 +9,13 @@ use throng::space::surface::{Cuboid, Cylinder, SeenFrom, Sphere};
 use throng::space::{Pathway, Raster};
 use throng::steer::{Barriers, BoxedBehaviour, GroupFilter, Rng, Stimulus, Target};
 use throng_steer::{
-    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion, Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade, EvadeAll, Explore, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage, FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo, MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority, Pursue, Queue, QueueAtDoor, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait, Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers,
+    Alignment, Allocation, Amortised, Arrive, AvoidNeighbours, AvoidObstacles, Boids, CloseAvoidance, Cohesion,
+    Condition, ConstantForce, Contain, ContextSteering, CrowdPath, Dithering, Dock, Docking, DriveByMap, Evade,
+    EvadeAll, Explore, Face, Fear, Flee, Flocking, FollowFlow, FollowLeader, FollowPath, FollowWall, Forage,
+    FractalWander, HeadFor, Hide, Hold, Interpose, Irregular, KeepFormation, KeepStation, Limited, LookWhereYouGo,
+    MatchOrientation, MatchVelocity, MoveForward, Neighbourhood, Noise, OffsetPursuit, Pattern, Prediction, Priority,
+    Pursue, Queue, QueueAtDoor, RunningSum, Seek, Separation, Shadow, SlipThrough, State, StayOnPath, StopAndWait,
+    Switch, TargetSpeed, Tether, UnalignedAvoidance, Wander, WeightedSum, Whiskers,
 };
 
 /// Number of worlds of each kind, number of agents in each, and seconds.

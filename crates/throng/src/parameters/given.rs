@@ -28,6 +28,8 @@ pub trait Given: Sized {
     fn text(&self) -> Result<String, Self::Error>;
     /// Reads one of several names, and returns its position.
     fn name(&self, names: &Names) -> Result<usize, Self::Error>;
+    /// Reads the name of one of several things of a kind, and returns its position.
+    fn one_of(&self, kind: &str, names: &[&str]) -> Result<usize, Self::Error>;
     /// Reads a list.
     fn list(&self) -> Result<Vec<Self>, Self::Error>;
     /// Whether it is a list.

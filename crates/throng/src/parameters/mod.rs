@@ -29,7 +29,7 @@ pub use angle::Angle;
 pub use given::Given;
 pub use kind::{Kind, Name, Names, Table, Written};
 pub use throng_macros::parameters;
-pub use value::{GroundPlace, SpacePlace, Value};
+pub use value::{FigureName, GroundPlace, SpacePlace, Value};
 
 use crate::Error;
 

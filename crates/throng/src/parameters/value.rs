@@ -303,6 +303,25 @@ pub struct SpacePlace(pub Vec3);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundPlace(pub Vec2);
 
+/// A figure of the rules: its name in files, its index in code. A parameter of type `usize` is read as a figure by
+/// `#[parameter(from = FigureName)]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FigureName(pub usize);
+
+impl From<FigureName> for usize {
+    fn from(FigureName(index): FigureName) -> Self {
+        index
+    }
+}
+
+impl Value for FigureName {
+    const KIND: Kind = Kind::Figure;
+
+    fn read<G: Given>(given: &G, _: Option<Self>) -> Result<Self, G::Error> {
+        given.figure().map(Self)
+    }
+}
+
 impl From<SpacePlace> for Vec3 {
     fn from(SpacePlace(place): SpacePlace) -> Self {
         place

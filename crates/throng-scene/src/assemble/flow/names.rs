@@ -12,8 +12,13 @@ use throng::field::Field;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
+use throng_steer::GroupFacts;
 
 impl Names for FieldContext<'_> {
+    fn group(&self, at: &Path) -> Result<GroupFacts, Problem> {
+        Err(agents(at))
+    }
+
     fn place(&self, Position([x, y, z]): Position, at: &Path) -> Result<Vec3, Problem> {
         Ok(self.place_at(at, [x, y])?.as_vec2().extend(z as f32))
     }

@@ -1,6 +1,5 @@
 //! The surroundings of agents: surfaces and paths by name, ground and obstacles.
 
-use super::place::unknown;
 use super::refused;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
@@ -96,5 +95,14 @@ impl<'a> Around<'a> {
             return Err(Problem::new(at, Kind::MissingKey, "this list of names is empty").hint(hint));
         }
         Ok(Barriers(named.concat()))
+    }
+}
+
+/// Returns the error for an unknown name.
+fn unknown(at: &Path, what: &str, name: &str, known: &[&str]) -> Problem {
+    let problem = Problem::new(at, Kind::UnknownKey, format!("there is no {what} `{name}`"));
+    match known {
+        [] => problem.hint(format!("add one with this name: [[{}]]", what.split(' ').next().unwrap_or(what))),
+        known => problem.hint(format!("there is: {}", known.join(", "))),
     }
 }

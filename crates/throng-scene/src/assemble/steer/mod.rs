@@ -1,15 +1,8 @@
-//! Builds behaviours from the steering of a scene.
-//!
-//! Each behaviour has its own `impl Make`. The behaviour checks itself (`Behaviour::check`).
+//! Builds behaviours from the steering of a scene: what the names in it stand for.
 
 mod around;
 mod check;
-mod combine;
-mod group;
 mod names;
-mod place;
-mod single;
-mod takeoff;
 mod target;
 mod vehicle;
 
@@ -20,10 +13,9 @@ pub(super) use vehicle::{vehicle, wrap_around};
 
 use super::flow::Flows;
 use crate::file::{Path, Problem};
-use crate::registry::Steer;
 pub(super) use crate::registry::refused;
 use crate::scene::{Group, Scene, SceneNames};
-use throng::steer::BoxedBehaviour;
+use throng::steer::{Barriers, BoxedBehaviour};
 
 /// The input for building behaviours.
 pub(crate) struct BehaviourContext<'a> {
@@ -40,26 +32,23 @@ pub(crate) struct BehaviourContext<'a> {
     pub(super) group: usize,
 }
 
-/// A description from which a behaviour is built.
-pub(crate) trait BuildBehaviour {
-    /// Builds the behaviour; `at` is the path to its description.
-    fn make(&self, making: &BehaviourContext, at: &Path) -> Result<BoxedBehaviour, Problem>;
-}
-
 impl BehaviourContext<'_> {
     /// Returns the behaviour of the group.
     pub fn steering(&self) -> Result<Option<BoxedBehaviour>, Problem> {
         let Some(steer) = &self.scene.groups[self.group].steer else { return Ok(None) };
         let path = Path::of("group").index(self.group).key("steer");
-        self.branch(steer, &path).map(Some).map_err(|mut problem| {
+        self.scene.plugins.behaviours.make(steer, self, &path).map(Some).map_err(|mut problem| {
             let name = Group::name_at(&self.scene.groups[self.group].name, self.group);
             problem.message = format!("group `{name}`: {}", problem.message);
             problem
         })
     }
 
-    fn branch(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        self.scene.plugins.behaviours.make(steer, self, at)
+    /// Returns what is solid to the group.
+    pub fn solid(&self) -> Result<Barriers, Problem> {
+        let at = Path::of("group").index(self.group).key("solid");
+        let what = self.scene.groups[self.group].solid.as_ref();
+        what.map_or(Ok(Barriers::default()), |what| self.around.sides(what, &at, "leave out `solid` for nothing"))
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the names in a scene stand for, for the behaviours of a group.
 
 use super::super::rules::no_figure;
-use super::BehaviourContext;
+use super::{BehaviourContext, vehicle};
 use crate::file::{Path, Problem};
 use crate::registry::{Flow, Names, Steer};
 use crate::scene::SceneNames;
@@ -12,8 +12,14 @@ use throng::field::Field;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
+use throng_steer::GroupFacts;
 
 impl Names for BehaviourContext<'_> {
+    fn group(&self, _: &Path) -> Result<GroupFacts, Problem> {
+        let vehicle = vehicle(&self.scene.groups[self.group]);
+        Ok(GroupFacts { vehicle, agents: self.cast.named[self.group].1.len() })
+    }
+
     fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
         self.place(place, at)
     }
@@ -48,7 +54,7 @@ impl Names for BehaviourContext<'_> {
     }
 
     fn behaviour(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
-        self.branch(steer, at)
+        self.scene.plugins.behaviours.make(steer, self, at)
     }
 
     fn names(&self, _: &Path) -> Result<&SceneNames<'_>, Problem> {

@@ -12,41 +12,10 @@
 //! # Ok::<(), toml::de::Error>(())
 //! ```
 
-mod combine;
-mod group;
-mod place;
+mod obstacles;
 mod position;
-mod single;
 mod target;
 
-pub use combine::*;
-pub use group::*;
-pub use place::*;
+pub use obstacles::ObstacleNames;
 pub use position::Position;
-pub use single::*;
 pub use target::{GroupFilter, Member, Target};
-
-use crate::registry::{Behaviours, Steer, described};
-
-/// Defines tables of parameters.
-macro_rules! parameters {
-    ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $key:ident: $type:ty,)* })*) => { $(
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-        #[serde(deny_unknown_fields)]
-        pub struct $name {
-            $($(#[$about])* pub $key: $type,)*
-        }
-    )* };
-}
-pub(in crate::scene) use parameters;
-
-described! {
-    Steer in Behaviours:
-    /// Runs up to a leap, as gdx-ai's jump does.
-    Takeoff = "takeoff",
-    /// Keeps its place in a formation that moves with a leader.
-    KeepFormation = "keep_formation",
-    /// One behaviour at a time: a state machine.
-    Switch = "switch",
-}
