@@ -1,6 +1,6 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
-use throng_scene::steer::{AvoidObstacles, Priority, Target, Tether};
+use throng_scene::steer::{Priority, Target, Tether};
 use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
@@ -15,7 +15,7 @@ pub fn scene() -> Scene {
         Obstacle::from(Shape::Circle(Circle { center, radius: 0.3 }))
     };
     let parts = vec![
-        AvoidObstacles::default().into(),
+        Steer::named("avoid_obstacles"),
         Tether { to: Target::At([0.0, 0.0].into()), length: 10.0 }.into(),
         Steer::named("weave"),
     ];
