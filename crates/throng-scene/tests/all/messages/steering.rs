@@ -44,7 +44,7 @@ a.toml:6:34: group `walkers`: steer.weighted_sum[0].weight is -1, but must be 0 
 a.toml:6:33: group `walkers`: steer.cohesion.near.angle is 270, but must be from 0 to 180
   6 | steer.cohesion = { near.angle = 270 }
     |                                 ^^^
-  hint: `angle`: Half the angle of view, degrees from straight ahead. Without it, 180: all round. Limit: 0 to 180.",
+  hint: `angle`: Half the angle of view, degrees from straight ahead; 180: all round. Limit: 0 to 180. Default: 180.",
     );
     assert_message(
         &steers("steer.wander = { rate = inf }"),
@@ -70,12 +70,11 @@ a.toml:6:17: group `walkers`: an agent that rises at 3 m/s and runs at 1.8 m/s a
     );
     assert_message(
         &steers("steer.avoid_map = { min = [0, 0], max = [9e4, 9e4], of.wander = {} }"),
-        Kind::Count,
+        Kind::Geometry,
         r"
-a.toml:6:19: group `walkers`: a map of 90000 by 90000 cells; there must be 1 to 1000000 in all
+a.toml:6:19: group `walkers`: the map: 90000 by 90000 cells; there must be 1 to 1000000 in all: set min and max, corners, or a greater cell
   6 | steer.avoid_map = { min = [0, 0], max = [9e4, 9e4], of.wander = {} }
-    |                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-  hint: set min and max, corners, or a greater cell",
+    |                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^",
     );
     assert_message(
         &steers("steer.context_steering = { of = [{ of.wander = {} }], directions = 3 }"),
