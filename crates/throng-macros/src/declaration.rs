@@ -307,6 +307,7 @@ fn choice(mut item: ItemEnum) -> syn::Result<TokenStream> {
                 let declared = Fields::of(named)?;
                 let constant = format_ident!("{}", key.to_uppercase());
                 let of = declared.parameters();
+                let title = format!("{title}{name}");
                 let described = quote!(::throng::parameters::Table {
                     name: #title,
                     about: #about,

@@ -160,7 +160,7 @@ fn of_names(names: &Names) -> Json {
 }
 
 /// Returns a reference to the definition with this name, which it makes if there is none; or the definition itself, where
-/// definitions stand inline. Another definition with the same name has another description.
+/// definitions stand inline. Another definition with the same name has another description: a number then follows the name.
 pub(super) fn definition(
     name: &str,
     about: &str,
@@ -170,8 +170,12 @@ pub(super) fn definition(
     if generator.settings().inline_subschemas {
         return make(generator);
     }
-    let is_other = generator.definitions().get(name).is_some_and(|known| known["description"] != about);
-    let name = if is_other { format!("{name}2") } else { name.to_owned() };
+    let is_other = |name: &str| generator.definitions().get(name).is_some_and(|known| known["description"] != about);
+    let (mut name, mut number) = (name.to_owned(), 1);
+    while is_other(&name) {
+        number += 1;
+        name = format!("{}{number}", name.trim_end_matches(|digit: char| digit.is_ascii_digit()));
+    }
     if !generator.definitions().contains_key(&name) {
         // a definition may refer to itself
         generator.definitions_mut().insert(name.clone(), json!({ "description": about }));

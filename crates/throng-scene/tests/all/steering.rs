@@ -261,7 +261,7 @@ fn combinations_nest() {
     let noise = throng_steer::Noise { period: 3.0, octaves: 1, gain: 0.25, turbulent: true };
     assert_steers(
         "irregular = { angle = 0, speed = 0.5, noise = { period = 3, octaves = 1, gain = 0.25, turbulent = true }, of.wander = {} }",
-        throng_steer::Irregular { angle: throng::parameters::Angle::default(), speed: 0.5, noise, of: wander() },
+        throng_steer::Irregular { angle: Angle::default(), speed: 0.5, noise, of: wander() },
     );
     let keen = throng_steer::ContextSteering::new(vec![(2.0, wander()), (1.0, seek())]);
     let parts = "of = [{ weight = 2, of.wander = {} }, { of.seek = { target = \"goal\" } }]";

@@ -172,8 +172,14 @@ fn among_others() {
         ("follow leader", FollowLeader::new(LEADER).into()),
         (
             "keep formation",
-            KeepFormation { leader: LEADER, pattern: Pattern::Wedge, count: 4, spacing: 1.0, slowing_distance: 1.0 }
-                .into(),
+            KeepFormation {
+                leader: LEADER,
+                pattern: Pattern::Wedge,
+                count: Some(4),
+                spacing: 1.0,
+                slowing_distance: 1.0,
+            }
+            .into(),
         ),
     ]);
 }

@@ -54,7 +54,8 @@ fn all(by: Quat) -> Vec<BoxedBehaviour> {
         Queue { distance: 9.0, width: 5.0, ..Queue::new(Seek { target: point }) }.into(),
         FollowLeader::new(other).into(),
         FollowLeader { single_file: true, ..FollowLeader::new(other) }.into(),
-        KeepFormation { leader: other, pattern: Pattern::Wedge, count: 3, spacing: 2.0, slowing_distance: 1.0 }.into(),
+        KeepFormation { leader: other, pattern: Pattern::Wedge, count: Some(3), spacing: 2.0, slowing_distance: 1.0 }
+            .into(),
         Amortised { every: 0.1, of: Seek { target: point }.into() }.into(),
         Hold { seconds: 0.5, of: AvoidNeighbours::default().into() }.into(),
         Irregular {
