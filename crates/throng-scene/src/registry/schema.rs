@@ -144,7 +144,7 @@ fn of_names(names: &Names) -> Json {
 }
 
 /// Returns a reference to the definition with this name, which it makes if there is none; or the definition itself, where
-/// definitions stand inline. Another definition with the same name has another description.
+/// definitions stand inline. Another definition with the same name has another description: then a number follows the name.
 pub(super) fn definition(
     name: &str,
     about: &str,
@@ -154,8 +154,9 @@ pub(super) fn definition(
     if generator.settings().inline_subschemas {
         return make(generator);
     }
-    let is_other = generator.definitions().get(name).is_some_and(|known| known["description"] != about);
-    let name = if is_other { format!("{name}2") } else { name.to_owned() };
+    let numbered = (2..).map(|number| format!("{name}{number}"));
+    let is_free = |name: &String| generator.definitions().get(name).is_none_or(|known| known["description"] == about);
+    let Some(name) = std::iter::once(name.to_owned()).chain(numbered).find(is_free) else { return json!({}) };
     if !generator.definitions().contains_key(&name) {
         // a definition may refer to itself
         generator.definitions_mut().insert(name.clone(), json!({ "description": about }));
