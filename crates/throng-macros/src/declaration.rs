@@ -169,22 +169,10 @@ fn table(ident: &Ident, about: &str, fields: &Fields, list: Option<&Ident>, chec
         ),
         None => (quote!(Table(|| #described)), None),
     };
-    // files must give a required parameter again if they give the table
-    let kept = fields.0.iter().map(|field| {
-        let name = &field.ident;
-        if field.is_required { quote!(#name: _) } else { quote!(#name) }
-    });
-    let others = fields.0.iter().map(|field| {
-        let name = &field.ident;
-        match field.is_required {
-            true => quote!(::core::option::Option::None),
-            false => quote!(::core::option::Option::Some(#name)),
-        }
-    });
     let usual_values = (!fields.0.is_empty()).then(|| {
         quote! {
             let (#(#names,)*) = match #usual {
-                ::core::option::Option::Some(Self { #(#kept),* }) => (#(#others,)*),
+                ::core::option::Option::Some(Self { #(#names),* }) => (#(::core::option::Option::Some(#names),)*),
                 ::core::option::Option::None => (#(#defaults,)*),
             };
         }

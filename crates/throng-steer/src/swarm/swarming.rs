@@ -36,7 +36,7 @@ pub struct Swarm {
     /// Separation from other agents.
     pub apart: SwarmSpacing,
     /// Repulsion from surfaces. Without it, none.
-    #[parameter(default = KeepOff::new(Barriers::default()))]
+    #[parameter(default = KeepOff::new(Barriers::default()), from = KeepOff)]
     pub keep_off: KeepOff,
 }
 

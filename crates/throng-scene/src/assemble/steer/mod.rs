@@ -3,12 +3,11 @@
 mod around;
 mod check;
 mod names;
-mod target;
 mod vehicle;
 
 pub(super) use around::Around;
 pub(super) use check::check_steering;
-pub(super) use target::in_world;
+pub(super) use names::in_world;
 pub(super) use vehicle::{vehicle, wrap_around};
 
 use super::flow::Flows;

@@ -1,18 +1,28 @@
 //! What the names in a scene stand for, for the behaviours of a group.
 
+use super::super::limits::{HIGHEST, Limit, check};
 use super::super::rules::no_figure;
 use super::{BehaviourContext, vehicle};
+use crate::error::Kind;
 use crate::file::{Path, Problem};
+use crate::geometry::DVec2;
 use crate::registry::{Flow, Names, Steer};
 use crate::scene::SceneNames;
-use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
+use crate::scene::steer::{GroupFilter, Member, ObstacleNames, Position, Target};
 use glam::Vec3;
+use std::ops::Range;
 use std::sync::Arc;
+use throng::GroupId;
 use throng::field::Field;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
 use throng_steer::GroupFacts;
+
+/// Returns the position in the world of the group or mover at a position of the scene: after the world's default group.
+pub(in crate::assemble) fn in_world(position: usize) -> usize {
+    GroupId::DEFAULT.index() + 1 + position
+}
 
 impl Names for BehaviourContext<'_> {
     fn group(&self, _: &Path) -> Result<GroupFacts, Problem> {
@@ -21,15 +31,27 @@ impl Names for BehaviourContext<'_> {
     }
 
     fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {
-        self.place(place, at)
+        let [x, y, z] = place.0;
+        check(&at.index(2), z, Limit::Between(0.0, HIGHEST))?;
+        Ok((DVec2::new(x, y) - self.cast.origin).as_vec2().extend(z as f32))
     }
 
     fn target(&self, target: &Target, at: &Path) -> Result<steer::Target, Problem> {
-        self.target(target, at)
+        Ok(match target {
+            Target::At(place) => steer::Target::Point(self.place(*place, at)?),
+            Target::Goal => steer::Target::Goal,
+            Target::Agent(member) => steer::Target::Agent(self.member(member, at)?),
+            Target::Nearest(groups) => steer::Target::Nearest(self.groups(groups, &at.key("nearest"))?),
+        })
     }
 
     fn groups(&self, groups: &GroupFilter, at: &Path) -> Result<steer::GroupFilter, Problem> {
-        self.groups(Some(groups), at)
+        Ok(match groups {
+            GroupFilter::All => steer::GroupFilter::All,
+            GroupFilter::Own => steer::GroupFilter::OwnGroup,
+            GroupFilter::Others => steer::GroupFilter::OtherGroups,
+            GroupFilter::Group(name) => steer::GroupFilter::Group(in_world(self.named(name, at)?.0)),
+        })
     }
 
     fn obstacles(&self, names: &ObstacleNames, at: &Path) -> Result<Barriers, Problem> {
@@ -59,5 +81,31 @@ impl Names for BehaviourContext<'_> {
 
     fn names(&self, _: &Path) -> Result<&SceneNames<'_>, Problem> {
         Ok(self.cast)
+    }
+}
+
+impl BehaviourContext<'_> {
+    /// Returns the number of an agent.
+    fn member(&self, member: &Member, at: &Path) -> Result<u32, Problem> {
+        let name = &member.group;
+        let (_, numbers) = self.named(name, &at.key("group"))?;
+        let number = u32::try_from(member.agent).ok().and_then(|k| numbers.start.checked_add(k));
+        number.filter(|number| numbers.contains(number)).ok_or_else(|| {
+            let message = format!("there is no agent {} in `{name}`", member.agent);
+            let hint = match numbers.len() {
+                1 => "it has one agent, 0".to_owned(),
+                count => format!("it has {count} agents, 0 to {}", count - 1),
+            };
+            Problem::new(&at.key("agent"), Kind::OutOfRange, message).hint(hint)
+        })
+    }
+
+    /// Returns the group or mover with a name: its position, and the numbers of its agents.
+    fn named(&self, name: &str, at: &Path) -> Result<(usize, &Range<u32>), Problem> {
+        self.cast.find(name).map_err(|_| {
+            let names: Vec<&str> = self.cast.named.iter().map(|(name, _)| *name).collect();
+            let message = format!("there is no group `{name}`");
+            Problem::new(at, Kind::UnknownKey, message).hint(format!("there is: {}", names.join(", ")))
+        })
     }
 }

@@ -1,16 +1,20 @@
 //! The behaviour of docs/behaviours.md in a scene: it runs, and the page shows it. The page itself is a test of
 //! throng-steer.
 
-use glam::Vec3;
 use throng::motion::Steering;
 use throng::parameters::parameters;
-use throng::steer::{Behaviour, SteeringInput, SteeringReason, TraceRecorder};
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 use throng_scene::{Plugins, Scene};
 
 /// Flies to a light, rests near it, and sets out again.
+#[parameters]
 #[derive(Debug)]
 struct Moth {
-    light: Vec3,
+    /// The light.
+    #[parameter(required)]
+    light: Target,
+    /// Seconds of rest.
+    #[parameter(default = 2.0, unit = "s", least = 0)]
     rest: f32,
 }
 
@@ -24,40 +28,25 @@ impl Behaviour for Moth {
         if memory[0] > 0.0 {
             return None;
         }
-        if view.to(self.light).length() < 1.0 {
+        let light = self.light.find(view)?.position;
+        if view.to(light).length() < 1.0 {
             memory[0] = self.rest * (0.5 + view.rng.draw(0));
         }
-        why.note(|| SteeringReason::Aim(self.light));
-        view.go(view.to(self.light))
+        why.note(|| SteeringReason::Aim(light));
+        view.go(view.to(light))
     }
-}
-
-/// Flies to a light, rests near it, and sets out again.
-#[parameters]
-struct MothParameters {
-    /// Where the light is, metres in direction +x.
-    #[parameter(required, unit = "m")]
-    light: f64,
-    /// Seconds of rest.
-    #[parameter(default = 2.0, unit = "s", least = 0)]
-    rest: f32,
 }
 
 #[test]
 fn the_scene_of_the_page_runs() -> Result<(), throng_scene::Error> {
-    let mut plugins = Plugins::new();
-    plugins.behaviours.add_with("moth", |MothParameters { light, rest }, names| {
-        Ok(Moth { light: names.place(light, 0.0), rest }.into())
-    });
-
     let mut scene: Scene = r#"
         [[group]]
         place.point = [0, 0]
         vehicle.max_speed = 1.5
-        steer.priority = [{ close_avoidance = {} }, { moth = { light = 9 } }, { wander = {} }]
+        steer.priority = [{ close_avoidance = {} }, { moth = { light = [9, 0] } }, { wander = {} }]
     "#
     .parse()?;
-    plugins.equip(&mut scene);
+    Plugins::new().behaviour::<Moth>().equip(&mut scene);
     let (mut world, _) = scene.build()?;
     (0..100).for_each(|_| world.step());
     assert!(world.agents().next().expect("the agent is present").position().x > 3.0);

@@ -23,7 +23,7 @@ fn a_wrong_behaviour_is_named_with_its_place() {
         &steers("steer.priority = [{ wander = {} }, { arrive = { target = [0, 0], slowing_distance = -1 } }]"),
         Kind::OutOfRange,
         r"
-a.toml:6:85: group `walkers`: steer.priority.of[1].arrive.slowing_distance is -1, but must be 0 or more
+a.toml:6:85: group `walkers`: steer.priority[1].arrive.slowing_distance is -1, but must be 0 or more
   6 | … { target = [0, 0], slowing_distance = -1 } }]
     |                                         ^^
   hint: `slowing_distance`: Distance at which it starts to slow down, metres. Limit: >= 0. Default: 1.",
@@ -61,12 +61,11 @@ a.toml:6:25: group `walkers`: steer.wander.rate is inf, but must be a finite num
 fn what_cannot_be_is_named() {
     assert_message(
         &steers("steer.takeoff = { from = [0, 0], to = [9, 0], rise = 3 }"),
-        Kind::Conflict,
+        Kind::Geometry,
         r"
-a.toml:6:17: group `walkers`: an agent that rises at 3 m/s and runs at 1.8 m/s at most cannot leap there
+a.toml:6:17: group `walkers`: a leap: an agent that rises at 3 m/s and runs at 1.8 m/s at most cannot leap there: set a greater rise, or a `to` nearer to `from`, not above it
   6 | steer.takeoff = { from = [0, 0], to = [9, 0], rise = 3 }
-    |                 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-  hint: set a greater rise, or a `to` nearer to `from`, not above it",
+    |                 ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^",
     );
     assert_message(
         &steers("steer.avoid_map = { min = [0, 0], max = [9e4, 9e4], of.wander = {} }"),
