@@ -184,6 +184,7 @@ impl Behaviour for Swarm {
 
     fn check(&self) -> Result<(), Error> {
         self.check_limits()?;
+        self.keep_off.check_limits()?;
         self.guides.iter().try_for_each(|guide| guide.check())
     }
 }

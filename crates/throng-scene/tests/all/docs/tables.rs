@@ -4,7 +4,7 @@ use std::any::type_name;
 use std::fmt::Write;
 use std::path::Path;
 use throng::Error;
-use throng::parameters::{Kind, Parameter, Parameters, Value, Written};
+use throng::parameters::{Kind, Parameter, Parameters, Written};
 use throng::steer::BoxedBehaviour;
 use throng_steer::{Behaviours, ForGroup};
 

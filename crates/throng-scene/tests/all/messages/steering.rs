@@ -35,7 +35,7 @@ a.toml:6:85: group `walkers`: steer.priority[1].arrive.slowing_distance is -1, b
 a.toml:6:34: group `walkers`: steer.weighted_sum[0].weight is -1, but must be 0 or more
   6 | steer.weighted_sum = [{ weight = -1, of.wander = {} }]
     |                                  ^^
-  hint: `weight`: Factor of its force. Without it, 1. Limit: >= 0.",
+  hint: `weight`: Factor of its force. Limit: >= 0. Default: 1.",
     );
     assert_message(
         &steers("steer.cohesion = { near.angle = 270 }"),
@@ -82,7 +82,7 @@ a.toml:6:19: group `walkers`: the map: 90000 by 90000 cells; there must be 1 to 
 a.toml:6:68: group `walkers`: steer.context_steering.directions is 3, but must be from 4 to 64
   6 | steer.context_steering = { of = [{ of.wander = {} }], directions = 3 }
     |                                                                    ^
-  hint: `directions`: Number of directions in the horizontal plane; agents that fly evaluate as many again above and below it. Without it, 16. Limit: 4 to 64.",
+  hint: `directions`: Number of directions in the horizontal plane; agents that fly evaluate as many again above and below it. Limit: 4 to 64. Default: 16.",
     );
 }
 
