@@ -17,6 +17,7 @@ macro_rules! parameters {
         }
     )* };
 }
+
 /// A field that groups and other fields refer to by its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -52,7 +52,9 @@ pub enum Condition {
     /// At random, this many times a second on average.
     #[parameter(unit = "1/s", least = 0)]
     Chance(f32),
-    /// A [figure](SteeringInput::figures) of the rules is within bounds.
+    /// A figure of the rules is within bounds.
+    ///
+    /// The figures are in [`SteeringInput::figures`].
     Figure {
         /// The name of the figure; in code its index.
         #[parameter(required, from = FigureName)]

@@ -1,7 +1,7 @@
-//! Steering in scene files: the behaviours of [`throng::steer`] and their combinations.
+//! What steering names in scene files: targets, agents that count, obstacles and places.
 //!
-//! Each behaviour is a table of its parameters.
-//! Angles are degrees, places are world coordinates, agents and groups are referred to by group names.
+//! The behaviours are those of [`throng_steer`]: their types declare the keys of their tables. Angles are degrees, places are
+//! world coordinates, agents and groups are referred to by group names.
 //!
 //! ```
 //! use throng_scene::Steer;
