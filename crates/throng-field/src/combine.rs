@@ -6,8 +6,11 @@ use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
+use throng::parameters::parameters;
 
-/// The same velocity everywhere and always: wind, a slow current.
+/// The same velocity everywhere, m/s.
+///
+/// Wind, a slow current.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,6 +18,7 @@ use throng::field::Field;
 /// use throng_field::Uniform;
 /// assert_eq!(Uniform(Vec3::X).velocity(Vec3::ONE, 5.0), Vec3::X);
 /// ```
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uniform(pub Vec3);
 

@@ -5,6 +5,7 @@
 //! [guidance of swarms](SwarmGuide) and [noise](CurlNoise). They use nothing of the engine that a field of a program's
 //! own cannot use.
 
+mod about_place;
 mod anchors;
 mod anchors_in_space;
 mod around;
@@ -27,6 +28,7 @@ mod plate_simd;
 mod sampled;
 mod slope;
 
+pub use about_place::{Towards, Whirl};
 pub use anchors::{Anchor, Anchors, Note, Sketch};
 pub use anchors_in_space::AnchorsInSpace;
 pub use around::AroundWalls;
@@ -42,6 +44,24 @@ pub use noise::{Amplitude, CurlNoise, FadeOut, Noise, NoiseWall, Octave, Potenti
 pub use paint::Brush;
 pub use plate::Kernel;
 pub use sampled::Sampled;
+
+use throng::Error;
+use throng::field::Field;
+use throng::parameters::Parameters;
+
+/// A collection of fields by name.
+pub trait Fields {
+    /// Adds a field that is made of parameters: its own, or a type of their own. Its name is [`Parameters::NAME`].
+    fn add<P: Parameters + 'static, F: Field + TryFrom<P, Error: Into<Error>> + 'static>(&mut self);
+}
+
+/// Adds the fields of this crate that need nothing but their parameters to a collection.
+pub fn register(fields: &mut impl Fields) {
+    fields.add::<Uniform, Uniform>();
+    fields.add::<Whirl, Whirl>();
+    fields.add::<Towards, Towards>();
+    fields.add::<Noise, CurlNoise>();
+}
 
 /// The code of `docs/fields.md`, compiled and run.
 #[cfg(doctest)]

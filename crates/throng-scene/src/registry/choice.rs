@@ -95,10 +95,10 @@ impl<C> Choice<C> {
     ///
     /// ```
     /// use throng_scene::Flow;
-    /// use throng_scene::flow::{Towards, Whirl};
-    /// let flow: Flow = toml::from_str("whirl = { center = [1, 2], speed = 3 }")?;
-    /// assert_eq!(flow.read::<Whirl>().map(|whirl| whirl.speed), Some(3.0));
-    /// assert_eq!(flow.read::<Towards>(), None);
+    /// use throng_scene::flow::{Named, Picture};
+    /// let flow: Flow = toml::from_str("picture = { file = \"map.png\", min = [0, 0], max = [9, 9], speed = 3 }")?;
+    /// assert_eq!(flow.read::<Picture>().and_then(|picture| picture.speed), Some(3.0));
+    /// assert_eq!(flow.read::<Named>(), None);
     /// # Ok::<(), toml::de::Error>(())
     /// ```
     pub fn read<D: Described>(&self) -> Option<D> {

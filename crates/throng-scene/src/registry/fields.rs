@@ -13,7 +13,7 @@ use serde_json::Value as Json;
 use throng::Error;
 use throng::field::{Adaptive, Field};
 use throng::parameters::{Given, Parameters};
-use throng_field::{CurlNoise, Noise};
+use throng_field::Fields as Register;
 use toml::Value;
 
 /// A velocity at every place: its name, and what its table says.
@@ -36,20 +36,6 @@ impl Fields {
         };
         let schema = of_parameters::<F>;
         self.0.add(Entry { name: F::NAME.into(), about: F::ABOUT, is_plugin: true, schema, make });
-    }
-
-    /// Adds a field of throng that is made of parameters `P`.
-    fn add<P, F>(&mut self)
-    where
-        P: Parameters + 'static,
-        F: Field + TryFrom<P, Error: Into<Error>> + 'static,
-    {
-        let make: MakeField = |given, at| {
-            let given = FileGiven::new(given, at.path()).with_names(at);
-            let field = F::try_from(given.parameters()?).map_err(|error| given.refused(error.into()))?;
-            Ok(BuiltField::of(field))
-        };
-        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema: of_parameters::<P>, make });
     }
 
     /// Adds a field of throng, which a scene describes as a `D`.
@@ -80,12 +66,23 @@ impl Fields {
     }
 }
 
+impl Register for Fields {
+    fn add<P: Parameters + 'static, F: Field + TryFrom<P, Error: Into<Error>> + 'static>(&mut self) {
+        let make: MakeField = |given, at| {
+            let given = FileGiven::new(given, at.path()).with_names(at);
+            let field = F::try_from(given.parameters()?).map_err(|error| given.refused(error.into()))?;
+            Ok(BuiltField::of(field))
+        };
+        self.0.add(Entry { name: P::NAME.into(), about: P::ABOUT, is_plugin: false, schema: of_parameters::<P>, make });
+    }
+}
+
 impl Default for Fields {
     /// Returns the fields of throng.
     fn default() -> Self {
         let mut fields = Self(Entries::default());
+        throng_field::register(&mut fields);
         crate::scene::flow::register(&mut fields);
-        fields.add::<Noise, CurlNoise>();
         fields
     }
 }

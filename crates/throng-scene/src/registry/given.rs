@@ -190,6 +190,11 @@ impl Given for FileGiven<'_> {
 
     fn vector(&self) -> Result<Vec3, Problem> {
         let Position(vector) = self.plain()?;
+        if let Some((i, x)) = vector.iter().enumerate().find(|(_, x)| !x.is_finite()) {
+            let at = self.at.index(i);
+            let message = format!("{} is {x}, but must be a finite number", at.below_list());
+            return Err(Problem::new(&at, Kind::OutOfRange, message));
+        }
         Ok(Vec3::from_array(vector.map(|x| x as f32)))
     }
 

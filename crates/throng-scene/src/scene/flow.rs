@@ -30,12 +30,6 @@ pub struct Field {
 
 described! {
     Flow in Fields:
-    /// The same velocity everywhere, m/s.
-    Uniform = "uniform",
-    /// Around a place, at the same speed everywhere.
-    Whirl = "whirl",
-    /// To a place, or away from it.
-    Towards = "towards",
     /// A field of the scene, by its name.
     Named = "named",
     /// Velocities given at some places and interpolated between them (Jin et al. 2008).
@@ -64,11 +58,6 @@ described! {
     Sampled = "sampled",
 }
 
-/// The same velocity everywhere, m/s.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct Uniform(pub Position);
-
 /// A field of the scene, by its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
@@ -85,26 +74,6 @@ pub struct Sum(pub Vec<FlowPart>);
 pub struct Blend(pub Vec<FlowPart>);
 
 parameters! {
-    /// Around a place, at the same speed everywhere.
-    Whirl {
-        /// Its middle.
-        center: Position,
-        /// The speed, m/s; negative: clockwise.
-        speed: f64,
-    }
-
-    /// To a place, at the same speed everywhere.
-    Towards {
-        /// The place.
-        at: Position,
-        /// The speed, m/s; negative: away from it.
-        speed: f64,
-        /// Within this distance, metres, the speed falls in proportion to the distance. Without it, 0.5. Limit: > 0.
-        slow: Option<f64>,
-        /// Beyond this distance the field is undefined, metres. Without it, it is defined everywhere. Limit: > 0.
-        within: Option<f64>,
-    }
-
     /// A field through anchors: the given anchors and those of strokes and stamps, without the erased ones.
     Sketch {
         /// Velocities at given places.

@@ -6,7 +6,7 @@ use serde_json::json;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, Hrvo, LocalModel, Orca, Workspace};
 use throng::field::Field;
 use throng::parameters::{Angle, Parameters, Value, parameters};
-use throng_scene::flow::Whirl;
+use throng_scene::flow::{Eraser, Sketch};
 use throng_scene::{Avoid, Flow, Kind, Model, Models, Plugins, Scene, caught, gallery};
 
 /// How an agent looks
@@ -271,8 +271,9 @@ fn a_choice_in_code_is_the_choice_in_a_file() {
     assert_eq!(whole, Avoid::named("orca").with("time_horizon", 2.0).with("neighbours", 5));
     // numbers in double precision stay as they are
     let nearly = f64::from(0.7_f32);
-    let whirl = Whirl { center: [0.0, 0.0].into(), speed: nearly };
-    assert_eq!(Flow::from(whirl).read::<Whirl>().unwrap().speed, nearly);
+    let cloud = Eraser { at: [0.0, nearly], radius: 1.0 };
+    let sketch = Sketch { erase: Some(vec![cloud]), ..toml::from_str("").unwrap() };
+    assert_eq!(Flow::from(sketch).read::<Sketch>().unwrap().erase.unwrap()[0].at[1], nearly);
     let several = toml::from_str::<Avoid>("orca = {}\nrvo = {}").unwrap_err().to_string();
     assert!(several.contains("more than 1 element"), "{several}");
 }

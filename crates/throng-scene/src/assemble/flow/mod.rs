@@ -1,6 +1,7 @@
 //! Builds fields from the vector fields of a scene.
 //!
-//! Each kind of field has its own `impl Make`. The library checks the numbers.
+//! Fields that need more than their parameters have descriptions ([`crate::scene::flow`]), each with its `impl BuildField`.
+//! The library checks the numbers.
 
 mod combine;
 mod goal;
@@ -13,13 +14,13 @@ mod sketch;
 mod space;
 mod table;
 
-use super::limits::{Limit, check, check_point, check_some};
+use super::limits::{Limit, check, check_point};
 use super::steer::{Around, refused};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::registry::Flow;
-use crate::scene::flow::{Named, Towards, Uniform, Whirl};
+use crate::scene::flow::Named;
 use crate::scene::steer::{ObstacleNames, Position};
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
@@ -247,42 +248,8 @@ impl FieldContext<'_> {
     }
 }
 
-impl BuildField for Uniform {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
-        let Position(velocity) = self.0;
-        velocity.iter().enumerate().try_for_each(|(i, x)| check(&at.path.index(i), *x, Limit::Finite))?;
-        Ok(BuiltField::of(throng_field::Uniform(Vec3::from_array(velocity.map(|x| x as f32)))))
-    }
-}
-
 impl BuildField for Named {
     fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
         at.known(&self.0)
-    }
-}
-
-impl BuildField for Whirl {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
-        check(&at.path.key("speed"), self.speed, Limit::Finite)?;
-        let center = at.position("center", self.center)?.with_z(0.0);
-        let spin = Vec3::Z * self.speed as f32;
-        Ok(BuiltField::of(move |place: Vec3, _: f64| {
-            spin.cross((place - center).with_z(0.0).try_normalize().unwrap_or_default())
-        }))
-    }
-}
-
-impl BuildField for Towards {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
-        check(&at.path.key("speed"), self.speed, Limit::Finite)?;
-        check_some(&at.path.key("slow"), self.slow, Limit::Positive)?;
-        check_some(&at.path.key("within"), self.within, Limit::Positive)?;
-        let (to, speed, slow) = (at.position("at", self.at)?, self.speed as f32, self.slow.unwrap_or(0.5) as f32);
-        let within = self.within.map_or(f32::INFINITY, |within| within as f32);
-        Ok(BuiltField::of(move |place: Vec3, _: f64| {
-            let way = to - place;
-            let distance = way.length();
-            if distance > within { Vec3::ZERO } else { way * (speed / distance.max(slow)) }
-        }))
     }
 }

@@ -1,6 +1,7 @@
 //! What the names in a scene stand for, for its fields.
 
 use super::FieldContext;
+use crate::assemble::limits::{Limit, check};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::registry::{Flow, Names, Steer};
@@ -20,6 +21,7 @@ impl Names for FieldContext<'_> {
     }
 
     fn place(&self, Position([x, y, z]): Position, at: &Path) -> Result<Vec3, Problem> {
+        check(&at.index(2), z, Limit::Finite)?;
         Ok(self.place_at(at, [x, y])?.as_vec2().extend(z as f32))
     }
 
