@@ -73,7 +73,8 @@ pub use expectations::{Expectation, Expectations, Figure, Outcome};
 pub use import::{Imported, open};
 pub use random::{Purpose, Random};
 pub use registry::{
-    Avoid, Behaviours, Catalogue, Choice, Described, Fields, Flow, Model, Models, Plugins, Rulebook, Steer,
+    Avoid, Behaviours, Catalogue, Choice, Described, Fields, Flow, GivenParameters, Model, Models, Plugins, Rulebook,
+    Steer,
 };
 pub use scene::*;
 

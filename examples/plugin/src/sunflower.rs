@@ -1,6 +1,9 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
-use throng_scene::{Circle, DiscPlace, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until, Vehicle};
+use throng::motion::Vehicle;
+use throng_scene::{
+    Circle, DiscPlace, GivenParameters, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until,
+};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
 const GOLDEN: f64 = 2.399_963;
@@ -24,7 +27,7 @@ pub fn scene() -> Scene {
         place: Place::Disc(DiscPlace { radius: 9.0, gap: 0.5, ..DiscPlace::default() }),
         heading: Some(Number::Uniform([0.0, 360.0])),
         guard: Some(true),
-        vehicle: Some(Vehicle { max_speed: Some(1.5), ..Vehicle::default() }),
+        vehicle: Some(GivenParameters::of(&Vehicle { max_speed: 1.5, ..Vehicle::default() })),
         steer: Some(Steer::combining("priority", parts)),
         ..Group::default()
     };

@@ -43,6 +43,11 @@ impl Scene {
             let path = Place::of("group").index(i).key("avoid");
             self.plugins.models.check_keys(avoid, &path).map_err(|problem| self.explain(problem))?;
         }
+        let vehicles = self.groups.iter().enumerate().filter_map(|(i, group)| Some((i, group.vehicle.as_ref()?)));
+        for (i, vehicle) in vehicles {
+            let path = Place::of("group").index(i).key("vehicle");
+            vehicle.check_keys(&path).map_err(|problem| self.explain(problem))?;
+        }
         Ok(())
     }
 

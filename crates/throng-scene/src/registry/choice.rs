@@ -193,7 +193,7 @@ fn is_same(a: &Value, b: &Value) -> bool {
     }
 }
 
-fn is_same_table(a: &Table, b: &Table) -> bool {
+pub(super) fn is_same_table(a: &Table, b: &Table) -> bool {
     a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| is_same(a, b)))
 }
 

@@ -3,11 +3,12 @@
 use super::flow::Governed;
 use super::steer::ObstacleNames;
 use super::surface::is_default;
-use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, Vehicle, WrapAround, source};
-use crate::registry::{Avoid, Steer};
+use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, WrapAround, source};
+use crate::registry::{Avoid, GivenParameters, Steer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use throng::avoid::{NoAvoidance, Orca};
+use throng::motion::Vehicle;
 use throng::parameters::Parameters;
 
 /// A group of agents with the same start, goal, body and avoidance.
@@ -78,7 +79,7 @@ pub struct Group {
     pub start_speed: Option<Number>,
     /// The vehicle of agents that steer: it determines their speed, acceleration and turn rate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub vehicle: Option<Vehicle>,
+    pub vehicle: Option<GivenParameters<Vehicle>>,
     /// A sphere that agents that steer leave on one side and enter on the other. Only without `guard`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_around: Option<WrapAround>,

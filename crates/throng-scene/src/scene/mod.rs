@@ -19,8 +19,8 @@ mod source;
 pub mod steer;
 mod surface;
 mod time;
-mod vehicle;
 mod view;
+mod wrap_around;
 
 pub use annotate::{Annotate, Annotation};
 pub use annulus::{Annulus, Lap};
@@ -42,8 +42,8 @@ pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };
 pub use time::{SubSteps, Time, Until};
-pub use vehicle::{Forces, Integrator, Vehicle, VehicleKind, WrapAround};
 pub use view::{AgentShape, Camera, Colour, Projection, View};
+pub use wrap_around::WrapAround;
 
 pub use crate::file::Origin;
 use crate::registry::Plugins;

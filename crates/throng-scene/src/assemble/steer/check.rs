@@ -1,7 +1,7 @@
 //! Checks the steering of a group before it is built.
 
 use super::super::limits::{HIGHEST, Limit, check, check_number, check_point};
-use super::{refused, vehicle};
+use super::vehicle;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::Position;
@@ -50,13 +50,8 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         check_finite(&path.key("steer"), &tree)?;
     }
     let path = path.key("vehicle");
-    if let Some(said) = &group.vehicle {
-        if let Ok(tree) = Value::try_from(said) {
-            check_finite(&path, &tree)?;
-        }
-        let made = vehicle(group);
-        made.check().map_err(|error| refused(&path, &error))?;
-        check(&path.key("max_speed"), f64::from(made.max_speed), Limit::UpTo(1000.0))?;
+    if let Some(given) = &group.vehicle {
+        given.read(&path)?;
     }
     Ok(())
 }

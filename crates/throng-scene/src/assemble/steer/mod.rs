@@ -50,13 +50,3 @@ impl BehaviourContext<'_> {
         what.map_or(Ok(Barriers::default()), |what| self.around.sides(what, &at, "leave out `solid` for nothing"))
     }
 }
-
-/// Returns a given number in f32, or the library's default.
-fn or(said: Option<f64>, standard: f32) -> f32 {
-    said.map_or(standard, |said| said as f32)
-}
-
-/// Returns a given angle in radians, or the library's default.
-fn angle(said: Option<f64>, standard: f32) -> f32 {
-    said.map_or(standard, |said| said.to_radians() as f32)
-}

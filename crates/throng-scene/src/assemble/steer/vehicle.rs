@@ -1,44 +1,13 @@
 //! Vehicles.
 
-use super::{angle, or};
+use crate::file::Path;
 use crate::geometry::DVec2;
-use crate::scene::{self, Group, VehicleKind};
-use throng::motion::{Forces, Integrator, Locomotion, Vehicle, WrapAround};
+use crate::scene::{self, Group};
+use throng::motion::{Vehicle, WrapAround};
 
-/// Returns the vehicle of a group that steers.
+/// Returns the vehicle of a group that steers. The check of the group has refused what cannot be read.
 pub fn vehicle(group: &Group) -> Vehicle {
-    let standard = Vehicle::default();
-    let Some(said) = &group.vehicle else { return standard };
-    Vehicle {
-        mass: or(said.mass, standard.mass),
-        max_force: or(said.max_force, standard.max_force),
-        forces: said.forces.as_ref().map_or(standard.forces, forces),
-        max_speed: or(said.max_speed, standard.max_speed),
-        min_speed: or(said.min_speed, standard.min_speed),
-        max_turn_rate: angle(said.turn_rate, standard.max_turn_rate),
-        low_speed: or(said.low_speed, standard.low_speed),
-        response: or(said.response, standard.response),
-        smoothing: or(said.smoothing, standard.smoothing),
-        locomotion: said.kind.map_or(standard.locomotion, |kind| match kind {
-            VehicleKind::Ground => Locomotion::Ground,
-            VehicleKind::Level => Locomotion::Level,
-            VehicleKind::Banking => Locomotion::Banking,
-        }),
-        integrator: said.integrator.map_or(standard.integrator, |integrator| match integrator {
-            scene::Integrator::SemiImplicit => Integrator::SemiImplicit,
-            scene::Integrator::Euler => Integrator::Euler,
-        }),
-    }
-}
-
-fn forces(said: &scene::Forces) -> Forces {
-    let standard = Forces::default();
-    Forces {
-        thrust: or(said.thrust, standard.thrust),
-        brake: or(said.brake, standard.brake),
-        side: or(said.side, standard.side),
-        up: or(said.up, standard.up),
-    }
+    group.vehicle.as_ref().and_then(|given| given.read(&Path::default()).ok()).unwrap_or_default()
 }
 
 /// Returns the sphere that agents that steer leave on one side and enter on the other.

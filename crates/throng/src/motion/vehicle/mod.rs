@@ -18,52 +18,64 @@ pub use steering::Steering;
 pub(crate) use step_simd::{Attitudes, Motions, Stepping};
 
 use crate::Error;
+use crate::parameters::{Angle, Value, parameters};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// How a vehicle orients itself.
+/// How a vehicle's body is oriented.
+#[parameters]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Locomotion {
-    /// On the ground: it keeps its height and stays upright.
+    /// On the ground, upright.
+    ///
+    /// It keeps its height.
     #[default]
     Ground,
-    /// Level flight: it may climb and descend, and levels itself.
+    /// Flying level.
+    ///
+    /// It may climb and descend, and levels itself.
     Level,
-    /// Banked flight: it banks into turns, as birds and aircraft do, so that up is along the sum of the lateral
-    /// acceleration and the upward reaction to gravity.
+    /// Flying, and banking into its turns, as birds and aircraft do.
+    ///
+    /// Up is along the sum of the lateral acceleration and the upward reaction to gravity.
     Banking,
 }
 
-/// The integration scheme of a step.
+/// How motion is integrated in a step.
+#[parameters]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Integrator {
-    /// The position uses the new velocity: stable for springs.
+    /// First the velocity, then the position with the new velocity.
+    ///
+    /// Stable for springs.
     #[default]
     SemiImplicit,
-    /// The position uses the velocity at the start of the step, as forward Euler in textbooks.
+    /// The position with the velocity of the start of the step.
+    ///
+    /// Forward Euler of textbooks.
     Euler,
 }
 
-/// The greatest force along each axis of the vehicle, newtons; infinite for no separate limit. Limit: >= 0.
+/// The greatest force along each axis of a vehicle, newtons. Without a value, the axis has no limit of its own.
+#[parameters]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Forces {
     /// Forwards.
+    #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
     pub thrust: f32,
     /// Backwards.
+    #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
     pub brake: f32,
     /// To either side.
+    #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
     pub side: f32,
     /// Up and down.
+    #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
     pub up: f32,
 }
 
-impl Default for Forces {
-    fn default() -> Self {
-        Self { thrust: f32::INFINITY, brake: f32::INFINITY, side: f32::INFINITY, up: f32::INFINITY }
-    }
-}
-
-/// The parameters of a vehicle. The default is a pedestrian of mass 1, so that forces are accelerations.
+/// The vehicle of a group that steers. What is not given is as for a pedestrian of mass 1, for which forces equal
+/// accelerations.
 ///
 /// ```
 /// use glam::Vec3;
@@ -75,51 +87,47 @@ impl Default for Forces {
 /// }
 /// assert!(motion.velocity.distance(Vec3::Y) < 1e-3 && motion.basis.forward.y > 0.999);
 /// ```
+#[parameters(check = Self::check)]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Vehicle {
-    /// Mass, kilograms. Limit: > 0.
+    /// Kilograms.
+    #[parameter(default = 1.0, unit = "kg", above = 0)]
     pub mass: f32,
-    /// Greatest force in any direction, newtons. Limit: > 0.
+    /// The greatest force in any direction, newtons.
+    #[parameter(default = 5.0, unit = "N", above = 0)]
     pub max_force: f32,
-    /// Greatest force along each axis.
+    /// The greatest force along each of its axes.
     pub forces: Forces,
-    /// Top speed, m/s. Limit: > 0.
+    /// The greatest speed, m/s.
+    #[parameter(default = 1.8, unit = "m/s", above = 0, most = 1000)]
     pub max_speed: f32,
-    /// Least speed, m/s, for example of an aircraft. The vehicle circles targets within its tightest turn, and places
-    /// where it would stop. Limit: 0 to `max_speed`.
+    /// The least speed, m/s. Limit: 0 to `max_speed`.
+    ///
+    /// For example that of an aircraft. The vehicle circles targets within its tightest turn, and places where it would stop.
+    #[parameter(default = 0.0, unit = "m/s")]
     pub min_speed: f32,
-    /// Greatest turn rate, rad/s; infinite for no limit. Limit: > 0.
+    /// Greatest turn rate, degrees a second; in code radians. Without it, no limit.
+    #[parameter(name = "turn_rate", from = Angle, default = f32::INFINITY, infinite, unit = "°/s", above = 0)]
     pub max_turn_rate: f32,
-    /// Fraction of the top speed below which it cannot turn freely: when it stands it can accelerate only straight
-    /// ahead, and then ever more to the side. 0 for a vehicle that turns on the spot, 0.2 in OpenSteer. Limit: 0 to 1.
+    /// Part of the top speed below which its turning is limited: at rest it can only go straight ahead; 0 lets it turn on
+    /// the spot.
+    ///
+    /// It accelerates ever more to the side the faster it is. 0.2 in OpenSteer.
+    #[parameter(default = 0.0, least = 0, most = 1)]
     pub low_speed: f32,
-    /// Time constant, seconds, with which it approaches a desired velocity ([`force_towards`](Self::force_towards)),
-    /// all but 1/e of the change. Limit: >= 0.
+    /// Seconds in which it completes all but a third of a change to the velocity it aims for.
+    ///
+    /// A time constant: all but 1/e of the change ([`force_towards`](Self::force_towards)).
+    #[parameter(default = 0.25, unit = "s", least = 0)]
     pub response: f32,
-    /// Time constant of the smoothing of its acceleration, seconds; 0 for none. Limit: >= 0.
+    /// Seconds over which its acceleration is smoothed.
+    #[parameter(default = 0.0, unit = "s", least = 0)]
     pub smoothing: f32,
-    /// How it orients itself.
+    /// How its body is oriented.
+    #[parameter(name = "kind")]
     pub locomotion: Locomotion,
-    /// The integration scheme.
+    /// How motion is integrated.
     pub integrator: Integrator,
-}
-
-impl Default for Vehicle {
-    fn default() -> Self {
-        Self {
-            mass: 1.0,
-            max_force: 5.0,
-            forces: Forces::default(),
-            max_speed: 1.8,
-            min_speed: 0.0,
-            max_turn_rate: f32::INFINITY,
-            low_speed: 0.0,
-            response: 0.25,
-            smoothing: 0.0,
-            locomotion: Locomotion::Ground,
-            integrator: Integrator::SemiImplicit,
-        }
-    }
 }
 
 impl Vehicle {
@@ -158,21 +166,10 @@ impl Vehicle {
     /// # Errors
     /// [`Error::Limit`] names the parameter.
     pub fn check(&self) -> Result<(), Error> {
-        let Forces { thrust, brake, side, up } = self.forces;
-        Error::unless_positive("mass", self.mass)?;
-        Error::unless_positive("top force", self.max_force)?;
-        for (what, force) in [("thrust", thrust), ("brake", brake), ("side force", side), ("lift", up)] {
-            Error::unless(force >= 0.0, what, force, "0 or more")?;
-        }
-        Error::unless_positive("top speed", self.max_speed)?;
+        self.check_limits()?;
+        Error::unless(self.max_turn_rate > 0.0, "turn_rate", self.max_turn_rate, "more than 0")?;
         let (least, most) = (self.min_speed, self.max_speed);
-        Error::unless((0.0..=most).contains(&least), "least speed", least, "from 0 to the top speed")?;
-        Error::unless(self.max_turn_rate > 0.0, "turn rate", self.max_turn_rate, "greater than 0")?;
-        Error::unless((0.0..=1.0).contains(&self.low_speed), "low speed", self.low_speed, "from 0 to 1")?;
-        for (what, time) in [("response", self.response), ("smoothing", self.smoothing)] {
-            Error::unless(time >= 0.0 && time.is_finite(), what, time, "0 or more and finite")?;
-        }
-        Ok(())
+        Error::unless((0.0..=most).contains(&least), "min_speed", least, "from 0 to max_speed")
     }
 }
 
