@@ -1,6 +1,6 @@
 //! Vector fields that govern crowds.
 //!
-//! A [`Field`](throng::field::Field) of the engine is a velocity at every place and time. Here are fields that are
+//! A [`Field`] of the engine is a velocity at every place and time. Here are fields that are
 //! [sketched](Anchors) at some places, [painted](Sampled), made of [other fields](Blend), [flows to goals](ToGoal),
 //! [guidance of swarms](SwarmGuide) and [noise](CurlNoise). They use nothing of the engine that a field of a program's
 //! own cannot use.

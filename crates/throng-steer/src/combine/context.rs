@@ -28,8 +28,8 @@ use throng::steer::{
 /// use glam::Vec3;
 /// use throng::steer::Target;
 /// use throng_steer::{ContextSteering, Seek};
-/// let trees = [Vec3::X * 9.0, Vec3::X * -8.0].map(|tree| (1.0, Seek { target: Target::Point(tree) }.into()));
-/// let squirrel = ContextSteering::new(trees.into());
+/// let tree = |x: f32| (1.0, Seek { target: Target::Point(Vec3::X * x) }.into());
+/// let squirrel = ContextSteering::new(vec![tree(9.0), tree(-8.0)]);
 /// ```
 #[parameters]
 #[derive(Clone, Debug)]
