@@ -344,7 +344,7 @@ fn vehicles_are_as_said_and_their_bodies_as_fast() {
             forces: Forces { thrust: 4.0, up: 3.0, ..Forces::default() },
             max_speed: 9.0,
             min_speed: 3.0,
-            max_turn_rate: std::f32::consts::PI,
+            max_turn_rate: Angle::degrees(180.0),
             low_speed: 0.2,
             response: 0.5,
             smoothing: 0.1,

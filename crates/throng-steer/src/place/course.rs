@@ -31,7 +31,7 @@ impl<'a> Course<'a> {
         // the highest speed that is possible after the step
         let speed = (view.motion.speed() + vehicle.max_force / vehicle.mass * view.seconds).min(vehicle.max_speed);
         let turning = speed * vehicle.mass / vehicle.max_force.min(vehicle.forces.side);
-        let turning = turning.max(1.0 / vehicle.max_turn_rate) + vehicle.smoothing + view.seconds;
+        let turning = turning.max(1.0 / vehicle.max_turn_rate.radians()) + vehicle.smoothing + view.seconds;
         let reach = speed * seconds.max(TURNS * turning);
         Self { view, basis: basis.turned_to(direction, basis.up), radius: view.radius + gap, reach }
     }

@@ -389,7 +389,15 @@ fn vehicle(draw: &mut Draw) -> Vehicle {
     let walks = Vehicle::default();
     let flies = Vehicle { locomotion: Locomotion::Level, ..walks };
     let forces = Forces { thrust: 3.0, brake: 4.0, side: 2.0, up: 1.0 };
-    let car = Vehicle { mass: 2.0, forces, low_speed: 0.3, max_turn_rate: 1.5, max_speed: 4.0, response: 0.5, ..walks };
+    let car = Vehicle {
+        mass: 2.0,
+        forces,
+        low_speed: 0.3,
+        max_turn_rate: Angle::from_radians(1.5),
+        max_speed: 4.0,
+        response: 0.5,
+        ..walks
+    };
     let slow = Vehicle { max_speed: 0.7, max_force: 1.5, smoothing: 0.3, low_speed: 0.2, ..walks };
     let glider = Vehicle {
         min_speed: 0.8,
@@ -399,8 +407,14 @@ fn vehicle(draw: &mut Draw) -> Vehicle {
         locomotion: Locomotion::Banking,
         ..walks
     };
-    let drone =
-        Vehicle { mass: 0.5, response: 0.0, max_turn_rate: 2.0, forces, integrator: Integrator::Euler, ..flies };
+    let drone = Vehicle {
+        mass: 0.5,
+        response: 0.0,
+        max_turn_rate: Angle::from_radians(2.0),
+        forces,
+        integrator: Integrator::Euler,
+        ..flies
+    };
     draw.one_of(&[walks, walks, flies, car, slow, glider, drone])
 }
 
@@ -554,6 +568,7 @@ fn functions(results: &mut Results) {
         let forces = Forces { thrust: one(), brake: one(), side: one(), up: one() };
         let [mass, max_force, max_speed, min_speed, max_turn_rate, low_speed, response, smoothing] =
             std::array::from_fn(|_| one());
+        let max_turn_rate = Angle::from_radians(max_turn_rate);
         let limits = Vehicle { mass, max_force, max_speed, min_speed, max_turn_rate, ..Vehicle::default() };
         Vehicle { forces, low_speed, response, smoothing, ..limits }.check()
     });

@@ -32,10 +32,3 @@ impl Angle {
         rounded.into_iter().find(|rounded| Self::degrees(*rounded) == self).unwrap_or(degrees)
     }
 }
-
-impl From<Angle> for f32 {
-    /// Returns the radians.
-    fn from(angle: Angle) -> Self {
-        angle.radians()
-    }
-}

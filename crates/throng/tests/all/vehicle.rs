@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, PI};
 use throng::motion::{Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle};
+use throng::parameters::Angle;
 
 proptest! {
     /// "Steering behaviors for autonomous characters", a simple vehicle model, with a time step.
@@ -66,7 +67,7 @@ proptest! {
         kind in 0usize..3,
     ) {
         let locomotion = [Locomotion::Ground, Locomotion::Level, Locomotion::Banking][kind];
-        let vehicle = Vehicle { max_turn_rate: rate, min_speed: 0.3, low_speed: low, locomotion, ..Vehicle::default() };
+        let vehicle = Vehicle { max_turn_rate: Angle::from_radians(rate), min_speed: 0.3, low_speed: low, locomotion, ..Vehicle::default() };
         let mut motion = Motion::at_rest(Vec3::Z, Vec3::X);
         for push in pushes {
             let before = motion;
@@ -89,7 +90,7 @@ proptest! {
         pushes in prop::collection::vec(vector(9.0), 1..20), turn in 0.0f32..6.0, kind in 0usize..3,
     ) {
         let locomotion = [Locomotion::Ground, Locomotion::Level, Locomotion::Banking][kind];
-        let vehicle = Vehicle { low_speed: 0.2, smoothing: 0.1, max_turn_rate: 2.0, locomotion, ..Vehicle::default() };
+        let vehicle = Vehicle { low_speed: 0.2, smoothing: 0.1, max_turn_rate: Angle::from_radians(2.0), locomotion, ..Vehicle::default() };
         let by = glam::Quat::from_rotation_z(turn);
         let (mut plain, mut turned) = (Motion::default(), Motion::at_rest(Vec3::ZERO, by * Vec3::X));
         for push in pushes {
@@ -116,7 +117,7 @@ proptest! {
     #[test]
     fn an_agent_with_a_facing_may_walk_backwards(facing in vector(1.0), force in vector(2.0)) {
         prop_assume!(facing.truncate().length() > 0.1);
-        let vehicle = Vehicle { max_turn_rate: 3.0, ..Vehicle::default() };
+        let vehicle = Vehicle { max_turn_rate: Angle::from_radians(3.0), ..Vehicle::default() };
         let mut motion = Motion::default();
         for _ in 0..60 {
             vehicle.step(&mut motion, Steering { force, facing: Some(facing) }, 0.02);
@@ -215,7 +216,7 @@ fn vehicles_that_cannot_stop_come_back() {
     for (speed, rate) in [(0.5, f32::INFINITY), (1.5, f32::INFINITY), (1.5, 1.0)] {
         let radius = f32::max(speed / rate, speed * speed / 5.0);
         for seconds in RATES {
-            let vehicle = Vehicle { min_speed: speed, max_turn_rate: rate, ..Vehicle::default() };
+            let vehicle = Vehicle { min_speed: speed, max_turn_rate: Angle::from_radians(rate), ..Vehicle::default() };
             let mut motion = Motion::moving(Vec3::ZERO, Vec3::X * 1.8);
             let (mut nearest, mut farthest) = (f32::INFINITY, 0.0f32);
             for step in 0..(60.0 / seconds) as usize {

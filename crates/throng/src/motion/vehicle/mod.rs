@@ -20,11 +20,10 @@ pub(crate) use step_simd::{Attitudes, Motions, Stepping};
 use crate::Error;
 use crate::parameters::{Angle, Value, parameters};
 use glam::Vec3;
-use serde::{Deserialize, Serialize};
 
 /// How a vehicle's body is oriented.
 #[parameters]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Locomotion {
     /// On the ground, upright.
     ///
@@ -43,7 +42,7 @@ pub enum Locomotion {
 
 /// How motion is integrated in a step.
 #[parameters]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// First the velocity, then the position with the new velocity.
     ///
@@ -58,7 +57,7 @@ pub enum Integrator {
 
 /// The greatest force along each axis of a vehicle, newtons. Without a value, the axis has no limit of its own.
 #[parameters]
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// Forwards.
     #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
@@ -88,7 +87,7 @@ pub struct Forces {
 /// assert!(motion.velocity.distance(Vec3::Y) < 1e-3 && motion.basis.forward.y > 0.999);
 /// ```
 #[parameters(check = Self::check)]
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vehicle {
     /// Kilograms.
     #[parameter(default = 1.0, unit = "kg", above = 0)]
@@ -106,9 +105,9 @@ pub struct Vehicle {
     /// For example that of an aircraft. The vehicle circles targets within its tightest turn, and places where it would stop.
     #[parameter(default = 0.0, unit = "m/s")]
     pub min_speed: f32,
-    /// Greatest turn rate, degrees a second; in code radians. Without it, no limit.
-    #[parameter(name = "turn_rate", from = Angle, default = f32::INFINITY, infinite, unit = "°/s", above = 0)]
-    pub max_turn_rate: f32,
+    /// Greatest turn rate, degrees a second. Without it, no limit.
+    #[parameter(name = "turn_rate", default = Angle::from_radians(f32::INFINITY), infinite, unit = "°/s", above = 0)]
+    pub max_turn_rate: Angle,
     /// Part of the top speed below which its turning is limited: at rest it can only go straight ahead; 0 lets it turn on
     /// the spot.
     ///
@@ -167,7 +166,6 @@ impl Vehicle {
     /// [`Error::Limit`] names the parameter.
     pub fn check(&self) -> Result<(), Error> {
         self.check_limits()?;
-        Error::unless(self.max_turn_rate > 0.0, "turn_rate", self.max_turn_rate, "more than 0")?;
         let (least, most) = (self.min_speed, self.max_speed);
         Error::unless((0.0..=most).contains(&least), "min_speed", least, "from 0 to max_speed")
     }

@@ -59,13 +59,13 @@ impl Vehicle {
             None => return before,
         };
         let Some(to) = to.try_normalize() else { return before };
-        turned_towards(before, to, self.max_turn_rate * seconds, motion.basis.up)
+        turned_towards(before, to, self.max_turn_rate.radians() * seconds, motion.basis.up)
     }
 
     /// Returns the part of a velocity that the vehicle can have with this forward direction: the component along it,
     /// unless the vehicle may move in any direction.
     fn velocity(&self, chosen: Vec3, forward: Vec3, any_direction: bool) -> Vec3 {
-        let velocity = if any_direction || self.max_turn_rate.is_infinite() {
+        let velocity = if any_direction || self.max_turn_rate.radians().is_infinite() {
             chosen
         } else {
             forward * chosen.dot(forward).max(0.0)

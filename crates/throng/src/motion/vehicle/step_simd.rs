@@ -78,8 +78,9 @@ pub(crate) struct Stepping {
 impl Stepping {
     /// Returns the step of `seconds`, or `None` for vehicles with limits of turning or of forces along single axes.
     pub fn of(vehicle: &Vehicle, seconds: f32) -> Option<Self> {
-        let plain =
-            vehicle.low_speed == 0.0 && vehicle.max_turn_rate.is_infinite() && vehicle.forces == Forces::default();
+        let plain = vehicle.low_speed == 0.0
+            && vehicle.max_turn_rate.radians().is_infinite()
+            && vehicle.forces == Forces::default();
         plain.then(|| Self {
             vehicle: *vehicle,
             seconds,

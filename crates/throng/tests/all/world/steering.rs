@@ -5,6 +5,7 @@ use glam::{DVec2, Vec3};
 use std::sync::Arc;
 use throng::avoid::Orca;
 use throng::motion::{Locomotion, Motion, Vehicle};
+use throng::parameters::Angle;
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 use throng::{Agent, AgentId, Goal, Group, Journey, Settings, Stop, SubSteps, TraceRequest, World};
 use throng_steer::{Arrive, Flocking, Pursue, Seek, Wander, WeightedSum};
@@ -36,7 +37,8 @@ fn place(world: &World, id: AgentId) -> Vec3 {
 #[test]
 fn alone_it_moves_as_its_vehicle() {
     for locomotion in [Locomotion::Ground, Locomotion::Banking] {
-        let vehicle = Vehicle { locomotion, max_turn_rate: 2.0, smoothing: 0.2, ..Vehicle::default() };
+        let vehicle =
+            Vehicle { locomotion, max_turn_rate: Angle::from_radians(2.0), smoothing: 0.2, ..Vehicle::default() };
         let target = Vec3::new(-4.0, 7.0, if locomotion == Locomotion::Ground { 0.0 } else { 9.0 });
         let arrive = || Arrive::new(Target::Point(target));
         let mut world = world();
