@@ -165,9 +165,10 @@ a.toml:7:13: group `walkers`: speed is for agents that walk; the vehicle defines
         &steers("steer.wander = {}\nvehicle = { min_speed = 2, max_speed = 1 }"),
         Kind::OutOfRange,
         r"
-a.toml:7:11: group `walkers`: least speed is 2, but must be from 0 to the top speed
+a.toml:7:25: min_speed is 2, but must be from 0 to max_speed
   7 | vehicle = { min_speed = 2, max_speed = 1 }
-    |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^",
+    |                         ^
+  hint: `min_speed`: The least speed, m/s. Limit: 0 to `max_speed`. Default: 0.",
     );
 }
 
