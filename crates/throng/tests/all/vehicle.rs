@@ -193,7 +193,10 @@ fn mistakes_are_named() {
     let told = |vehicle: Vehicle| vehicle.check().expect_err("it is wrong").to_string();
     assert!(Vehicle::default().check().is_ok());
     assert!(told(Vehicle { mass: 0.0, ..Vehicle::default() }).contains("mass is 0"));
-    assert!(told(Vehicle { min_speed: 3.0, ..Vehicle::default() }).contains("min_speed is 3, but must be from 0 to max_speed"));
+    assert!(
+        told(Vehicle { min_speed: 3.0, ..Vehicle::default() })
+            .contains("min_speed is 3, but must be from 0 to max_speed")
+    );
     assert!(told(Vehicle { response: f32::NAN, ..Vehicle::default() }).contains("response"));
 }
 
