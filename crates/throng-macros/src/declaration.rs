@@ -2,7 +2,7 @@
 
 use crate::field::{Declared, Fields, first_paragraph, text};
 use proc_macro2::{Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, ItemEnum, ItemStruct, Token};
 
@@ -293,22 +293,18 @@ fn choice(mut item: ItemEnum) -> syn::Result<TokenStream> {
                     _ => syn::punctuated::Punctuated::new(),
                 };
                 let declared = Fields::of(named)?;
-                let constant = format_ident!("{}", key.to_uppercase());
                 let of = declared.parameters();
                 let title = format!("{title}{name}");
                 let described = quote!(::throng::parameters::Table {
                     name: #title,
                     about: #about,
                     parameters: {
-                        const #constant: &[::throng::parameters::Parameter] = #of;
-                        #constant
+                        const OF: &[::throng::parameters::Parameter] = #of;
+                        OF
                     },
                 });
                 parameters.push(Declared::table(&key, &about, &described));
-                let table = quote!({
-                    let table: ::throng::parameters::Table = #described;
-                    table.parameters
-                });
+                let table = quote!((#described).parameters);
                 let names: Vec<&Ident> = declared.0.iter().map(|field| &field.ident).collect();
                 let defaults = declared.0.iter().map(Declared::usual);
                 let read = declared.read_from(&inner, &quote!(parameters));

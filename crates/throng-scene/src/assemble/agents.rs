@@ -13,11 +13,18 @@ use throng::steer::BoxedBehaviour;
 
 /// Draws the values that differ between agents.
 pub(super) struct AgentDraw<'a> {
-    pub scene: &'a Scene,
-    pub group: usize,
+    scene: &'a Scene,
+    group: usize,
+    /// The greatest speed of the vehicle, if the agents steer.
+    vehicle_speed: Option<f32>,
 }
 
-impl AgentDraw<'_> {
+impl<'a> AgentDraw<'a> {
+    pub fn new(scene: &'a Scene, group: usize) -> Self {
+        let said = &scene.groups[group];
+        Self { scene, group, vehicle_speed: said.steer.as_ref().map(|_| vehicle(said).max_speed) }
+    }
+
     fn group(&self) -> &Group {
         &self.scene.groups[self.group]
     }
@@ -42,8 +49,7 @@ impl AgentDraw<'_> {
     /// Returns the preferred and the greatest speed of the k-th agent.
     fn speeds(&self, k: usize) -> (f32, f32) {
         let group = self.group();
-        if group.steer.is_some() {
-            let most = vehicle(group).max_speed;
+        if let Some(most) = self.vehicle_speed {
             return (most, most);
         }
         let preferred = self.number(k, Purpose::PreferredSpeed, &group.speed.preferred) as f32;

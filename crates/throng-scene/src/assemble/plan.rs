@@ -148,7 +148,7 @@ impl Scene {
         let mut notes = vec![];
         let walkable = ground::areas(self, &mut notes)?;
         let obstacles = ground::obstacles(self)?;
-        let draws: Vec<AgentDraw> = (0..self.groups.len()).map(|group| AgentDraw { scene: self, group }).collect();
+        let draws: Vec<AgentDraw> = (0..self.groups.len()).map(|group| AgentDraw::new(self, group)).collect();
         let sizes: Vec<Vec<Size>> =
             draws.iter().zip(&counts).map(|(draw, count)| (0..count.agents).map(|k| draw.size(k)).collect()).collect();
         let altitudes: Vec<Vec<f64>> = draws

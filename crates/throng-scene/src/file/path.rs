@@ -87,6 +87,12 @@ impl Problem {
         Self { path: path.clone(), is_key: false, kind, message: message.into(), hint: None }
     }
 
+    /// Returns the problem of a name that does not exist. Its hint is the names that exist, or `if_none`.
+    pub fn no_such(path: &Path, what: &str, name: &str, known: &[&str], if_none: impl FnOnce() -> String) -> Self {
+        let hint = if known.is_empty() { if_none() } else { format!("there is: {}", known.join(", ")) };
+        Self::new(path, Kind::UnknownKey, format!("there is no {what} `{name}`")).hint(hint)
+    }
+
     pub fn hint(mut self, hint: impl Into<Box<str>>) -> Self {
         self.hint = Some(hint.into());
         self

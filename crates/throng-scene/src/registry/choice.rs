@@ -72,16 +72,12 @@ impl<C> Choice<C> {
     /// Returns the choice of a type, with the parameters that differ from their defaults. Parameters that name a part of
     /// the scene are left out: add them by [`with`](Self::with).
     pub fn of<P: Parameters + Default>(chosen: &P) -> Self {
-        let (usual, mut given) = (table_of(&P::default()), table_of(chosen));
-        given.retain(|key, value| usual.get(key) != Some(value));
-        Self::new(P::NAME.to_owned(), Value::Table(given))
+        Self::new(P::NAME.to_owned(), differing(chosen))
     }
 
     /// Returns the choice with one more parameter, or another value of it. It has no effect on a list.
     pub fn with(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
-        if let Value::Table(table) = &mut self.parameters {
-            table.insert(key.into(), value.into());
-        }
+        insert(&mut self.parameters, key, value);
         self
     }
 
@@ -168,6 +164,20 @@ pub(super) fn table_of(parameters: &impl Parameters) -> Table {
     }
 }
 
+/// Returns the table of the parameters that differ from their defaults.
+pub(super) fn differing<P: Parameters + Default>(parameters: &P) -> Value {
+    let (usual, mut given) = (table_of(&P::default()), table_of(parameters));
+    given.retain(|key, value| usual.get(key) != Some(value));
+    Value::Table(given)
+}
+
+/// Adds a parameter to a table, or gives it another value.
+pub(super) fn insert(parameters: &mut Value, key: impl Into<String>, value: impl Into<Value>) {
+    if let Value::Table(table) = parameters {
+        table.insert(key.into(), value.into());
+    }
+}
+
 /// Returns a value as files write it.
 fn value_of(written: Written) -> Value {
     match written {
@@ -184,7 +194,7 @@ fn value_of(written: Written) -> Value {
 }
 
 /// Whether two values are the same: 2 is 2.0.
-fn is_same(a: &Value, b: &Value) -> bool {
+pub(super) fn is_same(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Integer(a), Value::Float(b)) | (Value::Float(b), Value::Integer(a)) => *a as f64 == *b,
         (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b)),
@@ -193,7 +203,7 @@ fn is_same(a: &Value, b: &Value) -> bool {
     }
 }
 
-pub(super) fn is_same_table(a: &Table, b: &Table) -> bool {
+fn is_same_table(a: &Table, b: &Table) -> bool {
     a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| is_same(a, b)))
 }
 

@@ -121,11 +121,7 @@ impl Given for FileGiven<'_> {
     fn one_of(&self, kind: &str, names: &[&str]) -> Result<usize, Problem> {
         let text: String = self.plain()?;
         names.iter().position(|known| *known == text).ok_or_else(|| {
-            let problem = Problem::new(&self.at, Kind::UnknownKey, format!("there is no {kind} `{text}`"));
-            match names {
-                [] => problem.hint(format!("there is none: add a {kind} with this name")),
-                names => problem.hint(format!("there is: {}", names.join(", "))),
-            }
+            Problem::no_such(&self.at, kind, &text, names, || format!("there is none: add a {kind} with this name"))
         })
     }
 

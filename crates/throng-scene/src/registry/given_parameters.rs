@@ -1,12 +1,11 @@
 //! The parameters of a type of the engine that a scene gives.
 
-use super::choice::{is_same_table, table_of};
+use super::choice::{differing, insert, is_same};
 use super::given::FileGiven;
-use super::schema::{of_table, schema_of};
+use super::schema::{of_table, schema_of, type_name};
 use crate::file::{Path, Problem};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::any::type_name;
 use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
@@ -32,16 +31,12 @@ impl<P: Parameters> GivenParameters<P> {
     where
         P: Default,
     {
-        let (usual, mut given) = (table_of(&P::default()), table_of(parameters));
-        given.retain(|key, value| usual.get(key) != Some(value));
-        Self(Value::Table(given), PhantomData)
+        Self(differing(parameters), PhantomData)
     }
 
     /// Returns the parameters with one more, or with another value of it.
     pub fn with(mut self, key: impl Into<String>, value: impl Into<Value>) -> Self {
-        if let Value::Table(table) = &mut self.0 {
-            table.insert(key.into(), value.into());
-        }
+        insert(&mut self.0, key, value);
         self
     }
 
@@ -70,7 +65,7 @@ impl<P> fmt::Debug for GivenParameters<P> {
 
 impl<P> PartialEq for GivenParameters<P> {
     fn eq(&self, other: &Self) -> bool {
-        matches!((&self.0, &other.0), (Value::Table(a), Value::Table(b)) if is_same_table(a, b))
+        is_same(&self.0, &other.0)
     }
 }
 
@@ -88,7 +83,7 @@ impl<'de, P> Deserialize<'de> for GivenParameters<P> {
 
 impl<P: Parameters> JsonSchema for GivenParameters<P> {
     fn schema_name() -> Cow<'static, str> {
-        type_name::<P>().rsplit("::").next().unwrap_or_default().into()
+        type_name::<P>().into()
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {

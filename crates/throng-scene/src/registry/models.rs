@@ -3,14 +3,13 @@
 use super::choice::{Catalogue, Choice, table_of};
 use super::entries::{Entries, Entry};
 use super::given::{FileGiven, Unmade, made_by_plugin};
-use super::schema::{definition, of_table, schema_of};
+use super::schema::{definition, of_table, schema_of, type_name};
 use crate::caught::named;
 use crate::file::{Path, Problem};
 use crate::scene::Neighbours;
 use glam::{Vec2, Vec3};
 use schemars::{Schema, SchemaGenerator};
 use serde_json::Value as Json;
-use std::any::type_name;
 use std::sync::Arc;
 use throng::Error;
 use throng::avoid::{AvoidanceBatch, AvoidanceInput, AvoidanceReason, LocalModel, Models as Register, Workspace};
@@ -182,12 +181,17 @@ fn read<M: LocalModel + Parameters + Default>(given: FileGiven<'_>) -> Result<(M
     model.check()?;
     let neighbours = match given.get(SIGHT[0]) {
         None => Neighbours::Nearest(NEIGHBOURS),
-        Some(count) if model.avoids() => Neighbours::Nearest(u32::read(&count, None)?),
-        Some(count) => count.plain()?,
+        Some(given) => {
+            let neighbours = match model.avoids() {
+                true => Neighbours::Nearest(u32::read(&given, None)?),
+                false => given.plain()?,
+            };
+            if let Neighbours::Nearest(count) = &neighbours {
+                given.check(&COUNT, count)?;
+            }
+            neighbours
+        }
     };
-    if let (Neighbours::Nearest(count), Some(given)) = (neighbours, given.get(SIGHT[0])) {
-        given.check(&COUNT, &count)?;
-    }
     let usual = shortest(model.neighbour_distance());
     let distance = given.parameter(&distance::<M>(), Some(usual))?;
     Ok((model, neighbours, distance))
@@ -195,8 +199,7 @@ fn read<M: LocalModel + Parameters + Default>(given: FileGiven<'_>) -> Result<(M
 
 /// Returns the schema of the parameters of a model and of its neighbour search.
 fn schema<M: LocalModel + Parameters + Default>(generator: &mut SchemaGenerator) -> Schema {
-    let name = type_name::<M>().rsplit("::").next().unwrap_or_default();
-    let schema = definition(name, M::ABOUT, generator, |generator| {
+    let schema = definition(type_name::<M>(), M::ABOUT, generator, |generator| {
         let sight = [COUNT, distance::<M>()];
         let mut table = of_table(M::ABOUT, M::PARAMETERS.iter().chain(&sight), generator);
         if !M::default().avoids() {

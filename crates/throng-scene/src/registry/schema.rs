@@ -17,6 +17,14 @@ pub(super) fn of_parameters<P: Parameters>(generator: &mut SchemaGenerator) -> S
     schema_of(json)
 }
 
+/// Returns the name of a type with parameters.
+pub(super) fn type_name<P: Parameters>() -> &'static str {
+    match P::KIND {
+        Kind::Table(table) | Kind::ListOrTable(_, table) => table().name,
+        _ => P::NAME,
+    }
+}
+
 /// Returns the schema of a table with these parameters.
 pub(super) fn of_table<'p>(
     about: &str,

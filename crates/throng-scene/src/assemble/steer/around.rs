@@ -100,9 +100,6 @@ impl<'a> Around<'a> {
 
 /// Returns the error for an unknown name.
 fn unknown(at: &Path, what: &str, name: &str, known: &[&str]) -> Problem {
-    let problem = Problem::new(at, Kind::UnknownKey, format!("there is no {what} `{name}`"));
-    match known {
-        [] => problem.hint(format!("add one with this name: [[{}]]", what.split(' ').next().unwrap_or(what))),
-        known => problem.hint(format!("there is: {}", known.join(", "))),
-    }
+    let list = what.split(' ').next().unwrap_or(what);
+    Problem::no_such(at, what, name, known, || format!("add one with this name: [[{list}]]"))
 }

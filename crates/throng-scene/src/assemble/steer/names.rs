@@ -104,8 +104,7 @@ impl BehaviourContext<'_> {
     fn named(&self, name: &str, at: &Path) -> Result<(usize, &Range<u32>), Problem> {
         self.cast.find(name).map_err(|_| {
             let names: Vec<&str> = self.cast.named.iter().map(|(name, _)| *name).collect();
-            let message = format!("there is no group `{name}`");
-            Problem::new(at, Kind::UnknownKey, message).hint(format!("there is: {}", names.join(", ")))
+            Problem::no_such(at, "group", name, &names, || "add one with this name: [[group]]".to_owned())
         })
     }
 }

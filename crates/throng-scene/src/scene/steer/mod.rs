@@ -1,4 +1,4 @@
-//! What steering names in scene files: targets, agents that count, obstacles and places.
+//! What steering names in scene files: places, obstacles, targets, and agents that count.
 //!
 //! The behaviours are those of [`throng_steer`]: their types declare the keys of their tables. Angles are degrees, places are
 //! world coordinates, agents and groups are referred to by group names.
@@ -18,4 +18,4 @@ mod target;
 
 pub use obstacles::ObstacleNames;
 pub use position::Position;
-pub use target::{GroupFilter, Member, Target};
+pub(crate) use target::{GroupFilter, Member, Target};

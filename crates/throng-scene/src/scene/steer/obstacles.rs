@@ -16,12 +16,6 @@ impl ObstacleNames {
     pub const OBSTACLES: &str = "obstacles";
 }
 
-impl Default for ObstacleNames {
-    fn default() -> Self {
-        Self(vec![Self::EVERYTHING.to_owned()])
-    }
-}
-
 impl Serialize for ObstacleNames {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match &self.0[..] {

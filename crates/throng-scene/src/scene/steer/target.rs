@@ -3,16 +3,15 @@
 use super::Position;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use serde::{Deserialize, Deserializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
 /// The agents that a behaviour takes into account. In files `all`, `own`, `others`, or the name of a group or a
 /// mover.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum GroupFilter {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum GroupFilter {
     /// All agents.
-    #[default]
     All,
     /// The agents of the agent's own group.
     Own,
@@ -25,7 +24,7 @@ pub enum GroupFilter {
 /// The target of a behaviour. In files `[x, y]` or `[x, y, z]`, `"goal"`, `{ group = "wolves", agent = 0 }`, or
 /// `{ nearest = "others" }`.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Target {
+pub(crate) enum Target {
     /// A place.
     At(Position),
     /// The next goal of the agent's journey.
@@ -37,25 +36,14 @@ pub enum Target {
 }
 
 /// An agent of a group, or a mover.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Member {
+pub(crate) struct Member {
     /// Name of the group, or of the mover.
     pub group: String,
     /// The position of the agent in the group, from 0.
     #[serde(default)]
     pub agent: u64,
-}
-
-impl Serialize for GroupFilter {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(match self {
-            Self::All => "all",
-            Self::Own => "own",
-            Self::Others => "others",
-            Self::Group(name) => name,
-        })
-    }
 }
 
 impl<'de> Deserialize<'de> for GroupFilter {
@@ -84,28 +72,12 @@ impl JsonSchema for GroupFilter {
 }
 
 /// The table of a target.
-#[derive(Serialize, Deserialize, JsonSchema)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TargetTable {
-    #[serde(skip_serializing_if = "Option::is_none")]
     group: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     agent: Option<u64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     nearest: Option<GroupFilter>,
-}
-
-impl Serialize for Target {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::At(place) => place.serialize(serializer),
-            Self::Goal => serializer.serialize_str("goal"),
-            Self::Agent(member) => member.serialize(serializer),
-            Self::Nearest(groups) => {
-                TargetTable { group: None, agent: None, nearest: Some(groups.clone()) }.serialize(serializer)
-            }
-        }
-    }
 }
 
 impl<'de> Deserialize<'de> for Target {
