@@ -5,6 +5,7 @@
 use glam::DVec2;
 use std::sync::Arc;
 use throng::avoid::Orca;
+use throng::motion::Holonomic;
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, SubSteps, Summary, World};
 
 fn ring(count: usize, radius: f64, step: f64, sub_steps: SubSteps, horizon: f32) -> Result<Summary, throng::Error> {
@@ -21,8 +22,8 @@ fn ring(count: usize, radius: f64, step: f64, sub_steps: SubSteps, horizon: f32)
             group,
             journey,
             preferred_speed: 1.5,
-            max_speed: 1.5,
             radius: 0.2,
+            motor: Holonomic { max_speed: 1.5, ..Holonomic::default() }.into(),
             ..Agent::default()
         };
         world.add_agent(agent)?;

@@ -28,14 +28,15 @@ fn time(solid: Barriers, count: u32) -> Result<f64, throng::Error> {
     let settings = Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
     let mut world = World::new(settings)?;
     let vehicle = Vehicle { max_speed: 2.0, locomotion: Locomotion::Level, ..Vehicle::default() };
-    let group = Group { solid, neighbours: 1, neighbour_distance: 0.1, ..Group::vehicles(Wander::default(), vehicle) };
+    let group = Group { solid, neighbours: 1, neighbour_distance: 0.1, ..Group::steered(Wander::default()) };
     let group = world.add_group(group)?;
     let side = f64::from(count).cbrt().ceil();
     for k in 0..count {
         let k = f64::from(k);
         let grid = [k % side, (k / side).floor() % side, (k / side / side).floor()].map(|i| i / side * SIZE);
         let position = DVec2::new(grid[0], grid[1]) - 0.5 * SIZE;
-        world.add_agent(Agent { position: position.extend(1.0 + grid[2]), group, radius: 0.01, ..Agent::default() })?;
+        let agent = Agent { position: position.extend(1.0 + grid[2]), group, radius: 0.01, ..Agent::default() };
+        world.add_agent(agent.motor(vehicle))?;
     }
     (0..30).for_each(|_| world.step());
     let steps = (0..60).map(|_| {

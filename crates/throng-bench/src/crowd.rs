@@ -3,6 +3,7 @@
 use glam::DVec2;
 use std::sync::Arc;
 use throng::avoid::Orca;
+use throng::motion::Holonomic;
 use throng::{
     Agent, Error, Goal, GoalId, Group, Journey, JourneyId, Obstacle, Settings, Stop, SubSteps, Walkable, World,
 };
@@ -118,8 +119,7 @@ impl Crowd {
                 journey: person.way.map_or(JourneyId::STAY, |way| ways[way]),
                 radius: self.radius as f32,
                 preferred_speed: person.preferred_speed as f32,
-                max_speed: Self::MAX_SPEED as f32,
-                max_acceleration,
+                motor: Holonomic { max_speed: Self::MAX_SPEED as f32, max_acceleration, ..Holonomic::default() }.into(),
                 ..Agent::default()
             })?;
         }

@@ -64,7 +64,7 @@ impl Flock {
             neighbours: Group::ALL_NEIGHBOURS,
             neighbour_distance: Self::NEIGHBOUR_DISTANCE as f32,
             guard,
-            ..Group::vehicles(Flocking::default(), vehicle)
+            ..Group::steered(Flocking::default())
         })?;
         world.reserve(self.birds.len());
         for &Bird { position, heading } in &self.birds {
@@ -75,8 +75,7 @@ impl Flock {
                 group,
                 radius: Self::RADIUS as f32,
                 preferred_speed: Self::MAX_SPEED as f32,
-                max_speed: Self::MAX_SPEED as f32,
-                max_acceleration: f32::INFINITY,
+                motor: vehicle.into(),
                 ..Agent::default()
             })?;
         }

@@ -45,7 +45,7 @@ impl Insects {
         let distance = if self.apart { Self::APART as f32 } else { 0.0 };
         let swarm = Swarm { apart: SwarmSpacing { distance, speed: 1.0 }, ..Swarm::default() }.with(aggregate);
         let vehicle = midge();
-        let group = world.add_group(Group { guard, ..swarm.group(vehicle) })?;
+        let group = world.add_group(Group { guard, ..swarm.group() })?;
         world.reserve(self.places.len());
         for &place in &self.places {
             world.add_agent(Agent {
@@ -53,8 +53,7 @@ impl Insects {
                 group,
                 radius: Self::RADIUS as f32,
                 preferred_speed: vehicle.max_speed,
-                max_speed: vehicle.max_speed,
-                max_acceleration: f32::INFINITY,
+                motor: vehicle.into(),
                 ..Agent::default()
             })?;
         }

@@ -4,7 +4,8 @@ use crate::mixed::{PEDESTRIAN, flock_in_scene, mix};
 use crate::place::{bricks, sort, uniform};
 use crate::{Crowd, Dice, Flock, Insects, Person, building, city, floor};
 use glam::DVec2;
-use throng::{Agent, Error, Group, World};
+use throng::motion::Holonomic;
+use throng::{Error, Group, World};
 
 /// A crowd on which speed is measured, of any size.
 pub struct Work {
@@ -183,14 +184,14 @@ impl Work {
     pub fn world(&self, count: usize, guard: bool) -> Result<World, Error> {
         match self.kind {
             Kind::Crowd { crowd, interaction: true } => {
-                crowd(count).world(Group { guard, ..Crowd::interaction() }, Agent::default().max_acceleration)
+                crowd(count).world(Group { guard, ..Crowd::interaction() }, Holonomic::default().max_acceleration)
             }
             Kind::Crowd { crowd, interaction: false } => {
                 crowd(count).world(Group { guard, ..Crowd::bare() }, f32::INFINITY)
             }
             Kind::Mixed(crowd) => {
                 let group = Group { guard, ..Crowd::interaction() };
-                let mut world = crowd(count).world(group, Agent::default().max_acceleration)?;
+                let mut world = crowd(count).world(group, Holonomic::default().max_acceleration)?;
                 mix(&mut world)?;
                 Ok(world)
             }

@@ -57,14 +57,7 @@ fn world() -> Result<World, Error> {
 }
 
 fn agent(at: DVec3, group: GroupId, vehicle: &Vehicle) -> Agent {
-    Agent {
-        position: at,
-        group,
-        preferred_speed: vehicle.max_speed,
-        max_speed: vehicle.max_speed,
-        max_acceleration: f32::INFINITY,
-        ..Agent::default()
-    }
+    Agent { position: at, group, preferred_speed: vehicle.max_speed, motor: (*vehicle).into(), ..Agent::default() }
 }
 
 /// Returns a flock of birds that stays around a point 60 m high.
@@ -74,8 +67,7 @@ fn flock(count: u32) -> Result<World, Error> {
     let home = Seek { target: Target::Point(Vec3::new(0.0, 0.0, 60.0)) };
     let steering =
         WeightedSum(vec![(1.0, Flocking::default().into()), (0.3, Wander::default().into()), (0.1, home.into())]);
-    let group =
-        Group { name: "birds".into(), neighbour_distance: 9.0, neighbours: 20, ..Group::vehicles(steering, vehicle) };
+    let group = Group { name: "birds".into(), neighbour_distance: 9.0, neighbours: 20, ..Group::steered(steering) };
     let group = world.add_group(group)?;
     for k in 0..count {
         let at = DVec3::new(f64::from(k % 7), f64::from(k / 7 % 5), 20.0 + f64::from(k / 35)) * 2.0;
@@ -93,7 +85,7 @@ fn towers() -> Result<World, Error> {
         let home = Seek { target: Target::Point(middle) };
         let steering =
             WeightedSum(vec![(1.0, Flocking::default().into()), (0.4, Wander::default().into()), (0.3, home.into())]);
-        let group = Group { name: name.into(), neighbour_distance: 6.0, ..Group::vehicles(steering, vehicle) };
+        let group = Group { name: name.into(), neighbour_distance: 6.0, ..Group::steered(steering) };
         let group = world.add_group(group)?;
         for n in 0..60 {
             let offset = DVec3::new(f64::from(n % 5), f64::from(n / 5 % 4), f64::from(n / 20)) * 1.4;
@@ -121,8 +113,8 @@ fn chase() -> Result<World, Error> {
         ])
     };
     for k in 0..6u32 {
-        let quarry = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(roam(2 * k + 1), slow) };
-        let pursuer = Group::vehicles(Pursue::new(Target::Agent(2 * k)), fast);
+        let quarry = Group { model: Arc::new(Orca::default()), guard: true, ..Group::steered(roam(2 * k + 1)) };
+        let pursuer = Group::steered(Pursue::new(Target::Agent(2 * k)));
         let pursuer = Group { model: Arc::new(Orca::default()), guard: true, ..pursuer };
         for (n, (group, vehicle)) in [(quarry, slow), (pursuer, fast)].into_iter().enumerate() {
             let name = ["quarry", "pursuers"][n];

@@ -1,8 +1,8 @@
 //! The setting and the frames of a world.
 
 use crate::{Body, Flow, Frame, Setting};
-use throng::motion::Locomotion;
-use throng::{Group, World};
+use throng::World;
+use throng::motion::Vehicle;
 
 impl Setting {
     /// Returns the place, the groups with the fields that govern them, and the goals of a world as they are now. The
@@ -59,7 +59,7 @@ impl Frame {
             velocity: agents.velocity[row],
             vertical_velocity: agents.vertical_velocity[row],
             heading: agents.heading[row],
-            basis: flies(&world.groups()[agents.group[row].index()]).then(|| agents.attitude[row].basis),
+            basis: agents.vehicle[row].is_some_and(Vehicle::flies).then(|| agents.attitude[row].basis),
             radius: agents.radius[row],
             core: agents.core[row],
             preferred_speed: agents.preferred_speed[row],
@@ -87,11 +87,6 @@ fn places(numbers: &[u32]) -> Vec<u32> {
         places[row as u32 as usize] = place;
     }
     places
-}
-
-/// Whether the agents of a group fly as vehicles.
-fn flies(group: &Group) -> bool {
-    group.steering.is_some() && group.vehicle.locomotion != Locomotion::Ground
 }
 
 #[cfg(test)]

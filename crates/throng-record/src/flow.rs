@@ -35,10 +35,10 @@ impl Flow {
         Self { field, anchors: Vec::new(), groups: Vec::new(), still: false }
     }
 
-    /// Returns the fields that govern the groups of a world ([`Group::field`]), each once.
+    /// Returns the fields that govern the groups of a world ([`Guidance::field`](throng::agent::Guidance::field)), each once.
     pub fn all(world: &World) -> Vec<Self> {
         let mut flows: Vec<Self> = Vec::new();
-        let governed = |(index, group): (u32, &Group)| Some((index, group.field.as_ref()?.field.clone()));
+        let governed = |(index, group): (u32, &Group)| Some((index, group.guidance.field.as_ref()?.field.clone()));
         for (group, field) in (0..).zip(world.groups()).filter_map(governed) {
             match flows.iter_mut().find(|flow| Arc::ptr_eq(&flow.field, &field)) {
                 Some(flow) => flow.groups.push(group),

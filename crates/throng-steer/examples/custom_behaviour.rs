@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout)]
 
 use glam::Vec3;
+use throng::agent::Guidance;
 use throng::motion::Steering;
 use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
 use throng::{Agent, Group, Settings, World};
@@ -29,7 +30,7 @@ fn main() -> Result<(), throng::Error> {
     let mut world = World::new(Settings { step: 0.05, ..Settings::default() })?;
     let circle = Circle { around: Target::Point(Vec3::ZERO), distance: 4.0 };
     let behaviour = Priority { epsilon: 0.0, parts: vec![circle.into(), Wander::default().into()] };
-    let group = world.add_group(Group { steering: Some(behaviour.into()), ..Group::default() })?;
+    let group = world.add_group(Group { guidance: Guidance::behaviour(behaviour), ..Group::default() })?;
     let id = world.add_agent(Agent::at([8.0, 0.0]).group(group))?;
     for _ in 0..1200 {
         world.step();

@@ -42,7 +42,6 @@ pub use prediction::Prediction;
 pub use single::*;
 
 use throng::Error;
-use throng::motion::Vehicle;
 use throng::parameters::Parameters;
 use throng::steer::BoxedBehaviour;
 
@@ -67,8 +66,8 @@ pub trait ForGroup: Parameters {
 /// What a behaviour can depend on when it is made for a group.
 #[derive(Clone, Copy, Debug)]
 pub struct GroupFacts {
-    /// The vehicle of the agents.
-    pub vehicle: Vehicle,
+    /// The maximum speed of the slowest agent, m/s.
+    pub max_speed: f32,
     /// The number of agents.
     pub agents: usize,
 }

@@ -24,7 +24,7 @@
 //! | make a world | [`new`](World::new), [`set_simd_level`](World::set_simd_level), [`reserve`](World::reserve) |
 //! | add what shapes the place | [`set_walkable`](World::set_walkable), [`add_obstacle`](World::add_obstacle), [`add_obstacles`](World::add_obstacles), [`set_obstacle`](World::set_obstacle), [`move_obstacle`](World::move_obstacle), [`remove_obstacle`](World::remove_obstacle) |
 //! | add agents | [`add_agent`](World::add_agent), [`schedule_agent`](World::schedule_agent), [`remove_agent`](World::remove_agent), [`replace`](World::replace), [`is_free`](World::is_free), [`no_room`](World::no_room) |
-//! | say what groups do | [`add_group`](World::add_group), [`set_group`](World::set_group), [`set_field`](World::set_field), [`set_rules`](World::set_rules), [`notify`](World::notify) |
+//! | say what groups do | [`add_group`](World::add_group), [`set_group`](World::set_group), [`set_guidance`](World::set_guidance), [`set_rules`](World::set_rules), [`notify`](World::notify) |
 //! | send agents | [`set_goal`](World::set_goal), [`set_journey`](World::set_journey), [`add_goal`](World::add_goal), [`add_journey`](World::add_journey), [`add_choice`](World::add_choice), [`add_script`](World::add_script), [`face_ways`](World::face_ways) |
 //! | decide for an agent | [`set_preferred_velocity`](World::set_preferred_velocity), [`set_position`](World::set_position), [`set_velocity`](World::set_velocity), [`set_user_data`](World::set_user_data), [`adjust`](World::adjust) |
 //! | go on | [`step`](World::step), [`step_in_stages`](World::step_in_stages), [`finished`](World::finished), [`time`](World::time), [`steps`](World::steps) |

@@ -369,7 +369,8 @@ mod tests {
                     agent.journey = gathering;
                 }
                 if crowd.mixed && at % 7 == 0 {
-                    (agent.group, agent.radius, agent.max_speed) = (other, 0.25, 1.5);
+                    (agent.group, agent.radius) = (other, 0.25);
+                    agent.motor.set_max_speed(1.5);
                 }
                 if crowd.odd && at == 69 {
                     agent.group = odd;

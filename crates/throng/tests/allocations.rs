@@ -80,14 +80,14 @@ fn a_step_of_a_swarm_allocates_nothing() {
                 let settings = Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
                 let mut world = World::new(settings).unwrap();
                 world.set_simd_level(instructions);
-                let group = world.add_group(swarm.clone().group(midge())).unwrap();
+                let group = world.add_group(swarm.clone().group()).unwrap();
                 for k in 0..COUNT {
                     let position = glam::DVec2::new(0.1 * f64::from(k % 50), 0.1 * f64::from(k / 50));
                     let midge = Agent {
                         position: position.extend(2.0),
                         radius: 0.005,
-                        max_speed: 2.0,
                         group,
+                        motor: midge().into(),
                         ..Agent::default()
                     };
                     world.add_agent(midge).unwrap();

@@ -3,6 +3,7 @@
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::avoid::{Hrvo, LocalModel, Orca, Rvo, Vo};
+use throng::motion::Holonomic;
 use throng::{Agent, Explanation, Goal, Group, Journey, Obstacle, Settings, Stop, World};
 use throng_draw::{Color, Error, Figure, Style, Theme};
 use throng_record::{Frame, Setting};
@@ -149,7 +150,11 @@ fn figures_are_the_same_every_time_and_have_no_broken_numbers() {
 #[test]
 fn any_size_and_any_agent_is_drawn() {
     let mut still = World::new(Settings::default()).unwrap();
-    let rest = Agent { preferred_speed: 0.0, max_speed: 0.0, ..Agent::default() };
+    let rest = Agent {
+        preferred_speed: 0.0,
+        motor: Holonomic { max_speed: 0.0, ..Holonomic::default() }.into(),
+        ..Agent::default()
+    };
     still.add_agent(rest).unwrap();
     for world in [still, meeting(Arc::new(Orca::default()), 2)] {
         for (width, height) in [(16, 16), (2000, 16), (16, 2000), (300, 200), (3000, 1500)] {

@@ -2,8 +2,6 @@
 
 use super::common::elements;
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use std::sync::Arc;
-use throng::avoid::NoAvoidance;
 use throng::motion::{Basis, Locomotion, Vehicle};
 use throng::steer::Target;
 use throng::{Agent, Goal, Group, Obstacle, Settings, World};
@@ -219,15 +217,12 @@ fn invalid_numbers_and_any_viewpoint_do_not_panic() {
 #[test]
 fn frames_hold_the_bases_of_flying_vehicles() {
     let mut world = World::new(Settings::default()).unwrap();
-    let group = |locomotion| {
-        let seek = Seek { target: Target::Point(Vec3::new(9.0, 9.0, 20.0)) };
-        let vehicle = Vehicle { locomotion, ..Vehicle::default() };
-        Group { model: Arc::new(NoAvoidance), steering: Some(seek.into()), vehicle, ..Group::default() }
-    };
+    let seek = Seek { target: Target::Point(Vec3::new(9.0, 9.0, 20.0)) };
+    let group = world.add_group(Group { guard: true, ..Group::steered(seek) }).unwrap();
     for (k, locomotion) in [Locomotion::Banking, Locomotion::Ground].into_iter().enumerate() {
-        let group = world.add_group(group(locomotion)).unwrap();
+        let vehicle = Vehicle { locomotion, ..Vehicle::default() };
         let position = DVec3::new(0.0, 4.0 * k as f64, if k == 0 { 8.0 } else { 0.0 });
-        world.add_agent(Agent { position, group, ..Agent::default() }).unwrap();
+        world.add_agent(Agent { position, group, ..Agent::default() }.motor(vehicle)).unwrap();
     }
     (0..60).for_each(|_| world.step());
     let bodies = Frame::of(&world).bodies;

@@ -4,6 +4,7 @@ use crate::draw::Draw;
 use crate::results::Results;
 use glam::{DVec2, DVec3, Quat, Vec2, Vec2Swizzles, Vec3};
 use std::sync::Arc;
+use throng::agent::Guidance;
 use throng::field::{Adaptive, Field, Governed, Interaction};
 use throng::space::surface::{Capsule, Cuboid, Moved, Pose, Sphere, Surface};
 use throng::space::{Place, Walls};
@@ -526,7 +527,9 @@ fn crowds(results: &mut Results) {
     let jams = Governed::new(RoundJams { interval: 0.35, ..RoundJams::new(flow) }, 0.9);
     let mut groups = vec![star];
     for field in [led, jams, Governed::new(Uniform(Vec3::new(-1.0, 0.1, 0.0)), 0.45)] {
-        groups.push(world.add_group(Group { origin, field: Some(field), ..Group::default() }).unwrap());
+        groups.push(
+            world.add_group(Group { origin, guidance: Guidance::JOURNEY.governed(field), ..Group::default() }).unwrap(),
+        );
     }
     let stops = [DVec2::new(6.0, 0.5), DVec2::new(-5.0, -5.0)].map(|at| {
         let goal = world.add_goal(Goal::Point { at: origin + at, tolerance: 0.3 }).unwrap();
@@ -661,7 +664,7 @@ fn refused(results: &mut Results) {
             Governed { around: vec![Interaction { reach: single, ..about }], ..Governed::new(drift, 1.0) },
         ] {
             let mut world = World::new(Settings::default()).unwrap();
-            add(world.add_group(Group { field: Some(field), ..Group::default() }).map(drop));
+            add(world.add_group(Group { guidance: Guidance::JOURNEY.governed(field), ..Group::default() }).map(drop));
         }
     }
     let many = DVec2::splat(100.0);

@@ -1,28 +1,30 @@
 //! The bodies and speeds of each agent.
 
+use super::motor::vehicle;
 use super::size::Size;
-use super::steer::{vehicle, wrap_around};
+use super::steer::wrap_around;
 use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
 use crate::registry::ChosenModel;
-use crate::scene::{Group, Neighbours, Number, Preset, Scene};
+use crate::scene::{self, Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
 use throng::Agent;
-use throng::field::Governed;
-use throng::steer::BoxedBehaviour;
+use throng::agent::Guidance;
+use throng::motion::{Holonomic, Motor, TwoWheels, Vehicle};
 
 /// Draws the values that differ between agents.
 pub(super) struct AgentDraw<'a> {
     scene: &'a Scene,
     group: usize,
-    /// The greatest speed of the vehicle, if the agents steer.
-    vehicle_speed: Option<f32>,
+    /// The vehicle, if it is the motor.
+    vehicle: Option<Vehicle>,
 }
 
 impl<'a> AgentDraw<'a> {
     pub fn new(scene: &'a Scene, group: usize) -> Self {
-        let said = &scene.groups[group];
-        Self { scene, group, vehicle_speed: said.steer.as_ref().map(|_| vehicle(said).max_speed) }
+        let given = &scene.groups[group];
+        let vehicle = (given.moved_by() == scene::Motor::Vehicle).then(|| vehicle(given));
+        Self { scene, group, vehicle }
     }
 
     fn group(&self) -> &Group {
@@ -49,24 +51,42 @@ impl<'a> AgentDraw<'a> {
     /// Returns the preferred and the greatest speed of the k-th agent.
     fn speeds(&self, k: usize) -> (f32, f32) {
         let group = self.group();
-        if let Some(most) = self.vehicle_speed {
-            return (most, most);
+        if let Some(vehicle) = self.vehicle {
+            return (vehicle.max_speed, vehicle.max_speed);
         }
         let preferred = self.number(k, Purpose::PreferredSpeed, &group.speed.preferred) as f32;
         let max = match &group.speed.max {
             Some(max) => self.number(k, Purpose::MaxSpeed, max) as f32,
-            None => Agent::default().max_speed.max(preferred),
+            None => Holonomic::default().max_speed.max(preferred),
         };
         (preferred, max)
+    }
+
+    /// Returns the motor of the k-th agent.
+    fn motor(&self, k: usize, max_speed: f32) -> Motor {
+        if let Some(vehicle) = self.vehicle {
+            return vehicle.into();
+        }
+        let (group, standard) = (self.group(), Holonomic::default());
+        let drawn = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let max_acceleration = drawn(Purpose::Acceleration, &group.acceleration).unwrap_or(standard.max_acceleration);
+        let max_turn_rate = drawn(Purpose::TurnRate, &group.turn_rate).map_or(standard.max_turn_rate, f32::to_radians);
+        let tracking_error = match group.moved_by() {
+            scene::Motor::Holonomic => 0.0,
+            _ => drawn(Purpose::TrackingError, &group.tracking_error).unwrap_or(TwoWheels::default().tracking_error),
+        };
+        if tracking_error > 0.0 {
+            TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error }.into()
+        } else {
+            Holonomic { max_speed, max_acceleration, max_turn_rate }.into()
+        }
     }
 
     /// Returns the k-th agent, without its place, body, ids and number.
     pub fn agent(&self, k: usize) -> Agent {
         let group = self.group();
         let (preferred, max) = self.speeds(k);
-        let (standard, steers) = (Agent::default(), group.steer.is_some());
-        // vehicles have limits of their own
-        let max_acceleration = if steers { f32::INFINITY } else { standard.max_acceleration };
+        let standard = Agent::default();
         let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
         let heading = optional(Purpose::Heading, &group.heading).map(f32::to_radians);
         let start_speed = optional(Purpose::StartSpeed, &group.start_speed).unwrap_or(0.0);
@@ -79,12 +99,8 @@ impl<'a> AgentDraw<'a> {
             heading,
             velocity: ahead * start_speed,
             preferred_speed: preferred.min(max),
-            max_speed: max,
-            max_acceleration: optional(Purpose::Acceleration, &group.acceleration).unwrap_or(max_acceleration),
-            max_turn_rate: optional(Purpose::TurnRate, &group.turn_rate)
-                .map_or(standard.max_turn_rate, f32::to_radians),
+            motor: self.motor(k, max),
             time_gap: optional(Purpose::TimeGap, &group.time_gap).unwrap_or(standard.time_gap),
-            tracking_error: optional(Purpose::TrackingError, &group.tracking_error).unwrap_or(0.0),
             priority: group.priority as f32,
             governed: group
                 .field
@@ -108,9 +124,10 @@ pub(super) fn shared(
     group: &Group,
     name: String,
     ChosenModel { model, neighbours, neighbour_distance }: ChosenModel,
-    (steering, field): (Option<BoxedBehaviour>, Option<Governed>),
+    guidance: Guidance,
     origin: DVec2,
 ) -> throng::Group {
+    let steering = &guidance.behaviour;
     let walks = steering.is_none();
     let neighbours = match neighbours {
         Neighbours::Nearest(count) => count as usize,
@@ -144,9 +161,7 @@ pub(super) fn shared(
         relaxation_time: group.relaxation_time.map_or(usual.relaxation_time, |seconds| seconds as f32),
         keep_right: group.keep_right.map_or(side, |degrees| degrees.to_radians() as f32),
         resolve: group.resolve.unwrap_or(walks),
-        field,
-        steering,
-        vehicle: vehicle(group),
+        guidance,
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
         ..usual
     }

@@ -1,6 +1,7 @@
 //! Checks that all numbers of a scene are within their limits.
 
 use super::limits::{Limit, check, check_number, check_point, check_some, check_spot};
+use super::motor::check_motor;
 use super::steer::check_steering;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
@@ -114,6 +115,7 @@ fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
         ("tracking_error", group.tracking_error.as_ref(), Limit::Between(0.0, 10.0)),
         ("altitude", group.altitude.as_ref(), Limit::Between(0.0, super::limits::HIGHEST)),
         ("heading", group.heading.as_ref(), Limit::Finite),
+        ("start_speed", group.start_speed.as_ref(), Limit::Between(0.0, 1000.0)),
         ("field.ratio", group.field.as_ref().and_then(|field| field.ratio.as_ref()), Limit::Between(0.0, 1.0)),
     ];
     check_body(&path.key("body"), &group.body)?;
@@ -137,10 +139,12 @@ fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
         };
         return Err(Problem::new(&path.key("altitude"), Kind::Conflict, message).hint("leave out `altitude`"));
     }
-    if group.turn_rate.is_none() && group.tracking_error.as_ref().is_some_and(|error| error.bounds()[1] > 0.0) {
-        let message = "tracking_error is for bodies that turn slowly, but there is no turn_rate";
-        return Err(Problem::new(&path.key("tracking_error"), Kind::MissingKey, message)
-            .hint("add `turn_rate = 180`, degrees a second, or leave out `tracking_error`"));
+    check_motor(path, group)?;
+    if group.start_speed.is_some() && group.heading.is_none() {
+        let message = "start_speed without a heading";
+        return Err(
+            Problem::new(&path.key("start_speed"), Kind::Conflict, message).hint("add their direction: heading = 90")
+        );
     }
     check(&path.key("priority"), group.priority, Limit::Finite)?;
     check_some(&path.key("shoulders"), group.shoulders, Limit::Between(0.0, 10.0))?;

@@ -9,6 +9,7 @@ mod flow;
 mod goals;
 mod ground;
 mod limits;
+mod motor;
 mod movers;
 mod place;
 mod plan;

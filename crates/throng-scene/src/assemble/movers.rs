@@ -10,6 +10,7 @@ use crate::geometry::DVec2;
 use crate::scene::{Mover, Scene};
 use std::sync::Arc;
 use throng::avoid::NoAvoidance;
+use throng::motion::Holonomic;
 use throng::{Agent, Keyframe, Script};
 
 /// Default ratio of a mover's greatest speed and turn rate to what its script needs, so that it can catch up.
@@ -66,8 +67,12 @@ pub(super) fn add(scene: &Scene, agents: &mut Vec<PlannedAgent>) -> Vec<Script> 
             position: start.at.extend(0.0),
             heading: Some(heading),
             preferred_speed: 0.0,
-            max_speed: mover.max_speed.unwrap_or(CATCH_UP * speed.max(LEAST)).min(1e3) as f32,
-            max_turn_rate: mover.turn_rate.map_or(CATCH_UP * turn_rate.max(LEAST), f64::to_radians) as f32,
+            motor: Holonomic {
+                max_speed: mover.max_speed.unwrap_or(CATCH_UP * speed.max(LEAST)).min(1e3) as f32,
+                max_turn_rate: mover.turn_rate.map_or(CATCH_UP * turn_rate.max(LEAST), f64::to_radians) as f32,
+                ..Holonomic::default()
+            }
+            .into(),
             layers: mover.layers.iter().fold(0u32, |bits, layer| bits | 1 << u32::from(*layer).min(31)),
             avoids: 0,
             number: Some(agents.len() as u32),

@@ -19,6 +19,7 @@ use crate::scene::{Group, Mover, Scene, SceneNames};
 use std::cell::{OnceCell, RefCell};
 use std::fmt;
 use std::sync::Arc;
+use throng::agent::Guidance;
 use throng::field::Field;
 use throng::space::surface::{Barrier, Surface};
 use throng::space::{Pathway, Place};
@@ -248,10 +249,10 @@ impl Scene {
         let one = |(i, group): (usize, &Group)| {
             let making = BehaviourContext { scene: self, cast, figures, around, flows, group: i };
             let field = flows.governed(i, |name| cast.find(name).ok().map(|(position, _)| in_world(position)))?;
-            let (steering, solid) = (making.steering()?, making.solid()?);
+            let (behaviour, solid) = (making.steering()?, making.solid()?);
             let name = cast.named[i].0.to_owned();
             let chosen = self.plugins.models.make(&group.local_model(), &Path::of("group").index(i).key("avoid"))?;
-            Ok(throng::Group { solid, ..shared(group, name, chosen, (steering, field), cast.origin) })
+            Ok(throng::Group { solid, ..shared(group, name, chosen, Guidance { behaviour, field }, cast.origin) })
         };
         let groups: Vec<throng::Group> = self.groups.iter().enumerate().map(one).collect::<Result<_, GroundError>>()?;
         Ok(groups.into_iter().chain(movers::groups(self)).collect())

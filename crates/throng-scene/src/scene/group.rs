@@ -3,7 +3,7 @@
 use super::flow::Governed;
 use super::steer::ObstacleNames;
 use super::surface::is_default;
-use super::{AgentShape, Body, Colour, Goal, Number, Place, Source, WrapAround, source};
+use super::{AgentShape, Body, Colour, Goal, Motor, Number, Place, Source, WrapAround, source};
 use crate::registry::{Avoid, GivenParameters, Steer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,6 +36,10 @@ pub struct Group {
     /// The agents' bodies.
     #[serde(default)]
     pub body: Body,
+    /// What moves the agents. Without it, a vehicle if they steer or have a `vehicle`, two wheels if they have a
+    /// `tracking_error`, and else a holonomic motor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motor: Option<Motor>,
     /// The agents' speeds.
     #[serde(default)]
     pub speed: Speed,
@@ -67,17 +71,16 @@ pub struct Group {
     /// The layers that the agents avoid. Without it, all. Limit: 0 to 31 each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub avoids: Option<Vec<u8>>,
-    /// The fields that guide the agents, in addition to their routes or in place of them. Not for agents that steer.
+    /// The fields that guide the agents, in addition to their routes or their behaviour, or in place of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub field: Option<Governed>,
     /// The steering behaviour of the agents, which replaces walking along their routes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steer: Option<Steer>,
-    /// Speed at the start, along the `heading`, of agents that steer, m/s. Without it, they stand. Limit: >= 0, at most
-    /// 1000.
+    /// Speed at the start, along the `heading`, m/s. Without it, they stand. Limit: >= 0, at most 1000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_speed: Option<Number>,
-    /// The vehicle of agents that steer: it determines their speed, acceleration and turn rate.
+    /// The vehicle that moves the agents: it determines their speed, acceleration and turn rate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<GivenParameters<Vehicle>>,
     /// A sphere that agents that steer leave on one side and enter on the other. Only without `guard`.
@@ -145,6 +148,7 @@ impl Default for Group {
             source: vec![],
             wait: None,
             body: Body::default(),
+            motor: None,
             speed: Speed::default(),
             acceleration: None,
             turn_rate: None,

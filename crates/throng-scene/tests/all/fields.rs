@@ -291,7 +291,6 @@ fn groups_are_governed_as_they_say() {
         ("field = { of.uniform = [1, 0], ratio = 1.5 }", "field.ratio is 1.5, but must be from 0 to 1"),
         ("field.around = [{ source = \"lost\", of.uniform = [1, 0] }]", "there is no group or mover `lost`"),
         ("field.around = [{ source = \"a\", of.uniform = [1, 0], reach = 0 }]", "reach is 0"),
-        ("field.of.uniform = [1, 0]\nsteer.wander = {}", "let it follow the flow"),
     ] {
         let text = format!("[[group]]\nname = \"a\"\nplace.point = [0, 0]\n{field}\n");
         let error = text.parse::<Scene>().unwrap().build().map(drop).unwrap_err();

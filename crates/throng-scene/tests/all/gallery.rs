@@ -75,7 +75,7 @@ fn the_labs_scenes_have_the_labs_numbers() {
         assert_eq!(plan.settings.step, 0.04);
         for planned in &plan.agents {
             assert_eq!(planned.agent.radius, 0.2);
-            assert_eq!((planned.agent.preferred_speed, planned.agent.max_speed), (1.5, 1.5));
+            assert_eq!((planned.agent.preferred_speed, planned.agent.motor.max_speed()), (1.5, 1.5));
         }
         for goal in &plan.goals {
             assert!(matches!(goal, throng::Goal::Point { tolerance, .. } if *tolerance == 0.1), "{name}: {goal:?}");

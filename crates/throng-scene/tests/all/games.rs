@@ -1,5 +1,6 @@
 //! Games: scenes with rules in Rust.
 
+use throng::motion::Motor;
 use throng::{Error as WorldError, Rules, World};
 use throng_scene::{Expectations, Kind, Scene, gallery};
 
@@ -54,7 +55,9 @@ fn a_game_that_is_loaded_goes_on_with_the_same_bits() {
 fn the_games_have_opensteers_numbers() {
     let vehicle = |name: &str, group: usize| {
         let plan = game(name).plan().unwrap();
-        (plan.groups[group].vehicle.max_speed, plan.groups[group].vehicle.max_force)
+        let agent = plan.agents.iter().find(|planned| planned.group == group).unwrap();
+        let Motor::Vehicle(vehicle) = agent.agent.motor else { panic!("{name}: group {group} has no vehicle") };
+        (vehicle.max_speed, vehicle.max_force)
     };
     let count = |name: &str, group: usize| {
         game(name).plan().unwrap().agents.iter().filter(|agent| agent.group == group).count()

@@ -1,6 +1,7 @@
 //! Start positions and goals of agents.
 
 use glam::DVec3;
+use throng::motion::Motor;
 use throng_scene::{Scene, gallery};
 
 fn plan(text: &str) -> throng_scene::Plan {
@@ -183,7 +184,8 @@ fn distributions_stay_in_their_bounds() {
     for planned in &plan.agents {
         let agent = &planned.agent;
         assert!((0.15..=0.25).contains(&agent.radius) && (1.0..=1.6).contains(&agent.preferred_speed));
-        assert_eq!((agent.layers, agent.avoids, agent.max_turn_rate), (0b1001, 0b10, std::f32::consts::PI));
+        let Motor::Holonomic(motor) = agent.motor else { panic!("{:?}", agent.motor) };
+        assert_eq!((agent.layers, agent.avoids, motor.max_turn_rate), (0b1001, 0b10, std::f32::consts::PI));
     }
     assert!(plan.agents.iter().any(|a| a.agent.radius != plan.agents[0].agent.radius));
 }

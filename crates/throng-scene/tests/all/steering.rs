@@ -1,7 +1,7 @@
 //! Steering in scenes becomes the library's behaviours.
 
 use glam::{DVec2, Vec3};
-use throng::motion::{Forces, Integrator, Locomotion, Vehicle};
+use throng::motion::{Forces, Integrator, Locomotion, Motor, Vehicle};
 use throng::parameters::Angle;
 use throng::space::surface::Surface;
 use throng::steer::{BoxedBehaviour, GroupFilter, Target};
@@ -26,7 +26,7 @@ fn plan(scene: &Scene) -> Plan {
 #[track_caller]
 fn assert_steers(said: &str, expected: impl Into<BoxedBehaviour>) {
     let scene = scene(said);
-    let branch = plan(&scene).groups[1].steering.clone().expect("it steers");
+    let branch = plan(&scene).groups[1].guidance.behaviour.clone().expect("it steers");
     assert_eq!(format!("{branch:?}"), format!("{:?}", expected.into()), "{said}");
     let text = scene.to_toml().unwrap();
     assert_eq!(text.parse::<Scene>().unwrap(), scene, "{text}");
@@ -64,7 +64,8 @@ fn what_is_not_said_is_the_librarys_default() {
         throng_steer::StopAndWait::new(throng_steer::Wander::default()),
     );
     let plain = Scene { groups: vec![throng_scene::Group::default()], ..Scene::default() };
-    assert_eq!(plan(&plain).groups[0].vehicle, Vehicle::default());
+    assert_eq!(plan(&plain).agents[0].agent.motor, Motor::default());
+    assert_eq!(plan(&scene("wander = {}")).agents[2].agent.motor, Motor::Vehicle(Vehicle::default()));
 }
 
 #[test]
@@ -336,9 +337,10 @@ fn vehicles_are_as_said_and_their_bodies_as_fast() {
          low_speed = 0.2, response = 0.5, smoothing = 0.1, integrator = \"euler\", forces = { thrust = 4, up = 3 } }",
     );
     let plan = plan(&scene);
+    let agent = &plan.agents[2].agent;
     assert_eq!(
-        plan.groups[1].vehicle,
-        Vehicle {
+        agent.motor,
+        Motor::Vehicle(Vehicle {
             mass: 2.0,
             max_force: 8.0,
             forces: Forces { thrust: 4.0, up: 3.0, ..Forces::default() },
@@ -350,10 +352,9 @@ fn vehicles_are_as_said_and_their_bodies_as_fast() {
             smoothing: 0.1,
             locomotion: Locomotion::Banking,
             integrator: Integrator::Euler,
-        }
+        })
     );
-    let agent = &plan.agents[2].agent;
-    assert_eq!((agent.preferred_speed, agent.max_speed, agent.max_acceleration), (9.0, 9.0, f32::INFINITY));
+    assert_eq!(agent.preferred_speed, 9.0);
     assert_eq!(scene.to_toml().unwrap().parse::<Scene>().unwrap(), scene);
 }
 
@@ -368,7 +369,7 @@ fn a_program_adds_behaviours_of_its_own() {
         Ok(throng_steer::Seek { target: Target::Point(cast.place(103.0, 54.0)) }.into())
     });
     // the behaviour has the name under which it was added
-    let built = format!("{:?}", plan(&scene).groups[1].steering.as_ref().unwrap());
+    let built = format!("{:?}", plan(&scene).groups[1].guidance.behaviour.as_ref().unwrap());
     let made = BoxedBehaviour::from(throng_steer::Seek { target: Target::Point(PLACE) });
     assert!(built.contains(&format!("NamedBehaviour {{ name: \"hunt\", branch: {made:?} }}")), "{built}");
     // the behaviours stay with the scene

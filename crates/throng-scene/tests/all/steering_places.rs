@@ -63,7 +63,7 @@ fn everything() -> Barriers {
 #[track_caller]
 fn assert_steers(said: &str, expected: impl Into<BoxedBehaviour>) {
     let scene = scene(said);
-    let branch = plan(&scene).groups[0].steering.clone().expect("it steers");
+    let branch = plan(&scene).groups[0].guidance.behaviour.clone().expect("it steers");
     assert_eq!(format!("{branch:?}"), format!("{:?}", expected.into()), "{said}");
     let text = scene.to_toml().unwrap();
     assert_eq!(text.parse::<Scene>().unwrap(), scene, "{text}");

@@ -29,7 +29,7 @@ pub struct Takeoff {
 
 impl ForGroup for Takeoff {
     fn for_group(self, group: &GroupFacts) -> Result<BoxedBehaviour, Error> {
-        let (rise, most) = (self.rise, group.vehicle.max_speed);
+        let (rise, most) = (self.rise, group.max_speed);
         let leap = takeoff(self.to - self.from, rise, self.gravity, most);
         let run = leap.map(|velocity| velocity.with_z(0.0)).filter(|run| run.length() > 0.0);
         let run = run.ok_or_else(|| Error::Shape {

@@ -13,10 +13,10 @@
 //! use throng::{Agent, Settings, SubSteps, World};
 //! let mut world = World::new(Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), ..Settings::default() })?;
 //! let swarm = Swarm::default().with(Aggregate::new(Target::Point(Vec3::Z * 2.0)));
-//! let group = world.add_group(swarm.group(midge()))?;
+//! let group = world.add_group(swarm.group())?;
 //! for x in 0..20 {
 //!     let position = DVec3::new(0.5 * f64::from(x) - 5.0, 0.0, 2.0);
-//!     world.add_agent(Agent { position, radius: 0.005, max_speed: 2.0, group, ..Agent::default() })?;
+//!     world.add_agent(Agent { position, radius: 0.005, group, ..Agent::default() }.motor(midge()))?;
 //! }
 //! while world.time() < 10.0 {
 //!     world.step();

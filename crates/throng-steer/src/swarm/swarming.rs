@@ -88,13 +88,13 @@ fn usual_noise() -> Option<Arc<CurlNoise>> {
     CurlNoise::new(Potential::Space, &octaves, 0).ok().map(Arc::new)
 }
 
-/// Returns the body of a midge or a fly: at most 2 m/s, with a response time of a tenth of a second. The radius, which
+/// Returns the motor of a midge or a fly: at most 2 m/s, with a response time of a tenth of a second. The radius, which
 /// belongs to the agent, is some 5 mm.
 pub fn midge() -> Vehicle {
     Vehicle { max_force: 40.0, max_speed: 2.0, response: 0.1, locomotion: Locomotion::Level, ..Vehicle::default() }
 }
 
-/// Returns the body of a locust: 1 to 4 m/s. The radius, which belongs to the agent, is some 25 mm.
+/// Returns the motor of a locust: 1 to 4 m/s. The radius, which belongs to the agent, is some 25 mm.
 pub fn locust() -> Vehicle {
     Vehicle { max_speed: 4.0, min_speed: 1.0, response: 0.15, ..midge() }
 }
@@ -118,10 +118,10 @@ impl Swarm {
 
     /// Returns a group of such insects; the neighbour search covers the needed distance, and there is none if the swarm
     /// needs no neighbours.
-    pub fn group(self, vehicle: Vehicle) -> Group {
+    pub fn group(self) -> Group {
         let reach = self.reach();
         let (neighbours, neighbour_distance) = if reach > 0.0 { (Group::ALL_NEIGHBOURS, reach) } else { (0, 1.0) };
-        Group { neighbours, neighbour_distance, ..Group::vehicles(self, vehicle) }
+        Group { neighbours, neighbour_distance, ..Group::steered(self) }
     }
 
     /// Computes the noise of the insects with these numbers.

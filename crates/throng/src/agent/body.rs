@@ -17,8 +17,9 @@ const ROUNDING: f32 = 0.1;
 /// A body: all points within `radius` of a rectangle along the heading, the core. Metres.
 ///
 /// ```
+/// use throng::motion::Vehicle;
 /// use throng::{Agent, Body};
-/// let car = Agent { max_turn_rate: 0.6, ..Agent::default() }.with_body(Body::rectangle(4.2, 1.8));
+/// let car = Agent::default().motor(Vehicle::default()).with_body(Body::rectangle(4.2, 1.8));
 /// assert!((car.radius + car.core.x - 2.1).abs() < 1e-6 && (car.radius - 0.18).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

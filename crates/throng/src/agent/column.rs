@@ -1,7 +1,7 @@
 //! A property of all agents, stored once while it is the same for all.
 
 use super::{Cycles, GroupId, JourneyId, ScriptId};
-use crate::motion::{Attitude, Basis};
+use crate::motion::{Attitude, Basis, Vehicle};
 use crate::simd::from_side_by_side;
 use fearless_simd::prelude::*;
 use glam::{Vec2, Vec3};
@@ -37,6 +37,7 @@ value! {
     JourneyId: |value| value,
     Option<ScriptId>: |value| value,
     Option<Vec3>: |value| value.map(|v| v.to_array().map(f32::to_bits)),
+    Option<Vehicle>: |value| value.map(Vehicle::bits),
     Attitude: |value| {
         let Basis { forward, side, up } = value.basis;
         [forward, side, up, value.acceleration, value.curvature].map(|v| v.to_array().map(f32::to_bits))

@@ -1,7 +1,7 @@
 //! The state of the agents: a column for each property, a row for each agent.
 
 use super::{Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status};
-use crate::motion::Attitude;
+use crate::motion::{Attitude, Holonomic, Motor, TwoWheels, Vehicle};
 use crate::navigate::RouteProgress;
 use glam::{DVec2, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -76,7 +76,7 @@ columns! {
     vertical_velocity: Column<f32>,
     /// Direction of the body, radians counter-clockwise from +x, -pi to pi.
     heading: Vec<f32>,
-    /// Attitude of agents that steer.
+    /// Attitude of vehicles.
     attitude: Column<Attitude>,
     /// Memory of the behaviours of agents that steer.
     memory: Memory,
@@ -89,15 +89,17 @@ columns! {
     core: Column<Vec2>,
     /// Speed at which it walks when nothing hinders it.
     preferred_speed: Column<f32>,
+    /// The vehicle that moves it, if that is its motor.
+    vehicle: Column<Option<Vehicle>>,
     /// Maximum speed.
     max_speed: Column<f32>,
-    /// Maximum acceleration.
+    /// Maximum acceleration; infinite for vehicles, which limit it themselves.
     max_acceleration: Column<f32>,
     /// Maximum turn rate.
     max_turn_rate: Column<f32>,
     /// Time gap to the agent ahead, seconds.
     time_gap: Column<f32>,
-    /// Distance by which it may deviate from its chosen path while it turns.
+    /// Distance by which it may deviate from its chosen path while it turns; 0 for motors without two wheels.
     tracking_error: Column<f32>,
     /// Right of way.
     priority: Column<f32>,
@@ -171,6 +173,7 @@ impl Columns {
     }
 
     pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {
+        let limits = Limits::of(agent.motor);
         self.slot.push(slot);
         self.number.push(number);
         self.position.push((agent.position.truncate() - origin).as_vec2());
@@ -178,17 +181,18 @@ impl Columns {
         self.velocity.push(agent.velocity);
         self.vertical_velocity.push(0.0);
         self.heading.push(heading);
-        self.attitude.push(Attitude::default());
+        self.attitude.push(if limits.vehicle.is_some() { Attitude::heading(heading) } else { Attitude::default() });
         self.memory.push();
         self.spin.push(0.0);
         self.radius.push(agent.radius);
         self.core.push(agent.core);
         self.preferred_speed.push(agent.preferred_speed);
-        self.max_speed.push(agent.max_speed);
-        self.max_acceleration.push(agent.max_acceleration);
-        self.max_turn_rate.push(agent.max_turn_rate);
+        self.vehicle.push(limits.vehicle);
+        self.max_speed.push(limits.max_speed);
+        self.max_acceleration.push(limits.max_acceleration);
+        self.max_turn_rate.push(limits.max_turn_rate);
+        self.tracking_error.push(limits.tracking_error);
         self.time_gap.push(agent.time_gap);
-        self.tracking_error.push(agent.tracking_error);
         self.priority.push(agent.priority);
         self.governed.push(agent.governed);
         self.layers.push(agent.layers);
@@ -210,6 +214,37 @@ impl Columns {
         self.shortest.push(0.0);
     }
 
+    /// Returns the motor of an agent.
+    pub fn motor(&self, row: usize) -> Motor {
+        let (max_speed, max_acceleration) = (self.max_speed[row], self.max_acceleration[row]);
+        let (max_turn_rate, tracking_error) = (self.max_turn_rate[row], self.tracking_error[row]);
+        match self.vehicle[row] {
+            Some(vehicle) => vehicle.into(),
+            None if tracking_error > 0.0 => {
+                TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error }.into()
+            }
+            None => Holonomic { max_speed, max_acceleration, max_turn_rate }.into(),
+        }
+    }
+
+    /// Returns the greatest deceleration of an agent, m/s².
+    pub(crate) fn max_braking(&self, row: usize) -> f32 {
+        self.vehicle[row].map_or(self.max_acceleration[row], |vehicle| vehicle.max_braking())
+    }
+
+    /// Sets the motor of an agent.
+    pub(crate) fn set_motor(&mut self, row: usize, motor: Motor) {
+        let limits = Limits::of(motor);
+        if limits.vehicle.is_some() && self.vehicle[row].is_none() {
+            self.attitude.set(row, Attitude::heading(self.heading[row]));
+        }
+        self.vehicle.set(row, limits.vehicle);
+        self.max_speed.set(row, limits.max_speed);
+        self.max_acceleration.set(row, limits.max_acceleration);
+        self.max_turn_rate.set(row, limits.max_turn_rate);
+        self.tracking_error.set(row, limits.tracking_error);
+    }
+
     /// Whether every agent avoids every other agent.
     pub(crate) fn all_avoid(&self) -> bool {
         let common = |all: &[u32]| all.iter().fold(u32::MAX, |common, each| common & each);
@@ -219,5 +254,34 @@ impl Columns {
     /// Whether `row` avoids `other`.
     pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
         self.avoids[row] & self.layers[other] != 0
+    }
+}
+
+/// The columns of a motor.
+struct Limits {
+    vehicle: Option<Vehicle>,
+    max_speed: f32,
+    max_acceleration: f32,
+    max_turn_rate: f32,
+    tracking_error: f32,
+}
+
+impl Limits {
+    fn of(motor: Motor) -> Self {
+        match motor {
+            Motor::Holonomic(Holonomic { max_speed, max_acceleration, max_turn_rate }) => {
+                Self { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error: 0.0 }
+            }
+            Motor::TwoWheels(TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error }) => {
+                Self { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error }
+            }
+            Motor::Vehicle(vehicle) => Self {
+                vehicle: Some(vehicle),
+                max_speed: vehicle.max_speed,
+                max_acceleration: f32::INFINITY,
+                max_turn_rate: vehicle.max_turn_rate.radians(),
+                tracking_error: 0.0,
+            },
+        }
     }
 }

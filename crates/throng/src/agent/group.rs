@@ -1,9 +1,9 @@
 //! The properties that the agents of a group share.
 
+use super::Guidance;
 use crate::Error;
 use crate::avoid::{LocalModel, NoAvoidance, Orca};
-use crate::field::Governed;
-use crate::motion::{Locomotion, Vehicle, WrapAround};
+use crate::motion::WrapAround;
 use crate::steer::{Barriers, BoxedBehaviour};
 use glam::DVec2;
 use std::sync::Arc;
@@ -49,15 +49,8 @@ pub struct Group {
     /// Whether agents that block each other's paths agree on which of them step aside, after Dergachev and Yakovlev,
     /// CASE 2021.
     pub resolve: bool,
-    /// A field that governs the motion of its agents, beside their own paths or instead of them. Governed agents
-    /// neither make detours nor agree on the right of way, because the field may be the reason that they make no
-    /// progress. Not for agents that steer: they follow a flow (`throng_steer::FollowFlow`).
-    pub field: Option<Governed>,
-    /// The behaviour that its agents steer by, instead of walking along their paths. The velocity that their vehicles
-    /// reach is the preferred velocity.
-    pub steering: Option<BoxedBehaviour>,
-    /// The vehicle of agents that steer.
-    pub vehicle: Vehicle,
+    /// What guides its agents: their journeys, a behaviour, a field.
+    pub guidance: Guidance,
     /// A ball that agents that steer leave on one side and enter on the other; `None`: space does not wrap. Only
     /// without the guard, which cannot check the other side.
     pub wrap_around: Option<WrapAround>,
@@ -88,10 +81,8 @@ impl Group {
         Error::unless(self.keep_right.abs() <= 0.5, "keep right", self.keep_right, "from -0.5 to 0.5 rad")?;
         self.check_look_ahead()?;
         self.model.check()?;
-        self.check_field()?;
-        if let Some(steering) = &self.steering {
-            steering.check()?;
-            self.vehicle.check()?;
+        self.guidance.check()?;
+        if self.guidance.behaviour.is_some() {
             if let Some(wrap_around) = &self.wrap_around {
                 wrap_around.check()?;
                 if self.guard {
@@ -109,29 +100,8 @@ impl Group {
 
     /// Whether it has anything that its origin counts for.
     pub(crate) fn has_places(&self) -> bool {
-        let Self { field, steering, wrap_around, solid, .. } = self;
-        field.is_some() || steering.is_some() || wrap_around.is_some() || !solid.0.is_empty()
-    }
-
-    /// Checks whether a field can govern the group.
-    fn check_field(&self) -> Result<(), Error> {
-        let Some(field) = &self.field else { return Ok(()) };
-        field.check()?;
-        if self.steering.is_some() {
-            let why = "it steers, so no field can govern it: let it follow the flow".into();
-            return Err(Error::Shape { what: "the group".into(), why });
-        }
-        Ok(())
-    }
-
-    /// Whether its agents steer in space, and so take neighbours above and below into account.
-    pub(crate) fn steers_in_space(&self) -> bool {
-        self.steering.is_some() && self.vehicle.locomotion != Locomotion::Ground
-    }
-
-    /// Whether its agents need a local model. Vehicles without avoidance have already limited their velocities.
-    pub(crate) fn needs_model(&self) -> bool {
-        self.steering.is_none() || self.model.avoids()
+        let Self { guidance, wrap_around, solid, .. } = self;
+        !guidance.is_journey() || wrap_around.is_some() || !solid.0.is_empty()
     }
 
     /// Returns the number of nearest neighbours that the neighbour search finds for each of its agents.
@@ -139,22 +109,22 @@ impl Group {
         if self.neighbours == Self::ALL_NEIGHBOURS { 0 } else { self.neighbours }
     }
 
-    /// Returns a group of vehicles that move only as they are steered: without interaction rules, avoidance or guard.
-    /// They may overlap.
+    /// Returns a group of agents that move only as a behaviour steers them: without interaction rules, avoidance or
+    /// guard. They may overlap.
     ///
     /// ```
     /// use throng::motion::Vehicle;
     /// use throng_steer::Wander;
-    /// use throng::{Group, Settings, World};
-    /// let cars = Group { name: "cars".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
-    /// World::new(Settings::default())?.add_group(cars)?;
+    /// use throng::{Agent, Group, Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let cars = world.add_group(Group { name: "cars".into(), ..Group::steered(Wander::default()) })?;
+    /// world.add_agent(Agent::at([0.0, 0.0]).motor(Vehicle::default()).group(cars))?;
     /// # Ok::<(), throng::Error>(())
     /// ```
-    pub fn vehicles(steering: impl Into<BoxedBehaviour>, vehicle: Vehicle) -> Self {
+    pub fn steered(behaviour: impl Into<BoxedBehaviour>) -> Self {
         Self {
             model: Arc::new(NoAvoidance),
-            steering: Some(steering.into()),
-            vehicle,
+            guidance: Guidance::behaviour(behaviour),
             look_ahead: false,
             keep_right: 0.0,
             resolve: false,
@@ -178,9 +148,7 @@ impl Default for Group {
             relaxation_time: 0.45,
             keep_right: 20.0_f32.to_radians(),
             resolve: true,
-            field: None,
-            steering: None,
-            vehicle: Vehicle::default(),
+            guidance: Guidance::JOURNEY,
             wrap_around: None,
             solid: Barriers::default(),
             guard: true,

@@ -9,6 +9,7 @@ mod column;
 mod columns;
 mod cycles;
 mod group;
+mod guidance;
 mod hindrance;
 mod id;
 mod memory;
@@ -19,11 +20,13 @@ pub use column::{Column, ColumnValue};
 pub use columns::Columns;
 pub(crate) use cycles::Cycles;
 pub use group::Group;
+pub use guidance::Guidance;
 pub use hindrance::{Hindered, Hindrance, ProgressMark};
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use memory::Memory;
 pub use statistics::TripStatistics;
 
+use crate::motion::Motor;
 use crate::navigate::Goal;
 use crate::{Error, Position};
 use glam::{DVec3, Vec2};
@@ -48,8 +51,8 @@ pub struct Agent {
     pub group: GroupId,
     /// The journey that it follows.
     pub journey: JourneyId,
-    /// A script that it follows instead of a journey. It moves regardless of the local model of its group, and no
-    /// faster than `max_speed`.
+    /// A script that it follows instead of a journey. It moves regardless of the guidance and the local model of its
+    /// group, turns as if it had no vehicle, and is no faster than its motor.
     pub script: Option<ScriptId>,
     /// Radius of the body, or of its rounding if it is not a disc ([`Body`]). Limit: 0.001 to 1000.
     pub radius: f32,
@@ -58,22 +61,12 @@ pub struct Agent {
     pub core: Vec2,
     /// Speed at which it walks when nothing hinders it. Limit: >= 0.
     pub preferred_speed: f32,
-    /// Maximum speed. Limit: >= preferred_speed.
-    pub max_speed: f32,
-    /// Maximum acceleration; infinite for no limit. Limit: > 0.
-    pub max_acceleration: f32,
-    /// Maximum turn rate; infinite for no limit. The ends of a body that is not a disc also turn no faster than
-    /// `preferred_speed`. Limit: > 0.
-    pub max_turn_rate: f32,
+    /// What moves it, and the limits of its motion. Limit: a maximum speed of at least `preferred_speed`.
+    pub motor: Motor,
     /// Time gap, seconds. An agent that looks ahead walks no faster than the gap to the agent ahead divided by the time
     /// gap. People in single file need 0.36 m each, plus 1.06 s times their speed (Seyfried et al. 2005). Bodies 0.26 m
     /// deep keep the same distance with 1.15 s at 1 m/s. Limit: 0.05 to 10.
     pub time_gap: f32,
-    /// Distance by which the body may deviate from the straight path of its chosen velocity while it turns, metres. 0
-    /// for an agent that can move in any direction at once, as people can. More for a two-wheeled robot (Alonso-Mora et
-    /// al. 2010), which needs a finite `max_turn_rate`. The agent and its neighbours treat its body as larger by this
-    /// distance. Limit: 0 to 10.
-    pub tracking_error: f32,
     /// Right of way: of two agents, the agent with the lower priority takes the larger avoidance share. Equal
     /// priorities mean equal shares. With a difference of 1 the other agent takes all of it.
     pub priority: f32,
@@ -126,7 +119,16 @@ impl Agent {
     #[must_use]
     pub fn speed(self, speed: f32) -> Self {
         let usual = Self::default();
-        Self { preferred_speed: speed, max_speed: speed * (usual.max_speed / usual.preferred_speed), ..self }
+        let mut motor = self.motor;
+        motor.set_max_speed(speed * (usual.motor.max_speed() / usual.preferred_speed));
+        Self { preferred_speed: speed, motor, ..self }
+    }
+
+    /// Sets the motor. The preferred speed is then at most the motor's maximum speed.
+    #[must_use]
+    pub fn motor(self, motor: impl Into<Motor>) -> Self {
+        let motor = motor.into();
+        Self { motor, preferred_speed: self.preferred_speed.min(motor.max_speed()), ..self }
     }
 
     /// Sets the heading at the start, radians counter-clockwise from +x.
@@ -151,19 +153,10 @@ impl Agent {
         }
         let limit = "at least 0 m/s and at most 1000 m/s";
         Error::unless((0.0..=1e3).contains(&self.preferred_speed), "preferred speed", self.preferred_speed, limit)?;
-        Error::unless(
-            self.max_speed >= self.preferred_speed && self.max_speed <= 1e3,
-            "max speed",
-            self.max_speed,
-            "at least the preferred speed and at most 1000 m/s",
-        )?;
-        Error::unless(self.max_acceleration > 0.0, "max acceleration", self.max_acceleration, "greater than 0")?;
-        Error::unless(self.max_turn_rate > 0.0, "max turn rate", self.max_turn_rate, "greater than 0")?;
+        self.motor.check()?;
+        let most = self.motor.max_speed();
+        Error::unless(most >= self.preferred_speed, "max speed", most, "at least the preferred speed")?;
         Error::unless((0.05..=10.0).contains(&self.time_gap), "time gap", self.time_gap, "from 0.05 to 10 s")?;
-        let error = self.tracking_error;
-        Error::unless((0.0..=10.0).contains(&error), "tracking error", error, "from 0 to 10 m")?;
-        let turns = error == 0.0 || self.max_turn_rate.is_finite();
-        Error::unless(turns, "max turn rate", self.max_turn_rate, "finite where there is a tracking error")?;
         Error::unless_finite("priority", f64::from(self.priority))?;
         Error::unless((0.0..=1.0).contains(&self.governed), "governed", self.governed, "from 0 to 1")
     }
@@ -182,11 +175,8 @@ impl Default for Agent {
             radius: 0.13,
             core: Vec2::ZERO,
             preferred_speed: 1.3,
-            max_speed: 1.8,
-            max_acceleration: 5.0,
-            max_turn_rate: f32::INFINITY,
+            motor: Motor::default(),
             time_gap: 1.15,
-            tracking_error: 0.0,
             priority: 0.0,
             governed: 1.0,
             layers: 1,

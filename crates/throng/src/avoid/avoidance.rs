@@ -174,7 +174,7 @@ impl Avoiding<'_> {
         if self.state.agents.script[row].is_some() {
             return self.preferred.at(row).clamp_length_max(self.state.agents.max_speed[row]);
         }
-        if !self.state.local_groups[self.state.agents.group[row].index()].needs_model() {
+        if !self.state.needs_model(row) {
             // its vehicle has already limited the velocity
             return self.stays_down(row, self.preferred.at(row));
         }

@@ -19,9 +19,9 @@ use std::sync::Arc;
 pub(crate) struct AvoidanceShared {
     /// The SIMD level, if batches can be gathered.
     pub level: Option<Level>,
-    /// For each group the first group with the same model; `None` if its agents need no model.
-    models: Vec<Option<u32>>,
-    /// Whether all agents have the same model.
+    /// For each group the first group with the same model.
+    models: Vec<u32>,
+    /// Whether all agents have and need the same model.
     pub alike: bool,
     /// By row, whether a batch leaves the agent and all agents that see it to the scalar path; empty if it leaves none.
     irregular: Vec<bool>,
@@ -62,15 +62,14 @@ impl AvoidanceShared {
         for (index, group) in groups.iter().enumerate() {
             let is_same = |&other: &usize| {
                 let other = &groups[other];
-                other.needs_model() && (Arc::ptr_eq(&other.model, &group.model) || group.model.is_same(&*other.model))
+                Arc::ptr_eq(&other.model, &group.model) || group.model.is_same(&*other.model)
             };
-            let first = || (0..index).find(is_same).unwrap_or(index) as u32;
-            models.push(group.needs_model().then(first));
+            models.push((0..index).find(is_same).unwrap_or(index) as u32);
         }
         let mut used =
             models.iter().zip(&state.groups_with_agents).filter(|&(_, &in_use)| in_use).map(|(&model, _)| model);
-        let first = used.next().flatten();
-        *alike = first.is_some() && used.all(|model| model == first) && state.agents.script.uniform() == Some(None);
+        let first = used.next();
+        *alike = first.is_some() && used.all(|model| Some(model) == first) && state.all_need_model();
     }
 
     /// Finds the irregular agents: all that are not discs on the ground. Returns whether all others avoid each other.
@@ -243,8 +242,8 @@ impl Avoiding<'_> {
 
     /// Returns the first group with the model of an agent; `None` if the agent needs no model.
     fn model_of(&self, row: u32) -> Option<u32> {
-        let agents = &self.state.agents;
-        self.shared.models[agents.group[row as usize].index()].filter(|_| agents.script[row as usize].is_none())
+        let row = row as usize;
+        self.state.needs_model(row).then(|| self.shared.models[self.state.agents.group[row].index()])
     }
 }
 

@@ -12,12 +12,13 @@ impl Avoiding<'_> {
     /// the preferred velocity: a = (preferred - v) / time, as an implicit Euler step (Helbing, Molnár, Social force
     /// model for pedestrian dynamics, PRE 51:4282 (1995), equation 2). Across the path the time is half of the
     /// relaxation time, so crossing streams do not sweep the agent aside. At the end of its path the agent brakes as
-    /// hard as it must.
+    /// hard as it must. A vehicle has a response of its own.
     #[inline]
     pub fn relaxed_velocity(&self, row: usize, seconds: f32) -> Vec2 {
         let (agents, wanted) = (&self.state.agents, self.preferred.ground[row]);
         let group = &self.state.local_groups[agents.group[row].index()];
-        if !group.relaxes() || !self.around.way(row).walks() || agents.script[row].is_some() {
+        let relaxes = group.relaxes() && agents.vehicle[row].is_none();
+        if !relaxes || !self.around.way(row).walks() || agents.script[row].is_some() {
             return wanted;
         }
         let (velocity, way) = (agents.velocity[row], self.around.way(row).direction);
@@ -39,6 +40,6 @@ impl Group {
     /// Whether its agents walk by looking ahead. Agents that a field governs do not: they would leave its flow at every
     /// bend.
     pub(crate) fn walks_by_looking_ahead(&self) -> bool {
-        self.look_ahead && self.steering.is_none() && self.field.is_none()
+        self.look_ahead && self.guidance.is_journey()
     }
 }

@@ -4,8 +4,8 @@ use super::certify::{led, unguarded, within_reach};
 use super::contacts::Centers;
 use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
 use crate::agent::Column;
-use crate::intend::Velocities;
-use crate::motion::{faces, turn, wrap};
+use crate::intend::{Facing, Velocities};
+use crate::motion::{turn, wrap};
 use crate::parallel::WORD;
 use crate::perceive::{AvoidsAll, Perceived, SubStep};
 use crate::sleep::SleepBlocks;
@@ -49,7 +49,7 @@ impl Guarded<'_> {
 #[derive(Clone, Copy)]
 struct Wishes<'a> {
     state: &'a State,
-    preferred: &'a Velocities,
+    facing: Facing<'a>,
     chosen: &'a Velocities,
     seconds: f32,
     now: f64,
@@ -61,12 +61,12 @@ impl KeepApart {
         &mut self,
         state: &mut State,
         seen: Perceived<'_>,
-        (preferred, chosen): (&Velocities, &Velocities),
+        (facing, chosen): (Facing<'_>, &Velocities),
         sleep: &SleepBlocks,
         SubStep { seconds, now, .. }: SubStep,
     ) -> Guarded<'_> {
         if !sleep.all_asleep() {
-            let (changed, pushed) = self.find(Wishes { state, preferred, chosen, seconds, now }, seen, sleep);
+            let (changed, pushed) = self.find(Wishes { state, facing, chosen, seconds, now }, seen, sleep);
             state.tally.guard_changed += changed as u64;
             state.tally.pushed += pushed as u64;
         }
@@ -142,8 +142,9 @@ impl KeepApart {
 
 impl Wishes<'_> {
     /// Returns the heading that an agent turns to in the sub-step, for bodies that are not discs: the heading of its
-    /// script, or the direction of its chosen velocity. The ends of a body turn no faster than the agent's preferred
-    /// speed, because other agents avoid the ends as they move and would flee from a long body that spins.
+    /// script, the planned heading of its vehicle, or the direction of its chosen velocity. To the last, the ends of a
+    /// body turn no faster than the agent's preferred speed, because other agents avoid the ends as they move and would
+    /// flee from a long body that spins.
     fn heading(&self, row: usize) -> f32 {
         let (agents, seconds) = (&self.state.agents, self.seconds);
         let (heading, most) = (agents.heading[row], agents.max_turn_rate[row]);
@@ -156,8 +157,11 @@ impl Wishes<'_> {
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
         } else {
-            let facing = faces(self.chosen.ground[row], self.preferred.ground[row], most);
-            let turned = wrap(turn(heading, facing, seconds, most) - heading);
+            if self.state.vehicle(row).is_some() && self.facing.is_as_planned(row, self.chosen.at(row)) {
+                return self.facing.planned.attitude[row].basis.heading();
+            }
+            let to = self.facing.direction(row, self.chosen.ground[row], most);
+            let turned = wrap(turn(heading, to, seconds, most) - heading);
             let most = agents.preferred_speed[row] / agents.core[row].length() * seconds;
             wrap(heading + turned.clamp(-most, most))
         }
@@ -228,6 +232,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::intend::Planned;
     use crate::perceive::Perceive;
     use crate::{Agent, Body, Group, Settings, SubSteps, World};
     use glam::{DVec2, Vec2};
@@ -271,7 +276,9 @@ mod tests {
         let mut chosen = Velocities::default();
         chosen.resize(state.agents.len(), state.agents.any_flies());
         chosen.ground.fill(Vec2::new(0.5, 0.2));
-        guard.run(&mut state, seen, (&chosen, &chosen), &sleep, of);
+        let planned = Planned::default();
+        let facing = Facing { preferred: &chosen, planned: &planned };
+        guard.run(&mut state, seen, (facing, &chosen), &sleep, of);
         let agents = &state.agents;
         let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
         let mut contacts = Contacts::default();

@@ -27,7 +27,7 @@ impl State {
         self.adapted.resize(self.local_groups.len(), None);
         let mut positions = Vec::new();
         for index in 0..self.local_groups.len() {
-            let Some(governed) = &self.local_groups[index].field else {
+            let Some(governed) = &self.local_groups[index].guidance.field else {
                 self.adapted[index] = None;
                 continue;
             };
@@ -81,7 +81,7 @@ impl State {
             if memory.is_empty() {
                 return Some(None);
             }
-            let field = self.local_groups.get(index)?.field.as_ref()?.field.clone();
+            let field = self.local_groups.get(index)?.guidance.field.as_ref()?.field.clone();
             let adaptive = field.adaptive().filter(|adaptive| adaptive.memory().len() == memory.len())?;
             Some(Some(Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }))
         };

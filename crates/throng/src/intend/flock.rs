@@ -2,7 +2,8 @@
 //! and the forces of flocks.
 
 use super::steering::{Behaving, SteeringIndex};
-use crate::agent::Group;
+use crate::agent::{ColumnValue, Columns, Group};
+use crate::motion::Vehicle;
 use crate::parallel;
 use crate::perceive::{CellLattice, Perceived};
 use crate::simd::LANES;
@@ -104,7 +105,7 @@ impl Behaving<'_> {
     ) {
         let (group, Self { lattice, birds, .. }) = (&self.state.local_groups[index], *self);
         let close = close.min(group.neighbour_distance);
-        let steering = group.steering.as_ref().filter(|_| group.is_flock());
+        let steering = group.guidance.behaviour.as_ref().filter(|_| group.is_flock());
         let mut force = |place: usize| {
             let row = lattice.order()[place] as usize;
             let view = self.view(row, seconds, now, neighbours);
@@ -112,10 +113,11 @@ impl Behaving<'_> {
             steering.unwrap_or_default().force
         };
         let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
-        if let (Some(level), Some(steering)) = (level, steering) {
+        let vehicle = self.state.vehicle_of_all(index);
+        if let (Some(level), Some(steering), Some(vehicle)) = (level, steering, &vehicle) {
             let mut batch = FlockBatch {
                 level,
-                vehicle: &group.vehicle,
+                vehicle,
                 group: index as u32,
                 range: group.neighbour_distance,
                 close,
@@ -179,6 +181,16 @@ impl State {
         self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
     }
 
+    /// Returns the vehicle of all agents of a group; `None` if they differ or have none.
+    fn vehicle_of_all(&self, group: usize) -> Option<Vehicle> {
+        let Columns { vehicle, group: groups, .. } = &self.agents;
+        vehicle.uniform().unwrap_or_else(|| {
+            let mut all = (0..self.agents.len()).filter(|&row| groups[row].index() == group).map(|row| vehicle[row]);
+            let first = all.next()?;
+            first.filter(|_| all.all(|other| other.same(first)))
+        })
+    }
+
     /// Whether no group searches for the nearest few neighbours.
     pub(crate) fn none_counts_the_nearest(&self) -> bool {
         self.groups_in_use().all(|group| group.nearest() == 0)
@@ -189,6 +201,6 @@ impl Group {
     /// Whether the forces of its agents are those of a flock, which are computed before the vehicles step.
     pub(super) fn is_flock(&self) -> bool {
         self.neighbours == Self::ALL_NEIGHBOURS
-            && self.steering.as_ref().is_some_and(|steering| steering.is_flock() && steering.words() == 0)
+            && self.guidance.behaviour.as_ref().is_some_and(|steering| steering.is_flock() && steering.words() == 0)
     }
 }

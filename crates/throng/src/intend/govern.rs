@@ -25,7 +25,7 @@ impl Sources {
         let Self { all, wanted, .. } = self;
         wanted.clear();
         wanted.resize(state.local_groups.len(), false);
-        let governed = state.groups_in_use().filter_map(|group| group.field.as_ref());
+        let governed = state.groups_in_use().filter_map(|group| group.guidance.field.as_ref());
         for around in governed.flat_map(|field| &field.around) {
             wanted.get_mut(around.source).into_iter().for_each(|wanted| *wanted = true);
         }
@@ -44,9 +44,7 @@ impl Sources {
 
     /// Returns the preferred velocity of an agent blended with the field of its group.
     pub fn governed(&self, around: Surroundings<'_>, row: usize, own: Vec3, now: f64) -> Vec3 {
-        let Some(governed) = &around.state.local_groups[around.state.agents.group[row].index()].field else {
-            return own;
-        };
+        let Some(governed) = around.state.field(row) else { return own };
         if !around.way(row).walks() {
             return own;
         }
@@ -96,7 +94,7 @@ impl Sources {
     }
 
     fn looks_about(&self, state: &State, row: usize, now: f64) -> Vec2 {
-        let Some(governed) = &state.local_groups[state.agents.group[row].index()].field else { return Vec2::ZERO };
+        let Some(governed) = state.field(row) else { return Vec2::ZERO };
         let place = state.agents.position[row];
         let mut sum = Vec2::ZERO;
         for around in governed.around.iter().filter(|around| around.looks.is_some()) {
@@ -119,9 +117,14 @@ impl Sources {
 }
 
 impl State {
+    /// Returns the field that governs an agent.
+    pub(crate) fn field(&self, row: usize) -> Option<&Governed> {
+        self.local_groups[self.agents.group[row].index()].guidance.field.as_ref()
+    }
+
     /// Whether a field of any group in use makes agents face a direction.
     pub(crate) fn any_looks_about(&self) -> bool {
-        let fields = self.groups_in_use().filter_map(|group| group.field.as_ref());
+        let fields = self.groups_in_use().filter_map(|group| group.guidance.field.as_ref());
         fields.flat_map(|field| &field.around).any(|around| around.looks.is_some())
     }
 }

@@ -79,8 +79,7 @@ impl Surroundings<'_> {
             && self.shown[row].way.has_goal()
             && agents.preferred_speed[row] > 0.0
             && agents.script[row].is_none()
-            && group.steering.is_none()
-            && group.field.is_none()
+            && group.guidance.is_journey()
     }
 
     /// Returns the progress of an agent, `passed` half seconds after the last check.

@@ -1,5 +1,6 @@
 //! Stage 2b, intention: the preferred velocities of all agents.
 
+use super::facing::Facing;
 use super::govern::Sources;
 use super::look_ahead::LooksAhead;
 use super::standoff::Standoffs;
@@ -24,7 +25,7 @@ pub(super) struct InteractionRules {
 
 impl InteractionRules {
     fn of(group: &Group) -> Self {
-        let governed = group.field.is_some();
+        let governed = group.guidance.field.is_some();
         // an agent that a field leads elsewhere is not blocked
         Self { resolve: group.resolve && !governed, governed }
     }
@@ -46,7 +47,7 @@ pub(crate) struct Intend {
 pub(crate) struct Intended<'a> {
     /// The preferred velocity of each agent.
     pub preferred: &'a Velocities,
-    /// The planned motion of each agent that steers. Motion uses its memory.
+    /// The planned motion of each agent with a behaviour or a vehicle; empty if there is none. Motion uses its memory.
     pub planned: &'a mut Planned,
     /// The direction that each agent is to face, by fields; zero for none. Empty if no field says so.
     pub looks: &'a [Vec2],
@@ -55,10 +56,9 @@ pub(crate) struct Intended<'a> {
 }
 
 impl Intended<'_> {
-    /// Returns what determines the direction that agents face that do not steer: preferred velocities, and directions by
-    /// fields.
-    pub fn facing(&self) -> (&Velocities, &[Vec2]) {
-        (self.preferred, self.looks)
+    /// Returns what determines the directions that agents face.
+    pub fn facing(&self) -> Facing<'_> {
+        Facing { preferred: self.preferred, planned: self.planned }
     }
 }
 
@@ -85,17 +85,17 @@ impl Intend {
         interaction.clear();
         interaction.extend(state.local_groups.iter().map(InteractionRules::of));
         preferred.resize(state.agents.len(), state.in_space_now());
-        // steering behaviours follow below
-        if !state.all_steer() {
+        // behaviours follow below
+        if !state.all_behave() {
             state.with_travel(|state, travels| {
                 let around = Surroundings { state, near, shown };
                 Intending { state, around, ahead, sources, interaction }.run(sleep, travels, preferred, seconds, now);
             });
         }
+        self.command(state);
         // behaviours change their memory, and traces need it as it was before
         let memory = state.traced.any().then(|| state.agents.memory.clone());
-        self.steer.run(state, seen, &mut self.preferred, seconds, now);
-        self.command(state);
+        self.steer.run(state, (seen, shown), &self.sources, &mut self.preferred, (seconds, now));
         if let Some(memory) = memory {
             let after = std::mem::replace(&mut state.agents.memory, memory);
             self.traces = self.steer.view(state, seen).traces(&self.preferred, seconds, now);
@@ -256,7 +256,7 @@ impl Surroundings<'_> {
     pub fn arriving(&self, row: usize, turn: Turn, seconds: f32) -> f32 {
         let way = self.way(row);
         if way.stops() || turn == Turn::Aside {
-            (self.state.agents.max_acceleration[row] * way.remaining).sqrt().min(way.remaining / seconds)
+            (self.state.agents.max_braking(row) * way.remaining).sqrt().min(way.remaining / seconds)
         } else {
             f32::INFINITY
         }

@@ -67,7 +67,7 @@ impl Intending<'_> {
             let way = self.around.way(row);
             let interaction = &self.interaction[agents.group[row].index()];
             let mut fit = way.is_plain() && way.direction != Vec2::ZERO && !interaction.governed;
-            fit &= travel.is_plain() && agents.script[row].is_none();
+            fit &= travel.is_plain() && agents.script[row].is_none() && agents.vehicle[row].is_none();
             (mark[lane], stalled[lane]) = (travel.mark, travel.stalled);
             resolve |= u64::from(interaction.resolve) << lane;
             fits |= u64::from(fit) << lane;

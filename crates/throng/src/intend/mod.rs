@@ -4,6 +4,7 @@
 mod adapt;
 mod agree;
 mod crowd_ahead;
+mod facing;
 mod flock;
 mod govern;
 mod hindrance;
@@ -19,9 +20,12 @@ mod velocities;
 mod walls_ahead;
 
 pub(crate) use adapt::Adapted;
+pub(crate) use facing::Facing;
 pub(crate) use hindrance::ProgressCheck;
 pub(crate) use intention::{Intend, Intended};
 pub(crate) use right_of_way::{YIELD_AT_REST, YIELD_TO_FIRST};
 pub(crate) use standoff::Standoff;
+#[cfg(test)]
+pub(crate) use steering::Planned;
 pub use trace::{Trace, TraceRequest};
 pub(crate) use velocities::{Rows, Velocities, set};

@@ -1,12 +1,15 @@
-//! Intention, for agents that steer.
+//! Intention, for agents with behaviours or vehicles.
 //!
-//! A behaviour returns a force, and the velocity that the vehicle reaches with it is the preferred velocity. Avoidance
-//! and guard follow, as for all agents.
+//! A behaviour returns a force. Without a behaviour, the force of a vehicle leads to the velocity of its journey or
+//! field. The velocity that the motor reaches with the force is the preferred velocity. Avoidance and guard follow, as
+//! for all agents.
 
 use super::flock::Flocks;
+use super::govern::Sources;
 use super::velocities::{Rows, Velocities, set};
-use crate::agent::{Group, Memory, Status};
-use crate::motion::{Attitude, Basis, Motion, Steering, Stepping};
+use crate::agent::{ColumnValue, Columns, Group, Guidance, Memory, Status};
+use crate::motion::{Attitude, Basis, Motion, Steering, Stepping, Vehicle};
+use crate::navigate::{NeighbourData, Surroundings};
 use crate::parallel::{self, RowLists};
 use crate::perceive::{CellLattice, Neighbours, Perceived};
 use crate::steer::{
@@ -19,12 +22,12 @@ use glam::Vec3;
 /// Seconds after which events are forgotten.
 const FORGOTTEN: f64 = 600.0;
 
-/// The planned motion of agents that steer, if nothing hinders them, by row.
+/// The planned motion of agents with behaviours or vehicles, if nothing hinders them, by row.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Planned {
     pub velocity: Vec<Vec3>,
     pub attitude: Vec<Attitude>,
-    /// Whether they face the direction that the behaviour gives, instead of the direction of motion.
+    /// Whether they face the direction that the behaviour requests, instead of the direction of motion.
     pub faces: Vec<bool>,
 }
 
@@ -62,7 +65,7 @@ impl SteeringIndex {
     }
 }
 
-/// Computes the motion that agents plan that steer.
+/// Computes the planned motions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steer {
     pub planned: Planned,
@@ -79,10 +82,17 @@ struct SteeringScratch {
 }
 
 impl Steer {
-    /// Computes the planned motions, and so the preferred velocities, of all agents that steer.
-    pub fn run(&mut self, state: &mut State, seen: Perceived<'_>, preferred: &mut Velocities, seconds: f32, now: f64) {
+    /// Computes the planned motions, and so the preferred velocities, of all agents with behaviours or vehicles.
+    pub fn run(
+        &mut self,
+        state: &mut State,
+        (seen, shown): (Perceived<'_>, &[NeighbourData]),
+        sources: &Sources,
+        preferred: &mut Velocities,
+        (seconds, now): (f32, f64),
+    ) {
         self.flocks.clear();
-        if !state.any_steers() {
+        if !state.any_plans() {
             self.planned.resize(0);
             return;
         }
@@ -92,8 +102,9 @@ impl Steer {
         let Self { planned, flocks, index, scratch } = self;
         planned.resize(state.agents.len());
         state.with_memory(|state, memory| {
-            let steering = Behaving::new(state, seen, index, (&flocks.birds, &flocks.forces));
-            steering.run(planned, memory, preferred, scratch, (seconds, now));
+            let behaving = Behaving::new(state, seen, index, (&flocks.birds, &flocks.forces));
+            let around = Surroundings { state, near: seen.near, shown };
+            behaving.run(planned, memory, preferred, scratch, Frame { around, sources, seconds, now });
         });
     }
 
@@ -124,30 +135,42 @@ pub(super) struct Plans<'a> {
 }
 
 impl Plans<'_> {
+    /// Returns the preferred velocity of a row so far.
+    fn preferred(&self, row: usize) -> Vec3 {
+        let (ground, vertical_velocity) = &self.preferred;
+        let at = row - self.first;
+        ground[at].extend(vertical_velocity.all.get(at).copied().unwrap_or(0.0))
+    }
+
+    /// Sets the preferred velocity of an agent without a vehicle, and the direction that it is to face.
+    fn aim(&mut self, row: usize, velocity: Vec3, facing: Option<Vec3>) {
+        let at = row - self.first;
+        set(&mut self.preferred, at, velocity);
+        self.faces[at] = facing.is_some();
+        self.attitude[at].basis = facing.map_or(Basis::default(), Basis::facing);
+    }
+
     /// Returns the memory of a behaviour for a row.
     pub fn memory(&mut self, row: usize, words: usize) -> &mut [f32] {
         &mut self.memory.all[(row - self.first) * self.memory.stride..][..words]
     }
 }
 
-/// What steers the agents of a group, in the sub-step that ends at `now`.
+/// What the steering of all agents depends on, in the sub-step that ends at `now`.
 #[derive(Clone, Copy)]
-pub(super) struct GroupSteering<'a> {
-    pub group: &'a Group,
-    pub steering: &'a BoxedBehaviour,
-    /// The SIMD level and the step of the vehicles, if the kernel supports them.
-    pub simd: Option<(Level, Stepping)>,
+pub(super) struct Frame<'a> {
+    around: Surroundings<'a>,
+    sources: &'a Sources,
     pub seconds: f32,
     pub now: f64,
 }
 
-impl<'a> GroupSteering<'a> {
-    /// Returns what steers the agents of a group; `None` if they do not steer.
-    fn of(state: &State, group: &'a Group, seconds: f32, now: f64) -> Option<Self> {
-        let steering = group.steering.as_ref()?;
-        let step = |level| Some((level, Stepping::of(&group.vehicle, seconds)?));
-        Some(Self { group, steering, simd: state.instructions.level().and_then(step), seconds, now })
-    }
+/// What steers agents of a group.
+#[derive(Clone, Copy)]
+pub(super) struct GroupSteering<'a> {
+    pub group: &'a Group,
+    pub behaviour: &'a BoxedBehaviour,
+    pub frame: Frame<'a>,
 }
 
 /// What behaviours read.
@@ -188,60 +211,115 @@ impl<'a> Behaving<'a> {
         memory: &mut Memory,
         preferred: &mut Velocities,
         scratch: &mut Vec<SteeringScratch>,
-        (seconds, now): (f32, f64),
+        frame: Frame<'_>,
     ) {
         let Planned { velocity, attitude, faces } = planned;
         let all = ((&mut velocity[..], &mut attitude[..], &mut faces[..]), memory.lists(), preferred.rows());
         let state = self.state;
-        let groups = || state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
+        let any_vehicle = state.any_vehicle();
+        let groups = || {
+            let plans = |group: &Group| any_vehicle || group.guidance.behaviour.is_some();
+            let all = state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
+            all.filter(move |(_, (group, in_use))| **in_use && plans(group)).map(|(index, (group, _))| (index, group))
+        };
         parallel::costly_ranges_with(
             all,
             scratch,
             |scratch, range, ((velocity, attitude, faces), memory, preferred)| {
                 let mut plans = Plans { first: range.start, velocity, attitude, faces, preferred, memory };
                 let SteeringScratch { rows, neighbours } = scratch;
-                for (index, (group, _)) in groups().filter(|(_, (_, in_use))| **in_use) {
-                    let Some(of) = GroupSteering::of(state, group, seconds, now) else { continue };
+                for (index, group) in groups() {
                     rows.clear();
+                    let all = range.start as u32..range.end as u32;
                     rows.extend(
-                        (range.start as u32..range.end as u32)
-                            .filter(|&row| state.agents.group[row as usize].index() == index),
-                    );
-                    match of.simd {
-                        Some(simd) => self.steer_many(simd, &of, rows, &mut plans, neighbours),
-                        None => rows.iter().for_each(|&row| {
-                            let steering = self.steering(&of, row as usize, &mut plans, neighbours);
-                            self.steer_row(&of, row as usize, steering, &mut plans);
+                        all.filter(|&row| {
+                            state.agents.group[row as usize].index() == index && state.plans(row as usize)
                         }),
+                    );
+                    // a SIMD vector holds agents with the same vehicle
+                    for rows in rows.chunk_by(|&a, &b| state.share_vehicle(a as usize, b as usize)) {
+                        match self.in_lanes(group, rows[0] as usize, frame) {
+                            Some((level, stepping, of)) => {
+                                self.steer_many((level, stepping), &of, rows, &mut plans, neighbours);
+                            }
+                            None => rows
+                                .iter()
+                                .for_each(|&row| self.steer(group, row as usize, frame, &mut plans, neighbours)),
+                        }
                     }
                 }
             },
         );
     }
 
-    /// Returns the steering of an agent.
+    /// Returns what steers agents of a group with SIMD, and the SIMD level and the step of their vehicle, which is that of
+    /// `row`; `None` if the kernel does not support them.
+    fn in_lanes(&self, group: &'a Group, row: usize, frame: Frame<'a>) -> Option<(Level, Stepping, GroupSteering<'a>)> {
+        let Guidance { behaviour: Some(behaviour), field: None } = &group.guidance else { return None };
+        let level = self.state.instructions.level()?;
+        let stepping = Stepping::of(&self.state.vehicle(row)?, frame.seconds)?;
+        let is_commanded = self.state.agents.commanded.uniform() != Some(None);
+        (!is_commanded).then_some((level, stepping, GroupSteering { group, behaviour, frame }))
+    }
+
+    /// Sets the planned motion of an agent. A vehicle steers to the velocity of its guidance; the limits of other motors
+    /// apply after avoidance.
+    fn steer(
+        &self,
+        group: &Group,
+        row: usize,
+        frame: Frame<'_>,
+        plans: &mut Plans<'_>,
+        neighbours: &mut Vec<SteeringNeighbour>,
+    ) {
+        let Frame { around, sources, seconds, now } = frame;
+        let behaviour = group.guidance.behaviour.as_ref().filter(|_| self.state.agents.commanded[row].is_none());
+        let (vehicle, motion) = (self.state.steered_vehicle(row, seconds), self.state.motion(row));
+        let own = behaviour.map(|behaviour| self.steering(group, behaviour, row, (seconds, now), plans, neighbours));
+        let aim = own.map_or(plans.preferred(row), |own| {
+            let aim = vehicle.velocity_of(&motion, own.force, seconds).clamp_length_max(vehicle.max_speed);
+            if aim.is_finite() { aim } else { motion.velocity }
+        });
+        let governed = if own.is_some() { sources.governed(around, row, aim, now) } else { aim };
+        if self.state.vehicle(row).is_some() {
+            let leads_there = || vehicle.force_towards(&motion, governed, seconds).into();
+            let steering = match own {
+                Some(own) if governed == aim => own,
+                Some(Steering { facing, .. }) => Steering { facing, ..leads_there() },
+                None => leads_there(),
+            };
+            self.plan(row, steering, seconds, plans);
+        } else {
+            let facing = own.and_then(|own| own.facing);
+            plans.aim(row, governed.with_z(0.0), facing);
+        }
+    }
+
+    /// Returns the steering of an agent by its behaviour.
     fn steering(
         &self,
-        of: &GroupSteering<'_>,
+        group: &Group,
+        behaviour: &BoxedBehaviour,
         row: usize,
+        (seconds, now): (f32, f64),
         plans: &mut Plans<'_>,
         neighbours: &mut Vec<SteeringNeighbour>,
     ) -> Steering {
-        if of.group.is_flock() {
+        if group.is_flock() {
             return self.force(row).into();
         }
-        let view = self.view(row, of.seconds, of.now, neighbours);
-        let memory = plans.memory(row, of.steering.words());
-        of.steering.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
+        let view = self.view(row, seconds, now, neighbours);
+        let memory = plans.memory(row, behaviour.words());
+        behaviour.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
     }
 
-    /// Sets the planned motion of an agent with this steering.
-    pub(super) fn steer_row(&self, of: &GroupSteering<'_>, row: usize, steering: Steering, plans: &mut Plans<'_>) {
+    /// Sets the planned motion of a vehicle with this steering.
+    pub(super) fn plan(&self, row: usize, steering: Steering, seconds: f32, plans: &mut Plans<'_>) {
         let before = self.state.motion(row);
         let mut motion = before;
-        of.group.vehicle.step(&mut motion, steering, of.seconds);
+        self.state.steered_vehicle(row, seconds).step(&mut motion, steering, seconds);
         let at = row - plans.first;
-        set(&mut plans.preferred, at, (motion.position - before.position) / of.seconds);
+        set(&mut plans.preferred, at, (motion.position - before.position) / seconds);
         (plans.velocity[at], plans.attitude[at]) = (motion.velocity, motion.into());
         plans.faces[at] = steering.facing.is_some();
     }
@@ -249,7 +327,7 @@ impl<'a> Behaving<'a> {
     /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.
     pub fn reasons(&self, row: usize, seconds: f32, now: f64) -> (Option<Steering>, Vec<TraceEntry>) {
         let mut entries = Vec::new();
-        let said = self.state.steering(row).and_then(|steering| {
+        let said = self.state.behaviour(row).and_then(|steering| {
             let (mut memory, mut neighbours) = (self.state.agents.memory.of(row).to_vec(), Vec::new());
             let view = self.view(row, seconds, now, &mut neighbours);
             steering.steer(&view, &mut memory[..steering.words()], &mut TraceRecorder::requested(&mut entries))
@@ -281,7 +359,7 @@ impl<'a> Behaving<'a> {
         }));
         SteeringInput {
             motion: own,
-            vehicle: self.state.local_groups[agents.group[row].index()].vehicle,
+            vehicle: self.state.steered_vehicle(row, seconds),
             radius: agents.radius[row],
             group: agents.group[row].index(),
             slot: self.index.slots[row] as usize,
@@ -298,24 +376,53 @@ impl<'a> Behaving<'a> {
 }
 
 impl State {
-    /// Returns the behaviour that an agent steers by; `None` if it does not steer.
-    pub(crate) fn steering(&self, row: usize) -> Option<&BoxedBehaviour> {
-        self.local_groups[self.agents.group[row].index()].steering.as_ref()
+    /// Returns the behaviour that an agent steers by.
+    pub(crate) fn behaviour(&self, row: usize) -> Option<&BoxedBehaviour> {
+        self.local_groups[self.agents.group[row].index()].guidance.behaviour.as_ref()
     }
 
-    /// Whether any agent steers.
-    pub(crate) fn any_steers(&self) -> bool {
-        self.groups_in_use().any(|group| group.steering.is_some())
+    /// Returns the vehicle that moves an agent. A script needs none.
+    pub(crate) fn vehicle(&self, row: usize) -> Option<Vehicle> {
+        self.agents.vehicle[row].filter(|_| self.agents.script[row].is_none())
     }
 
-    /// Whether all agents steer.
-    pub(crate) fn all_steer(&self) -> bool {
-        self.agents.script.uniform() == Some(None) && self.groups_in_use().all(|group| group.steering.is_some())
+    /// Returns the vehicle that the behaviour of an agent steers.
+    fn steered_vehicle(&self, row: usize, seconds: f32) -> Vehicle {
+        self.agents.motor(row).vehicle(seconds)
     }
 
-    /// Whether any agent that steers may leave the ground.
-    pub(crate) fn any_steers_in_space(&self) -> bool {
-        self.groups_in_use().any(Group::steers_in_space)
+    /// Whether two agents have the same motor, if it is a vehicle.
+    fn share_vehicle(&self, row: usize, other: usize) -> bool {
+        let vehicle = &self.agents.vehicle;
+        vehicle.uniform().is_some() || vehicle[row].same(vehicle[other])
+    }
+
+    /// Whether the motion of an agent is planned: it has a behaviour or a vehicle.
+    fn plans(&self, row: usize) -> bool {
+        let Columns { vehicle, script, commanded, .. } = &self.agents;
+        let behaves = || commanded[row].is_none() && self.behaviour(row).is_some();
+        script[row].is_none() && (vehicle[row].is_some() || behaves())
+    }
+
+    /// Whether the motion of any agent is planned.
+    pub(crate) fn any_plans(&self) -> bool {
+        self.any_vehicle() || self.groups_in_use().any(|group| group.guidance.behaviour.is_some())
+    }
+
+    /// Whether a vehicle moves any agent.
+    pub(crate) fn any_vehicle(&self) -> bool {
+        self.agents.vehicle.values().iter().any(Option::is_some)
+    }
+
+    /// Whether all agents steer by behaviours.
+    pub(crate) fn all_behave(&self) -> bool {
+        self.agents.script.uniform() == Some(None)
+            && self.groups_in_use().all(|group| group.guidance.behaviour.is_some())
+    }
+
+    /// Whether any agent may leave the ground because its vehicle flies.
+    pub(crate) fn any_vehicle_flies(&self) -> bool {
+        self.agents.vehicle.values().iter().flatten().any(|vehicle| vehicle.flies())
     }
 
     /// Returns the position, velocity and orientation of an agent.
@@ -323,7 +430,7 @@ impl State {
         let agents = &self.agents;
         let position = self.place_in_space(row);
         let velocity = agents.velocity_in_space(row);
-        if self.steering(row).is_some() {
+        if self.vehicle(row).is_some() {
             agents.attitude[row].motion(position, velocity)
         } else {
             Motion { position, velocity, basis: Basis::facing(self.forward(row)), ..Motion::default() }
@@ -337,7 +444,7 @@ impl State {
 
     /// Returns the direction that an agent faces.
     pub(crate) fn forward(&self, row: usize) -> Vec3 {
-        if self.steering(row).is_some() {
+        if self.vehicle(row).is_some() {
             self.agents.attitude[row].basis.forward
         } else {
             let (sin, cos) = libm::sincosf(self.agents.heading[row]);

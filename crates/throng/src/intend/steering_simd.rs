@@ -1,7 +1,8 @@
-//! The vehicles of agents that steer, with SIMD, one agent in each element. The bits are the same as those of
+//! The vehicles of agents with behaviours, with SIMD, one agent in each element. The bits are the same as those of
 //! [`Vehicle::step`](crate::motion::Vehicle::step), which moves vehicles that the kernel does not support.
 
 use super::steering::{Behaving, GroupSteering, Plans};
+use crate::agent::Columns;
 use crate::motion::{Attitudes, Motions, Stepping};
 use crate::simd::{LANES, Vec2s, Vec3s, get3, in_space, ones, set, set3};
 use crate::steer::{BatchAgents, Steer, SteeringBatch, SteeringNeighbour, TraceRecorder};
@@ -38,7 +39,7 @@ impl Behaving<'_> {
             let faced = self.forces(of, rows, plans, neighbours, &mut force);
             let before = self.state.motions(simd, rows);
             let after = stepping.step(simd, &before, Vec3s::load(simd, &force));
-            let preferred = (after.position - before.position).over(S::f32s::splat(simd, of.seconds));
+            let preferred = (after.position - before.position).over(S::f32s::splat(simd, of.frame.seconds));
             plans.set_many(simd, (rows, faced), preferred, &after);
         }
     }
@@ -59,10 +60,10 @@ impl Behaving<'_> {
             return 0;
         }
         let mut agents = RowsToSteer { behaving: self, of, rows, plans, neighbours, forces, faced: 0 };
-        let mut batch = SteeringBatch::new(&mut agents, rows.len(), of.now - f64::from(of.seconds));
-        of.steering.steer_many(&mut batch);
+        let mut batch = SteeringBatch::new(&mut agents, rows.len(), of.frame.now - f64::from(of.frame.seconds));
+        of.behaviour.steer_many(&mut batch);
         for lane in ones(batch.left()) {
-            batch.steer(lane, |view, memory| of.steering.steer(view, memory, &mut TraceRecorder::default()));
+            batch.steer(lane, |view, memory| of.behaviour.steer(view, memory, &mut TraceRecorder::default()));
         }
         agents.faced
     }
@@ -92,11 +93,11 @@ impl BatchAgents for RowsToSteer<'_, '_> {
     fn steer(&mut self, index: usize, steer: Steer<'_>) {
         let Self { behaving, of, plans, .. } = self;
         let row = self.rows[index] as usize;
-        let view = behaving.view(row, of.seconds, of.now, self.neighbours);
-        let steering = steer(&view, plans.memory(row, of.steering.words())).unwrap_or_default();
+        let view = behaving.view(row, of.frame.seconds, of.frame.now, self.neighbours);
+        let steering = steer(&view, plans.memory(row, of.behaviour.words())).unwrap_or_default();
         if steering.facing.is_some() {
             self.faced |= 1 << index;
-            behaving.steer_row(of, row, steering, plans);
+            behaving.plan(row, steering, of.frame.seconds, plans);
         } else {
             set3(self.forces, index, steering.force);
         }
@@ -139,10 +140,11 @@ fn are_consecutive(rows: &[u32]) -> bool {
 }
 
 impl State {
-    /// Returns the SIMD level for the motion of all agents that steer, if all are discs of one group.
+    /// Returns the SIMD level for the motion of all agents, if all are discs of one group with the same vehicle.
     pub(crate) fn lanes_to_fly(&self) -> Option<Level> {
-        let group = &self.local_groups[self.agents.group.uniform()?.index()];
-        self.instructions.level().filter(|_| self.agents.all_discs() && group.steering.is_some())
+        let Columns { group, vehicle, script, .. } = &self.agents;
+        let alike = group.uniform().is_some() && vehicle.uniform()?.is_some() && script.uniform() == Some(None);
+        self.instructions.level().filter(|_| alike && self.agents.all_discs())
     }
 
     /// Returns the motion of the agents of a SIMD vector of rows in ascending order.

@@ -62,12 +62,12 @@ impl Behaving<'_> {
 
     fn trace(&self, row: usize, preferred: &Velocities, seconds: f32, now: f64) -> Trace {
         let (said, entries) = self.reasons(row, seconds, now);
-        let mass = self.state.local_groups[self.state.agents.group[row].index()].vehicle.mass;
+        let mass = self.state.vehicle(row).map_or(1.0, |vehicle| vehicle.mass);
         Trace {
             number: self.state.agents.number[row],
             steering: said.map_or(Vec3::ZERO, |steering| steering.force / mass),
             preferred: preferred.at(row),
-            entries: if self.state.steering(row).is_some() { entries } else { self.route_trace(row) },
+            entries: if self.state.behaviour(row).is_some() { entries } else { self.route_trace(row) },
         }
     }
 

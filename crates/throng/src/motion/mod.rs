@@ -5,6 +5,7 @@ mod angle;
 mod drive;
 mod heading;
 mod limits;
+mod motor;
 mod vehicle;
 mod wrap_around;
 
@@ -15,6 +16,7 @@ pub(crate) use heading::Turning;
 pub(crate) use heading::wrap;
 pub use heading::{faces, turn};
 pub use limits::{Limits, limit};
+pub use motor::{Holonomic, Motor, TwoWheels};
 pub use vehicle::{
     Attitude, Basis, Forces, Integrator, Locomotion, Motion, Steering, Vehicle, angle_between, turned, turned_towards,
 };

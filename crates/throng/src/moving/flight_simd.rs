@@ -1,4 +1,4 @@
-//! The motion of agents of one group that steer, with SIMD, one agent in each element. The bits are the same as those of the
+//! The motion of vehicles of one group, with SIMD, one agent in each element. The bits are the same as those of the
 //! [scalar path](super::movement).
 
 use super::movement::{diverted, rows_if};
@@ -6,7 +6,7 @@ use super::movement_simd::Trips;
 use crate::agent::{Column, Group, SEEN, Status};
 use crate::guard::{BodyPose, Guarded, Solids};
 use crate::intend::{Intended, Velocities};
-use crate::motion::{Attitude, angles};
+use crate::motion::{Attitude, Vehicle, angles};
 use crate::parallel;
 use crate::simd::{LANES, Vec2s, Vec3s, from_side_by_side, get3, in_space, ones, set, set3};
 use crate::world::State;
@@ -15,7 +15,7 @@ use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
-/// Moves all agents, if all are discs of one group that steer, and no agent is guarded.
+/// Moves all agents, if all are discs of one group with the same vehicle, and no agent is guarded.
 pub(super) fn fly_many(
     level: Level,
     state: &mut State,
@@ -25,6 +25,7 @@ pub(super) fn fly_many(
     seconds: f32,
 ) {
     let State { agents, local_groups: groups, .. } = state;
+    let Some(Some(vehicle)) = agents.vehicle.uniform() else { return };
     let in_air = chosen.is_in_space();
     let flight = Flight {
         preferred: intended.preferred,
@@ -36,6 +37,7 @@ pub(super) fn fly_many(
         led: safe.targets,
         status: &agents.status,
         group: &groups[agents.group[0].index()],
+        vehicle,
         seconds,
     };
     let flying = (
@@ -72,6 +74,7 @@ struct Flight<'a> {
     led: &'a [BodyPose],
     status: &'a [Status],
     group: &'a Group,
+    vehicle: Vehicle,
     seconds: f32,
 }
 
@@ -140,7 +143,7 @@ impl Flight<'_> {
                 let before = self.before[rows.start + lane].motion(get3(&places, lane), get3(&were, lane));
                 let plan = (&planned.1[lane], self.faces[rows.start + lane]);
                 (planned.0[lane], planned.1[lane]) =
-                    diverted(&self.group.vehicle, &before, plan, get3(&are, lane), self.seconds);
+                    diverted(&self.vehicle, &before, plan, get3(&are, lane), self.seconds);
             }
         }
         let (mut forwards, mut moved) = ([[0.0; LANES]; 2], [[0.0; LANES]; 3]);

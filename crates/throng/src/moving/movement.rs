@@ -3,8 +3,8 @@
 use super::flight_simd::fly_many;
 use crate::agent::{Column, ColumnValue, Columns, SEEN, Status};
 use crate::guard::{BodyPose, Guarded};
-use crate::intend::{Intended, Velocities};
-use crate::motion::{Attitude, Motion, Vehicle, angle, faces, turn, wrap};
+use crate::intend::{Facing, Intended, Velocities};
+use crate::motion::{Attitude, Motion, Vehicle, angle, turn, wrap};
 use crate::navigate::NeighbourData;
 use crate::parallel::{self, RowLists};
 use crate::perceive::SubStep;
@@ -59,9 +59,10 @@ fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
 
 /// Moves all agents on the scalar path.
 fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, safe: Guarded<'_>, seconds: f32) {
-    let (any_steers, all_discs) = (state.any_steers(), state.agents.all_discs());
+    let (any_vehicle, all_discs) = (state.any_vehicle(), state.agents.all_discs());
     let State { agents, local_groups: groups, .. } = state;
     let (core, max_turn_rate, status, group) = (&agents.core, &agents.max_turn_rate, &agents.status, &agents.group);
+    let (vehicle, script) = (&agents.vehicle, &agents.script);
     let moving = (
         (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
         (
@@ -69,11 +70,11 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
                 rows_if(chosen.is_in_space(), &mut agents.altitude),
                 rows_if(chosen.is_in_space(), &mut agents.vertical_velocity),
             ),
-            (rows_if(any_steers, &mut agents.attitude), rows_if(!all_discs, &mut agents.spin)),
+            (rows_if(any_vehicle, &mut agents.attitude), rows_if(!all_discs, &mut agents.spin)),
         ),
         (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
     );
-    let facing = intended.facing();
+    let (facing, looks) = (intended.facing(), intended.looks);
     let planned = &*intended.planned;
     parallel::ranges(moving, |rows, (place, ((altitude, vertical_velocity), (attitude, spin)), trip)| {
         let (position, velocities, headings) = place;
@@ -86,14 +87,21 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             let mut place = target.place();
             let mut velocity = velocity(from, place, chosen.at(row), seconds);
             let group = &groups[group[row].index()];
-            let heading = if group.steering.is_some() {
+            let heading = if let Some(vehicle) = vehicle[row].filter(|_| script[row].is_none()) {
                 let motion = attitude.all[at].motion(from, before);
-                let (moved, now) = if velocity == intended.preferred.at(row) {
+                let (moved, mut now) = if facing.is_as_planned(row, velocity) {
                     (planned.velocity[row], planned.attitude[row])
                 } else {
                     let planned = (&planned.attitude[row], planned.faces[row]);
-                    diverted(&group.vehicle, &motion, planned, velocity, seconds)
+                    diverted(&vehicle, &motion, planned, velocity, seconds)
                 };
+                if core[row] != Vec2::ZERO {
+                    // the guard has chosen the heading of a body that is not a disc
+                    if target.heading != now.basis.heading() {
+                        now.basis = Attitude::heading(target.heading).basis;
+                    }
+                    spin.all[at] = wrap(target.heading - headings[at]) / seconds;
+                }
                 (velocity, attitude.all[at]) = (moved, now);
                 place = group.wrap_around.and_then(|ball| ball.back(place)).unwrap_or(place);
                 now.basis.heading()
@@ -102,7 +110,7 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
                 let now = turned_heading(
                     is_disc,
                     velocity.truncate(),
-                    facing,
+                    (facing, looks),
                     target,
                     (row, max_turn_rate[row]),
                     headings[at],
@@ -133,11 +141,11 @@ pub(super) fn rows_if<T: ColumnValue>(needed: bool, column: &mut Column<T>) -> R
     RowLists { all: if needed { column.rows_mut() } else { &mut [] }, stride: usize::from(needed) }
 }
 
-/// Returns the heading of an agent that does not steer after its motion.
+/// Returns the heading of an agent without a vehicle after its motion.
 fn turned_heading(
     is_disc: bool,
     velocity: Vec2,
-    (preferred, looks): (&Velocities, &[Vec2]),
+    (facing, looks): (Facing<'_>, &[Vec2]),
     target: BodyPose,
     (row, max_turn_rate): (usize, f32),
     before: f32,
@@ -146,17 +154,17 @@ fn turned_heading(
     if !is_disc {
         return target.heading;
     }
-    let facing = match looks.get(row) {
+    let to = match looks.get(row) {
         Some(&looks) if looks != Vec2::ZERO => looks,
-        _ => faces(velocity, preferred.ground[row], max_turn_rate),
+        _ => facing.direction(row, velocity, max_turn_rate),
     };
-    turn(before, facing, seconds, max_turn_rate)
+    turn(before, to, seconds, max_turn_rate)
 }
 
-/// Turns an agent that does not steer and has moved, from its heading before.
+/// Turns an agent without a vehicle that has moved, from its heading before.
 pub(super) fn turn_walker(
     agents: &mut Columns,
-    facing: (&Velocities, &[Vec2]),
+    facing: (Facing<'_>, &[Vec2]),
     targets: &[BodyPose],
     row: usize,
     before: f32,
@@ -185,7 +193,7 @@ fn angle_between(a: Vec2, b: Vec2) -> f32 {
     if a.length() < SEEN || b.length() < SEEN { 0.0 } else { angle(Vec2::new(a.dot(b), a.perp_dot(b))).abs() }
 }
 
-/// Returns the motion of a steered agent after the avoidance or the guard changed its velocity.
+/// Returns the motion of a vehicle after the avoidance or the guard changed its velocity.
 pub(super) fn diverted(
     vehicle: &Vehicle,
     before: &Motion,

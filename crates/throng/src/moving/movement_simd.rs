@@ -1,4 +1,4 @@
-//! Motion with SIMD, one agent in each element: agents on the ground that do not steer. The bits are the same as those of
+//! Motion with SIMD, one agent in each element: agents on the ground without behaviours or vehicles. The bits are the same as those of
 //! the [scalar path](super::movement), which turns agents with a limit on turning and bodies that are not discs.
 
 use super::movement::{Move, turn_walker};
@@ -28,10 +28,10 @@ struct Moving<'a> {
 }
 
 impl State {
-    /// Returns the SIMD level for motion if all agents can use it: they stay on the ground and do not steer, and the guard
+    /// Returns the SIMD level for motion if all agents can use it: they stay on the ground without behaviours or vehicles, and the guard
     /// has chosen the headings of bodies that are not discs.
     pub(crate) fn lanes_to_move(&self) -> Option<Level> {
-        let plain = !self.in_space_now() && !self.any_steers() && !self.any_looks_about();
+        let plain = !self.in_space_now() && !self.any_plans() && !self.any_looks_about();
         let headed = self.agents.core.uniform() == Some(Vec2::ZERO) || self.is_guarded();
         self.instructions.level().filter(|_| plain && headed)
     }
@@ -84,7 +84,7 @@ impl Move {
         parallel::ranges(moving, |rows, all| sleep.each(rows, all, move_part));
         for &(row, before, turned) in &self.turners {
             agents.turned[row] = turned;
-            turn_walker(agents, intended.facing(), targets, row, before, seconds);
+            turn_walker(agents, (intended.facing(), intended.looks), targets, row, before, seconds);
         }
     }
 }

@@ -199,8 +199,8 @@ impl State {
     fn status_without_stop(&self, row: usize) -> Status {
         let group = &self.local_groups[self.agents.group[row].index()];
         let goes_nowhere = self.journeys[self.agents.journey[row].index()].stops.is_empty();
-        let is_moved = group.field.is_some() || self.agents.commanded[row].is_some();
-        let goes_on = group.steering.is_some() || is_moved && goes_nowhere;
+        let is_moved = group.guidance.field.is_some() || self.agents.commanded[row].is_some();
+        let goes_on = group.guidance.behaviour.is_some() || is_moved && goes_nowhere;
         if goes_on { Status::Walking } else { Status::Arrived }
     }
 

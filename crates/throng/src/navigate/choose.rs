@@ -150,7 +150,7 @@ impl State {
     /// Whether an agent walks to a goal by looking ahead, without a script, field or steering behaviour.
     fn may_choose(&self, row: usize) -> bool {
         let (agents, group) = (&self.agents, &self.local_groups[self.agents.group[row].index()]);
-        let by_itself = group.look_ahead && group.steering.is_none() && group.field.is_none();
+        let by_itself = group.look_ahead && group.guidance.is_journey();
         by_itself
             && agents.status[row] == Status::Walking
             && agents.script[row].is_none()

@@ -235,7 +235,7 @@ impl State {
     fn last_goal(&self, row: usize, leg: u32) -> Option<(GoalId, &Goal)> {
         let agents = &self.agents;
         let leg = self.legs.of(agents.journey[row], leg).filter(|leg| leg.is_last)?;
-        let stays = agents.script[row].is_none() && self.local_groups[agents.group[row].index()].steering.is_none();
+        let stays = agents.script[row].is_none() && self.behaviour(row).is_none();
         stays.then(|| (leg.goal, &self.goals[leg.goal.index()]))
     }
 
@@ -314,7 +314,7 @@ impl State {
         } else {
             standing.idle += seconds;
         }
-        let stopping = (agents.max_acceleration[row] * distance).sqrt().min(distance / RETURN_TIME.max(seconds));
+        let stopping = (agents.max_braking(row) * distance).sqrt().min(distance / RETURN_TIME.max(seconds));
         agents.preferred_speed[row].min(stopping)
     }
 }

@@ -18,8 +18,8 @@ pub struct Keyframe {
 /// The prescribed motion of a moving obstacle: a door, or a vehicle on its round. Between two keyframes, position and
 /// heading are interpolated linearly; before the first and after the last keyframe they are constant.
 ///
-/// An agent with a script moves to the script's position at the end of each sub-step, at most at its `max_speed` and
-/// `max_turn_rate`. The model of its group, its journey and its acceleration limit have no effect. The
+/// An agent with a script moves to the script's position at the end of each sub-step, no faster than its motor moves and
+/// turns. The guidance and the model of its group and its acceleration limit have no effect. The
 /// [guard](crate::guard) applies as to every agent: a door with an agent in its way waits, then catches up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Script {

@@ -1,12 +1,14 @@
 //! Angles: radians in code, degrees in files.
 
+use serde::{Deserialize, Serialize};
+
 /// An angle: radians in code, degrees in files.
 ///
 /// ```
 /// use throng::parameters::Angle;
 /// assert_eq!(Angle::degrees(180.0).radians(), std::f32::consts::PI);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Angle(f32);
 
 impl Angle {

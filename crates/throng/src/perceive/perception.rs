@@ -2,6 +2,7 @@
 
 use super::{CellLattice, FEW_NEIGHBOURS, Grid, LongBodies, MOST_NEIGHBOURS, Near, Neighbours, SubStep, TileScratch};
 use crate::agent::{Columns, Cycles, Group};
+use crate::motion::Vehicle;
 use crate::parallel::{self, RowLists};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
@@ -119,8 +120,7 @@ impl Perceive {
         let (grid, long, sleep) = (&*grid, &*long, &*sleep);
         // an agent that does not look up ignores agents that it passes clear of
         let looks_up = |row: usize| {
-            let group = &groups[agents.group[row].index()];
-            group.model.looks_in_space() || group.steers_in_space()
+            groups[agents.group[row].index()].model.looks_in_space() || agents.vehicle[row].is_some_and(Vehicle::flies)
         };
         let plain = |found: &mut Vec<Near>, place: usize, list: &mut [u32], close_count: &mut u16| {
             let row = grid.order()[place] as usize;

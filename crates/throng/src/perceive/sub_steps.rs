@@ -56,19 +56,17 @@ impl State {
             && agents.core.uniform().is_some()
             && agents.max_speed.uniform().is_some()
             && agents.max_acceleration.uniform().is_some()
+            && agents.vehicle.uniform().is_some()
             && agents.group.uniform().is_some()
             && agents.script.uniform().is_some();
         let rows = if alike { agents.len().min(1) } else { agents.len() };
         let longest_squared = |row: usize| {
             let group = &groups[agents.group[row].index()];
-            let steers = group.steering.is_some();
-            let by_force = if steers { group.vehicle.max_force / group.vehicle.mass } else { f32::INFINITY };
-            let travel = if steers || group.field.is_some() {
-                STEERED
-            } else if group.look_ahead {
-                WALKED
-            } else {
-                DEVIATION
+            let by_force = agents.vehicle[row].map_or(f32::INFINITY, |vehicle| vehicle.max_force / vehicle.mass);
+            let travel = match group.guidance.is_journey() {
+                false => STEERED,
+                true if group.look_ahead => WALKED,
+                true => DEVIATION,
             };
             let radius = agents.body(row).clearance_radius();
             let radius_time = radius / agents.max_speed[row];

@@ -113,6 +113,11 @@ impl BoxedBehaviour {
         self.words
     }
 
+    /// Whether it is the same object as another.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.behaviour, &other.behaviour)
+    }
+
     /// Returns the steering of the behaviour as the `index`-th part of another behaviour. The part takes its words from
     /// the front of `memory`, and its random numbers are independent of those of the other parts.
     pub fn steer_as(

@@ -72,7 +72,7 @@ impl Pipeline {
         let chosen = avoid.run(state, (seen, shown), intended.preferred, sleep, of);
         ended(Stage::Avoid);
 
-        let safe = guard.run(state, seen, (intended.preferred, chosen), sleep, of);
+        let safe = guard.run(state, seen, (intended.facing(), chosen), sleep, of);
         ended(Stage::Guard);
         if !moves {
             return;

@@ -6,8 +6,6 @@ use super::{Settings, State, SubSteps, TraceRequest, World};
 use crate::agent::{
     Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
 };
-use crate::field::Governed;
-use crate::motion::{Attitude, Basis};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::SimdLevel;
 use crate::space::{Core, Obstacle, Place, Walkable, Walls, check_polygon};
@@ -15,7 +13,7 @@ use crate::steer::Stimulus;
 use crate::step::Pipeline;
 use crate::summary::Tally;
 use crate::{Error, Position, world::schedule::Schedule};
-use glam::{DVec2, DVec3, Vec2, Vec3};
+use glam::{DVec2, DVec3, Vec2};
 
 /// Distance from the origin, metres, within which a world keeps its guarantees: beyond it `f32` is too coarse.
 const FARTHEST: f64 = 20_000.0;
@@ -73,33 +71,11 @@ impl World {
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn add_group(&mut self, group: Group) -> Result<GroupId, Error> {
         let local = self.state.checked_group(&group)?;
-        if let Some(steering) = &group.steering {
-            self.state.agents.memory.widen(steering.words());
-        }
+        self.state.agents.memory.widen(group.guidance.words());
         self.step.guard.solids_mut().add(local.solid.0.clone());
         self.state.local_groups.push(local);
         self.state.groups.push(group);
         Ok(GroupId(self.state.local_groups.len() as u32 - 1))
-    }
-
-    /// Sets the field that governs a group, or removes it, from the next step on. An interactive program calls it while
-    /// the user draws a field.
-    ///
-    /// # Errors
-    /// As [`add_group`](Self::add_group), and [`Error::Unknown`] for a group that does not exist. The world is
-    /// unchanged.
-    pub fn set_field(&mut self, group: GroupId, field: Option<Governed>) -> Result<(), Error> {
-        known("group", group.index(), self.state.local_groups.len())?;
-        let given = Group { field, ..self.group(group).clone() };
-        self.state.local_groups[group.index()].field = self.state.checked_group(&given)?.field;
-        self.state.groups[group.index()] = given;
-        self.step.wake();
-        for row in 0..self.state.agents.len() {
-            if self.state.agents.group[row] == group && self.state.agents.script[row].is_none() {
-                self.state.update_status_without_stops(row);
-            }
-        }
-        Ok(())
     }
 
     /// Adds a goal.
@@ -359,11 +335,6 @@ impl State {
         self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
-        if self.local_groups[agent.group.index()].steering.is_some() {
-            let (sin, cos) = libm::sincosf(heading);
-            let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
-            self.agents.attitude.set(row as usize, Attitude { basis, ..Attitude::default() });
-        }
         let status = self.first_status(row as usize);
         self.agents.status[row as usize] = status;
         if status == Status::Arrived {

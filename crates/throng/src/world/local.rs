@@ -3,7 +3,7 @@
 //! The places in a [`Group`] are relative to the group's own origin, and the step works relative to the world's. They are
 //! converted once, when a group enters the world.
 
-use crate::agent::Group;
+use crate::agent::{Group, Guidance};
 use crate::error::Error;
 use crate::field::{Adaptive, FactorMap, Field, Governed};
 use crate::motion::{Steering, WrapAround};
@@ -27,12 +27,14 @@ pub(super) fn localized(group: &Group, origin: DVec2) -> Result<Group, Error> {
     let moved = |barrier: Barrier<_>| Barrier::new(Arc::new(Moved::new(barrier.surface, pose)) as _, barrier.seen_from);
     Ok(Group {
         origin,
-        field: group.field.map(|field| Governed {
-            field: Arc::new(ShiftedField { field: field.field, by }),
-            map: field.map.map(|map| Arc::new(ShiftedMap { map, by }) as _),
-            ..field
-        }),
-        steering: group.steering.map(|behaviour| ShiftedBehaviour { behaviour, shift }.into()),
+        guidance: Guidance {
+            behaviour: group.guidance.behaviour.map(|behaviour| ShiftedBehaviour { behaviour, shift }.into()),
+            field: group.guidance.field.map(|field| Governed {
+                field: Arc::new(ShiftedField { field: field.field, by }),
+                map: field.map.map(|map| Arc::new(ShiftedMap { map, by }) as _),
+                ..field
+            }),
+        },
         wrap_around: group.wrap_around.map(|ball| WrapAround { center: ball.center - shift, ..ball }),
         solid: Barriers(group.solid.0.into_iter().map(moved).collect()),
         ..group

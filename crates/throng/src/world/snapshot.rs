@@ -9,7 +9,7 @@ use crate::agent::{Columns, JourneyId};
 use crate::intend::Standoff;
 use crate::navigate::{Goal, Journey, Legs, Script, Unreachable};
 use crate::space::Place;
-use crate::steer::{BoxedBehaviour, Stimulus};
+use crate::steer::Stimulus;
 use crate::summary::Tally;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -106,8 +106,7 @@ impl World {
         self.place_changed();
         self.state.steps = state.steps;
         self.state.agents = state.agents;
-        let words =
-            self.state.local_groups.iter().filter_map(|group| group.steering.as_ref()).map(BoxedBehaviour::words);
+        let words = self.state.local_groups.iter().map(|group| group.guidance.words());
         self.state.agents.memory.widen(words.max().unwrap_or(0));
         self.state.slots = state.slots;
         self.state.goals = state.goals;

@@ -86,12 +86,29 @@ impl State {
         let agents = &self.agents;
         let rises = agents.commanded.values().iter().flatten().any(|velocity| velocity.z != 0.0);
         let in_air = rises || agents.any_flies() || agents.vertical_velocity.uniform() != Some(0.0);
-        in_air || self.legs.lead_up() || self.any_steers_in_space()
+        in_air || self.legs.lead_up() || self.any_vehicle_flies()
+    }
+
+    /// Whether an agent needs a local model. A script needs none, and a vehicle without avoidance has limited its
+    /// velocity itself.
+    pub(crate) fn needs_model(&self, row: usize) -> bool {
+        let Columns { script, vehicle, .. } = &self.agents;
+        script[row].is_none() && (vehicle[row].is_none() || self.model(row).avoids())
+    }
+
+    /// Whether all agents need a local model.
+    pub(crate) fn all_need_model(&self) -> bool {
+        let Columns { script, vehicle, .. } = &self.agents;
+        let avoid = || self.groups_in_use().all(|group| group.model.avoids());
+        script.uniform() == Some(None) && (vehicle.uniform() == Some(None) || avoid())
     }
 
     /// Whether any agent needs a local model, or follows a script and is limited as if it did.
     pub(crate) fn any_needs_model(&self) -> bool {
-        self.agents.script.uniform() != Some(None) || self.groups_in_use().any(Group::needs_model)
+        let Columns { script, vehicle, .. } = &self.agents;
+        script.uniform() != Some(None)
+            || vehicle.values().iter().any(Option::is_none)
+            || self.groups_in_use().any(|group| group.model.avoids())
     }
 
     /// Returns the id of the agent in a row.

@@ -3,13 +3,12 @@
 use super::build::known;
 use super::{AgentRef, World};
 use crate::Error;
-use crate::agent::{Agent, Group, GroupId};
-use crate::motion::{Attitude, Basis};
-use glam::Vec3;
+use crate::agent::{Agent, Group, GroupId, Guidance};
 
 impl World {
-    /// Replaces a group from the next step on: its local model, interaction rules, field and behaviours. Its agents
-    /// stay where they are and continue to their goals. The memory of their behaviours starts again.
+    /// Replaces a group from the next step on: its local model, interaction rules and guidance. Its agents
+    /// stay where they are and continue to their goals. The memory of a behaviour starts again, unless the group had the
+    /// same object before.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -31,21 +30,16 @@ impl World {
     pub fn set_group(&mut self, id: GroupId, group: Group) -> Result<(), Error> {
         known("group", id.index(), self.state.local_groups.len())?;
         let local = self.state.checked_group(&group)?;
-        let began_to_steer = group.steering.is_some() && self.state.local_groups[id.index()].steering.is_none();
-        if let Some(steering) = &group.steering {
-            self.state.agents.memory.widen(steering.words());
-        }
+        self.state.agents.memory.widen(group.guidance.words());
         self.step.guard.solids_mut().set(id.index(), local.solid.0.clone());
+        let keeps = group.guidance.has_behaviour_of(&self.state.groups[id.index()].guidance);
         self.state.local_groups[id.index()] = local;
         self.state.groups[id.index()] = group;
         self.state.end_standoffs();
         self.step.wake();
         for row in (0..self.state.agents.len()).filter(|&row| self.state.agents.group[row] == id).collect::<Vec<_>>() {
-            self.state.agents.memory.forget(row);
-            if began_to_steer {
-                let (sin, cos) = libm::sincosf(self.state.agents.heading[row]);
-                let basis = Basis::facing(Vec3::new(cos, sin, 0.0));
-                self.state.agents.attitude.set(row, Attitude { basis, ..Attitude::default() });
+            if !keeps {
+                self.state.agents.memory.forget(row);
             }
             if self.state.agents.script[row].is_none() {
                 self.state.update_status_without_stops(row);
@@ -54,8 +48,36 @@ impl World {
         Ok(())
     }
 
+    /// Sets what guides the agents of a group from the next step on: a behaviour instead of their journeys, another field.
+    /// An interactive program calls it while the user draws a field.
+    ///
+    /// ```
+    /// use throng::agent::Guidance;
+    /// use throng::{Agent, GroupId, Settings, World};
+    /// use throng_steer::Wander;
+    /// let mut world = World::new(Settings::default())?;
+    /// let id = world.add_agent(Agent::at([0.0, 0.0]).goal([4.0, 0.0]))?;
+    /// world.set_guidance(GroupId::DEFAULT, Guidance::behaviour(Wander::default()))?;
+    /// for _ in 0..100 {
+    ///     world.step();
+    /// }
+    /// world.set_guidance(GroupId::DEFAULT, Guidance::JOURNEY)?;
+    /// while !world.finished() {
+    ///     world.step();
+    /// }
+    /// assert!(world.position(id).is_some_and(|at| (at.x - 4.0).abs() < 0.5));
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`set_group`](Self::set_group).
+    pub fn set_guidance(&mut self, group: GroupId, guidance: Guidance) -> Result<(), Error> {
+        known("group", group.index(), self.state.groups.len())?;
+        self.set_group(group, Group { guidance, ..self.group(group).clone() })
+    }
+
     /// Changes the properties of agents, including agents that are scheduled to enter. `into` gets the number of each
-    /// agent and its present properties, and changes its body, speeds, priority, share of the field, or layers. Other
+    /// agent and its present properties, and changes its body, motor, preferred speed, priority, share of the field, or layers. Other
     /// changes are ignored: an agent stays where it is, in its group, on its path. Bodies that come to overlap part as
     /// in an [overlapping start](crate::guard).
     ///
@@ -107,11 +129,8 @@ impl World {
             agents.radius.set(row, agent.radius);
             agents.core.set(row, agent.core);
             agents.preferred_speed.set(row, agent.preferred_speed);
-            agents.max_speed.set(row, agent.max_speed);
-            agents.max_acceleration.set(row, agent.max_acceleration);
-            agents.max_turn_rate.set(row, agent.max_turn_rate);
+            agents.set_motor(row, agent.motor);
             agents.time_gap.set(row, agent.time_gap);
-            agents.tracking_error.set(row, agent.tracking_error);
             agents.priority.set(row, agent.priority);
             agents.governed.set(row, agent.governed);
             agents.layers.set(row, agent.layers);

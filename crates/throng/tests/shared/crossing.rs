@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use std::f64::consts::TAU;
+use throng::motion::Holonomic;
 use throng::{Agent, Goal, Group, GroupId, Journey, JourneyId, Settings, Stop, SubSteps, World};
 
 /// 0.25 agents per m2 in the open, added in no spatial order, each with a distant goal in one of 64 directions.
@@ -23,7 +24,12 @@ pub fn crossing(count: u32, group: Group) -> World {
         let mixed = number * 7919;
         let place = DVec2::new(f64::from(mixed % count) % side, (f64::from(mixed % count) / side).floor());
         let preferred_speed = 1.3 + 0.2 * (mixed % 101) as f32 / 101.0;
-        let body = Agent { radius: 0.25, preferred_speed, max_speed: 2.0, ..Agent::default() };
+        let body = Agent {
+            radius: 0.25,
+            preferred_speed,
+            motor: Holonomic { max_speed: 2.0, ..Holonomic::default() }.into(),
+            ..Agent::default()
+        };
         let journey = journeys[mixed as usize % journeys.len()];
         world.add_agent(Agent { position: ((place - 0.5 * side) * 2.0).extend(0.0), group, journey, ..body }).unwrap();
     }

@@ -269,7 +269,8 @@ impl<'a> Replay<'a> {
         let goal_moved = self.free(index, walker.goal) != walker.goal;
         let alone = self.world.is_free(position.extend(0.0), radius);
         let journey = self.journey(index)?;
-        let speed = walker.speed as f32;
+        let (speed, mut motor) = (walker.speed as f32, self.stage.agent.motor);
+        motor.set_max_speed(motor.max_speed().max(speed));
         let velocity: Vec2 = velocity.as_vec2();
         let heading = (velocity.length() > 0.1).then(|| velocity.y.atan2(velocity.x));
         let id = self.world.add_agent(Agent {
@@ -280,8 +281,8 @@ impl<'a> Replay<'a> {
             journey,
             radius,
             preferred_speed: speed,
-            max_speed: self.stage.agent.max_speed.max(speed),
             number: Some(walk.number),
+            motor,
             ..self.stage.agent.clone()
         })?;
         self.out.entered += 1;

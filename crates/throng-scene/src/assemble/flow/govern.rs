@@ -74,7 +74,9 @@ impl FieldContext<'_> {
 /// Adds notes about groups guided by a field alone that is zero at the start positions of some of their agents.
 pub fn note_silence(groups: &[throng::Group], agents: &[PlannedAgent], origin: DVec2, notes: &RefCell<Vec<String>>) {
     for (i, group) in groups.iter().enumerate() {
-        let Some(governed) = group.field.as_ref().filter(|governed| governed.around.is_empty()) else { continue };
+        let Some(governed) = group.guidance.field.as_ref().filter(|governed| governed.around.is_empty()) else {
+            continue;
+        };
         let led = || agents.iter().filter(|planned| planned.group == i && planned.journey.is_none());
         let silent = led().filter(|planned| {
             let place = (planned.agent.position - origin.extend(0.0)).as_vec3();

@@ -1,23 +1,17 @@
 //! Checks the steering of a group before it is built.
 
-use super::super::limits::{HIGHEST, Limit, check, check_number, check_point};
-use super::vehicle;
+use super::super::limits::{HIGHEST, Limit, check, check_point};
+use super::super::motor::vehicle;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::scene::steer::Position;
-use crate::scene::{Group, Speed, WrapAround};
-use throng::motion::Locomotion;
+use crate::scene::{Group, Motor, WrapAround};
 use toml::Value;
 
-/// Checks the steering of a group: only groups that steer have vehicles, no other key contradicts the vehicle, the
-/// vehicle is valid, and all numbers are finite.
+/// Checks the steering of a group: all numbers are finite.
 pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
     let Some(steer) = &group.steer else {
-        let says = [
-            ("start_speed", group.start_speed.is_some(), "only agents that steer have a start_speed"),
-            ("vehicle", group.vehicle.is_some(), "only agents that steer have a vehicle"),
-            ("wrap_around", group.wrap_around.is_some(), "only agents that steer wrap around"),
-        ];
+        let says = [("wrap_around", group.wrap_around.is_some(), "only agents that steer wrap around")];
         return match says.into_iter().find(|(_, said, _)| *said) {
             None => Ok(()),
             Some((key, _, message)) => {
@@ -26,32 +20,8 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         };
     };
     check_wrap_around(&path.key("wrap_around"), group)?;
-    let fixes = [
-        ("speed", group.speed != Speed::default(), "set vehicle.max_speed instead"),
-        ("acceleration", group.acceleration.is_some(), "set vehicle.max_force and vehicle.mass instead"),
-        ("turn_rate", group.turn_rate.is_some(), "set vehicle.turn_rate instead"),
-        ("tracking_error", group.tracking_error.is_some(), "leave it out"),
-    ];
-    for (key, said, fix) in fixes {
-        if said {
-            let message = format!("{key} is for agents that walk; the vehicle defines the motion of agents that steer");
-            return Err(Problem::new(&path.key(key), Kind::Conflict, message).hint(fix));
-        }
-    }
-    if let Some(speed) = &group.start_speed {
-        let path = path.key("start_speed");
-        check_number(&path, speed, Limit::Between(0.0, 1000.0))?;
-        if group.heading.is_none() {
-            let message = "start_speed without a heading";
-            return Err(Problem::new(&path, Kind::Conflict, message).hint("add their direction: heading = 90"));
-        }
-    }
     if let Ok(tree) = Value::try_from(steer) {
         check_finite(&path.key("steer"), &tree)?;
-    }
-    let path = path.key("vehicle");
-    if let Some(given) = &group.vehicle {
-        given.read(&path)?;
     }
     Ok(())
 }
@@ -61,7 +31,7 @@ fn check_wrap_around(path: &Path, group: &Group) -> Result<(), Problem> {
     let Some(WrapAround { center: Position([x, y, z]), radius }) = group.wrap_around else { return Ok(()) };
     check_point(&path.key("center"), &[x, y])?;
     check(&path.key("radius"), radius, Limit::UpTo(HIGHEST))?;
-    let flies = vehicle(group).locomotion != Locomotion::Ground;
+    let flies = group.moved_by() == Motor::Vehicle && vehicle(group).flies();
     check(&path.key("center").index(2), z, Limit::Between(if flies { radius } else { 0.0 }, HIGHEST))?;
     if group.guard == Some(true) {
         let message = "agents that wrap around cannot be guarded: the guard does not see the other side";

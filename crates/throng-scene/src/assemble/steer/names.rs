@@ -1,8 +1,9 @@
 //! What the names in a scene stand for, for the behaviours of a group.
 
 use super::super::limits::{HIGHEST, Limit, check};
+use super::super::motor::least_top_speed;
 use super::super::rules::no_figure;
-use super::{BehaviourContext, vehicle};
+use super::BehaviourContext;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
@@ -26,8 +27,8 @@ pub(in crate::assemble) fn in_world(position: usize) -> usize {
 
 impl Names for BehaviourContext<'_> {
     fn group(&self, _: &Path) -> Result<GroupFacts, Problem> {
-        let vehicle = vehicle(&self.scene.groups[self.group]);
-        Ok(GroupFacts { vehicle, agents: self.cast.named[self.group].1.len() })
+        let max_speed = least_top_speed(&self.scene.groups[self.group]);
+        Ok(GroupFacts { max_speed, agents: self.cast.named[self.group].1.len() })
     }
 
     fn place(&self, place: Position, at: &Path) -> Result<Vec3, Problem> {

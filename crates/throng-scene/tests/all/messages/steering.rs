@@ -144,19 +144,19 @@ a.toml:6:76: group `walkers`: there is no state `b`
 #[test]
 fn what_walks_and_what_steers_is_said_once() {
     assert_message(
-        &steers("vehicle.mass = 2"),
+        &steers("motor = \"holonomic\"\nvehicle.mass = 2"),
         Kind::Conflict,
-        r"
-a.toml:6:16: group `walkers`: only agents that steer have a vehicle
-  6 | vehicle.mass = 2
+        r#"
+a.toml:7:16: group `walkers`: the agents have a holonomic motor, which has no `vehicle`
+  7 | vehicle.mass = 2
     |                ^
-  hint: add a behaviour: steer.wander = {}",
+  hint: leave it out, or set motor = "vehicle""#,
     );
     assert_message(
         &steers("steer.wander = {}\nspeed.max = 2"),
         Kind::Conflict,
         r"
-a.toml:7:13: group `walkers`: speed is for agents that walk; the vehicle defines the motion of agents that steer
+a.toml:7:13: group `walkers`: the agents have a vehicle, which has no `speed`
   7 | speed.max = 2
     |             ^
   hint: set vehicle.max_speed instead",

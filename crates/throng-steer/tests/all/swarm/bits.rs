@@ -28,16 +28,16 @@ fn busy() -> Swarm {
         .with(Zones { reach: [0.03, 0.1, 0.25], ..Zones::default() })
 }
 
-fn groups() -> Vec<(&'static str, Group)> {
+fn groups() -> Vec<(&'static str, Group, Vehicle)> {
     let alone = Swarm { apart: bare().apart, own_noise: false, ..Swarm::default() };
     let ground = Vehicle { locomotion: Locomotion::Ground, ..midge() };
     vec![
-        ("busy", busy().group(midge())),
-        ("locusts", busy().group(locust())),
-        ("without neighbours", alone.clone().group(midge())),
-        ("the nearest few", Group { neighbours: 5, ..busy().group(midge()) }),
-        ("without noise", bare().with(Aggregate::new(Target::Point(Vec3::Z))).group(midge())),
-        ("on the ground", alone.group(ground)),
+        ("busy", busy().group(), midge()),
+        ("locusts", busy().group(), locust()),
+        ("without neighbours", alone.clone().group(), midge()),
+        ("the nearest few", Group { neighbours: 5, ..busy().group() }, midge()),
+        ("without noise", bare().with(Aggregate::new(Target::Point(Vec3::Z))).group(), midge()),
+        ("on the ground", alone.group(), ground),
     ]
 }
 
@@ -49,15 +49,15 @@ fn saved(mut world: World, instructions: SimdLevel) -> Vec<u8> {
 
 #[test]
 fn simd_and_scalar_flights_are_equal() {
-    for (name, group) in groups() {
+    for (name, group, vehicle) in groups() {
         let start = scattered(330, Vec3::Z * 3.0, 1.0);
-        let start: Vec<Vec3> = match group.vehicle.locomotion {
+        let start: Vec<Vec3> = match vehicle.locomotion {
             Locomotion::Ground => start.into_iter().map(|place| place.with_z(0.0)).collect(),
             _ => start,
         };
-        let plain = saved(world(group.clone(), &start), SimdLevel::Plain);
+        let plain = saved(world(group.clone(), vehicle, &start), SimdLevel::Plain);
         for instructions in SimdLevel::ALL {
-            assert!(saved(world(group.clone(), &start), instructions) == plain, "{name}, {instructions:?}");
+            assert!(saved(world(group.clone(), vehicle, &start), instructions) == plain, "{name}, {instructions:?}");
         }
     }
 }
@@ -66,10 +66,10 @@ fn simd_and_scalar_flights_are_equal() {
 fn threads_do_not_matter() {
     // enough insects that rows are sorted
     let start = scattered(5000, Vec3::Z * 3.0, 2.0);
-    for (name, group) in groups().into_iter().take(3) {
+    for (name, group, vehicle) in groups().into_iter().take(3) {
         let with = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| saved(world(group.clone(), &start), SimdLevel::Best))
+            pool.install(|| saved(world(group.clone(), vehicle, &start), SimdLevel::Best))
         };
         let one = with(1);
         assert!(with(2) == one && with(3) == one, "{name}");
@@ -81,12 +81,12 @@ fn threads_do_not_matter() {
 fn company_does_not_matter_to_swarms_without_neighbours() {
     let swarm = Swarm { apart: bare().apart, ..Swarm::default() };
     let start = scattered(50, Vec3::Z * 3.0, 1.0);
-    let mut alone = world(swarm.clone().group(midge()), &start);
+    let mut alone = world(swarm.clone().group(), midge(), &start);
     let mut both = empty();
-    let group = both.add_group(swarm.group(midge())).unwrap();
-    crate::swarm::add(&mut both, group, &midge(), &start);
-    let others = both.add_group(Swarm::default().group(midge())).unwrap();
-    crate::swarm::add(&mut both, others, &midge(), &start);
+    let group = both.add_group(swarm.group()).unwrap();
+    crate::swarm::add(&mut both, group, midge(), &start);
+    let others = both.add_group(Swarm::default().group()).unwrap();
+    crate::swarm::add(&mut both, others, midge(), &start);
     run(&mut alone, 1.0);
     run(&mut both, 1.0);
     assert_eq!(crate::swarm::places(&alone)[..], crate::swarm::places(&both)[..50]);

@@ -237,21 +237,20 @@ fn with(x: f32) -> Vec<Swarm> {
 }
 
 /// Adds the flight of a group, alone and with two agents that fly through it.
-fn fly(results: &mut Results, name: &str, group: &Group) {
+fn fly(results: &mut Results, name: &str, group: &Group, vehicle: Vehicle) {
     let start = scattered(30, MIDDLE, 0.5);
-    let ground = group.vehicle.locomotion == Locomotion::Ground;
+    let ground = vehicle.locomotion == Locomotion::Ground;
     let start: Vec<Vec3> = start.iter().map(|&place| if ground { place.with_z(0.0) } else { place }).collect();
     for instructions in [SimdLevel::Plain, SimdLevel::Best] {
         for company in [false, true] {
             let mut world = empty();
             world.set_simd_level(instructions);
             let number = world.add_group(group.clone()).unwrap();
-            add(&mut world, number, &group.vehicle, &start);
+            add(&mut world, number, vehicle, &start);
             if company {
                 let bird = Vehicle { max_speed: 1.0, ..midge() };
-                let strangers =
-                    world.add_group(Group { neighbours: 0, ..Group::vehicles(Seek { target: POINT }, bird) });
-                add(&mut world, strangers.unwrap(), &bird, &[Vec3::new(-0.6, 0.1, 2.0), Vec3::new(0.2, 1.0, 2.2)]);
+                let strangers = world.add_group(Group { neighbours: 0, ..Group::steered(Seek { target: POINT }) });
+                add(&mut world, strangers.unwrap(), bird, &[Vec3::new(-0.6, 0.1, 2.0), Vec3::new(0.2, 1.0, 2.2)]);
             }
             for _ in 0..5 {
                 (0..8).for_each(|_| world.step());
@@ -271,13 +270,13 @@ fn flights_are_as_kept() {
     let ground = Vehicle { locomotion: Locomotion::Ground, ..midge() };
     for (name, swarm) in guided() {
         ask(&mut results, name, &swarm);
-        fly(&mut results, name, &swarm.group(midge()));
+        fly(&mut results, name, &swarm.group(), midge());
     }
     let lamp = Phototaxis::new(POINT);
-    fly(&mut results, "locusts", &Swarm::default().with(Aggregate::new(POINT)).group(locust()));
-    fly(&mut results, "on the ground", &Swarm::default().with(lamp).with(Zones::default()).group(ground));
+    fly(&mut results, "locusts", &Swarm::default().with(Aggregate::new(POINT)).group(), locust());
+    fly(&mut results, "on the ground", &Swarm::default().with(lamp).with(Zones::default()).group(), ground);
     for (name, flocking, vehicle) in birds() {
-        fly(&mut results, name, &Group::vehicles(flocking, vehicle));
+        fly(&mut results, name, &Group::steered(flocking), vehicle);
     }
     for x in [-1.0, 0.0, 0.5, 1.0, 1.5, 2.0, 9.0, f32::INFINITY, f32::NAN] {
         let all: Vec<_> = with(x).iter().map(|swarm| (swarm.check(), swarm.reach(), swarm.memory())).collect();

@@ -65,7 +65,7 @@ fn parameters_out_of_their_limits_are_named() {
             Swarm::default().with(Aggregate { rate: wrong, ..Aggregate::new(target) }),
         ] {
             assert!(swarm.check().is_err(), "{swarm:?}");
-            assert!(empty().add_group(Group::vehicles(swarm, midge())).is_err());
+            assert!(empty().add_group(Group::steered(swarm)).is_err());
         }
     }
     assert!(HeightBand { low: f32::NEG_INFINITY, high: 1.0, rate: 1.0 }.check().is_err());
@@ -75,7 +75,7 @@ fn parameters_out_of_their_limits_are_named() {
 fn only_agents_without_avoidance_may_have_no_neighbours() {
     let error = empty().add_group(Group { neighbours: 0, ..Group::default() }).unwrap_err().to_string();
     assert_eq!(error, "neighbours is 0, but must be from 1 to 1000, or 0 or all for agents that avoid no other agent");
-    assert!(empty().add_group(Group { neighbours: 1001, ..Group::vehicles(Swarm::default(), midge()) }).is_err());
+    assert!(empty().add_group(Group { neighbours: 1001, ..Group::steered(Swarm::default()) }).is_err());
 }
 
 /// The guard has its own neighbour search.
@@ -83,9 +83,9 @@ fn only_agents_without_avoidance_may_have_no_neighbours() {
 fn guarded_insects_do_not_overlap_without_neighbours() {
     let middle = Vec3::Z * 2.0;
     let crush = bare().with(Aggregate { rate: 5.0, ..Aggregate::new(Target::Point(middle)) });
-    let group = Group { guard: true, ..crush.group(midge()) };
+    let group = Group { guard: true, ..crush.group() };
     assert_eq!(group.neighbours, 0);
-    let mut world = world(group, &scattered(60, middle, 0.3));
+    let mut world = world(group, midge(), &scattered(60, middle, 0.3));
     run(&mut world, 1.0);
     assert_eq!(world.overlapping(), []);
     let nearest = crate::swarm::places(&world).iter().map(|place| place.distance(middle)).fold(f32::INFINITY, f32::min);
@@ -96,9 +96,9 @@ fn guarded_insects_do_not_overlap_without_neighbours() {
 #[test]
 fn what_is_not_a_number_does_no_harm() {
     let mad = bare().with(Flow::of(|_: Vec3, _: f64| Vec3::NAN));
-    let mut world = world(mad.group(midge()), &scattered(20, Vec3::Z, 0.5));
+    let mut world = world(mad.group(), midge(), &scattered(20, Vec3::Z, 0.5));
     run(&mut world, 0.5);
     assert!(crate::swarm::places(&world).iter().all(|place| place.is_finite()));
-    let mut no_agents: World = crate::swarm::world(Swarm::default().group(Vehicle::default()), &[]);
+    let mut no_agents: World = crate::swarm::world(Swarm::default().group(), Vehicle::default(), &[]);
     run(&mut no_agents, 0.1);
 }

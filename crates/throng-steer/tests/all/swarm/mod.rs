@@ -25,14 +25,13 @@ pub fn empty() -> World {
 }
 
 /// Adds insects of a group.
-pub fn add(world: &mut World, group: GroupId, vehicle: &Vehicle, places: &[Vec3]) {
+pub fn add(world: &mut World, group: GroupId, vehicle: Vehicle, places: &[Vec3]) {
     for place in places {
         let agent = Agent {
             position: DVec2::new(place.x.into(), place.y.into()).extend(f64::from(place.z)),
             radius: 0.005,
             preferred_speed: vehicle.max_speed,
-            max_speed: vehicle.max_speed,
-            max_acceleration: f32::INFINITY,
+            motor: vehicle.into(),
             group,
             ..Agent::default()
         };
@@ -41,11 +40,10 @@ pub fn add(world: &mut World, group: GroupId, vehicle: &Vehicle, places: &[Vec3]
 }
 
 /// Returns a world of one group.
-pub fn world(group: Group, places: &[Vec3]) -> World {
+pub fn world(group: Group, vehicle: Vehicle, places: &[Vec3]) -> World {
     let mut world = empty();
-    let vehicle = group.vehicle;
     let group = world.add_group(group).unwrap();
-    add(&mut world, group, &vehicle, places);
+    add(&mut world, group, vehicle, places);
     world
 }
 

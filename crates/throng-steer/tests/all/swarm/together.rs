@@ -32,7 +32,7 @@ fn a_marker_and_the_response_make_an_oscillator() {
     let rate = 6.0;
     let swarm = bare().with(Aggregate { rate, ..Aggregate::new(Target::Point(Vec3::Z * 2.0)) });
     let vehicle = Vehicle { max_speed: 50.0, max_force: 1e4, response: 0.1, ..midge() };
-    let mut world = world(swarm.group(vehicle), &[start]);
+    let mut world = world(swarm.group(), vehicle, &[start]);
     // independent integration in small steps
     let (mut x, mut v, seconds) = (start.as_dvec3() - 2.0 * glam::DVec3::Z, glam::DVec3::ZERO, 1e-5);
     let mut most = 0.0_f64;
@@ -58,7 +58,7 @@ fn noise_of_ones_own_is_independent_and_shared_noise_is_not() {
         .collect();
     let alike = |own_noise: bool| {
         let swarm = Swarm { own_noise, apart: bare().apart, ..Swarm::default() };
-        let mut world = world(swarm.group(midge()), &pairs);
+        let mut world = world(swarm.group(), midge(), &pairs);
         let (mut together, mut squares) = (0.0, 0.0);
         for _ in 0..60 {
             world.step();
@@ -80,7 +80,7 @@ fn separation_keeps_them_apart() {
     let drawn = |distance: f32| {
         let swarm = Swarm { apart: SwarmSpacing { distance, speed: 1.0 }, own_noise: false, ..Swarm::default() };
         let mut world =
-            world(swarm.with(Aggregate::new(Target::Point(middle))).group(midge()), &scattered(150, middle, 0.4));
+            world(swarm.with(Aggregate::new(Target::Point(middle))).group(), midge(), &scattered(150, middle, 0.4));
         let mut least = Vec::new();
         for _ in 0..20 {
             run(&mut world, 0.5);
@@ -92,7 +92,7 @@ fn separation_keeps_them_apart() {
     assert!(with > 0.03 && without < 0.02, "{with} {without}");
     // two insects at one place separate too
     let swarm = Swarm { noise: None, apart: SwarmSpacing { distance: 0.1, speed: 1.0 }, ..Swarm::default() };
-    let mut world = world(swarm.group(midge()), &[middle; 2]);
+    let mut world = world(swarm.group(), midge(), &[middle; 2]);
     run(&mut world, 5.0);
     assert!(least_distance(&places(&world)) > 0.09);
 }
@@ -111,7 +111,7 @@ fn obstacles_are_kept_off() {
     let swarm = Swarm { keep_off: KeepOff { barriers, distance: 0.3, speed: 1.0 }, ..Swarm::default() };
     let swarm = swarm.with_noise(noise, true).with(Flow::of(|_: Vec3, _: f64| Vec3::X));
     let start: Vec<Vec3> = scattered(100, Vec3::new(0.0, 0.0, 3.0), 0.8);
-    let mut world = world(swarm.group(midge()), &start);
+    let mut world = world(swarm.group(), midge(), &start);
     let (mut near, mut far) = (f32::INFINITY, f32::NEG_INFINITY);
     for _ in 0..900 {
         world.step();
@@ -130,7 +130,7 @@ fn moths_fly_to_the_lamp_and_round_it() {
     let light = Phototaxis { orbit: 0.5, speed: 1.5, ..Phototaxis::new(Target::Point(lamp)) };
     let start = scattered(60, lamp, 2.8);
     let swarm = Swarm { noise: None, ..Swarm::default() }.with(light);
-    let mut calm = world(swarm.group(midge()), &start);
+    let mut calm = world(swarm.group(), midge(), &start);
     run(&mut calm, 6.0);
     let mut spins = Vec3::ZERO;
     for (place, velocity) in places(&calm).into_iter().zip(velocities(&calm)) {
@@ -142,7 +142,7 @@ fn moths_fly_to_the_lamp_and_round_it() {
     }
     assert!(spins.length() < 0.4, "each about an axis of its own: {spins}");
     // with noise the insects stay near the lamp
-    let mut wild = world(Swarm::default().with(light).group(midge()), &start);
+    let mut wild = world(Swarm::default().with(light).group(), midge(), &start);
     run(&mut wild, 8.0);
     let distance = mean(places(&wild).iter().map(|place| place.distance(lamp)));
     assert!((0.3..1.2).contains(&distance), "{distance}");
@@ -154,7 +154,7 @@ fn smoke_brings_them_down_until_it_has_gone() {
     let sedation = Sedation { uptake: 0.5, recovery: 0.5, ..Sedation::new(smoke) };
     let (left, right) = (Vec3::new(-6.0, 0.0, 2.0), Vec3::new(6.0, 0.0, 2.0));
     let all: Vec<Vec3> = [scattered(40, left, 0.5), scattered(40, right, 0.5)].concat();
-    let mut world = world(Swarm::default().with(sedation).group(midge()), &all);
+    let mut world = world(Swarm::default().with(sedation).group(), midge(), &all);
     run(&mut world, 12.0);
     for (place, velocity) in places(&world).into_iter().zip(velocities(&world)) {
         if place.x > 0.0 {
@@ -173,10 +173,10 @@ fn hunted(attack: Attack, seconds: f64) -> (Vec<Vec3>, Vec3) {
     let mut world = empty();
     let prey = Vehicle { max_speed: 0.75, ..midge() };
     let away = Seek { target: Target::Point(Vec3::new(0.0, 900.0, 5.0)) };
-    let runner = world.add_group(Group { neighbours: 0, ..Group::vehicles(away, prey) }).unwrap();
-    add(&mut world, runner, &prey, &[Vec3::new(0.0, 0.0, 5.0)]);
-    let hunters = world.add_group(Swarm::default().with(attack).group(midge())).unwrap();
-    add(&mut world, hunters, &midge(), &scattered(40, Vec3::new(6.0, 0.0, 5.0), 0.5));
+    let runner = world.add_group(Group { neighbours: 0, ..Group::steered(away) }).unwrap();
+    add(&mut world, runner, prey, &[Vec3::new(0.0, 0.0, 5.0)]);
+    let hunters = world.add_group(Swarm::default().with(attack).group()).unwrap();
+    add(&mut world, hunters, midge(), &scattered(40, Vec3::new(6.0, 0.0, 5.0), 0.5));
     run(&mut world, seconds);
     let all = places(&world);
     (all[1..].to_vec(), all[0])
@@ -207,7 +207,7 @@ fn locusts_migrate_together_along_their_path() {
     let order = |weight: f32| {
         let swarm = Swarm { apart: SwarmSpacing { distance: 0.3, speed: 1.0 }, ..Swarm::default() };
         let swarm = swarm.with(migrate.clone()).with(band).with(Align { distance: 1.5, weight });
-        let mut world = world(swarm.group(locust()), &start);
+        let mut world = world(swarm.group(), locust(), &start);
         let mut order = 0.0;
         for _ in 0..8 {
             run(&mut world, 1.0);
@@ -231,16 +231,16 @@ fn escaping_insects_are_not_caught() {
         let mut world = empty();
         let bird = Vehicle { max_speed: 1.5, ..midge() };
         let through = Seek { target: Target::Point(Vec3::new(50.0, 0.0, 4.0)) };
-        let predator = world.add_group(Group { neighbours: 0, ..Group::vehicles(through, bird) }).unwrap();
-        add(&mut world, predator, &bird, &[Vec3::new(-4.0, 0.0, 4.0)]);
+        let predator = world.add_group(Group { neighbours: 0, ..Group::steered(through) }).unwrap();
+        add(&mut world, predator, bird, &[Vec3::new(-4.0, 0.0, 4.0)]);
         let escape = Escape {
             within: if escapes { 1.0 } else { 1e-6 },
             ..Escape::new(Target::Nearest(GroupFilter::OtherGroups))
         };
         let marker = Aggregate::new(Target::Point(Vec3::Z * 4.0));
-        let group = Swarm::default().with(marker).with(escape).group(midge());
+        let group = Swarm::default().with(marker).with(escape).group();
         let group = world.add_group(group).unwrap();
-        add(&mut world, group, &midge(), &scattered(60, Vec3::Z * 4.0, 0.8));
+        add(&mut world, group, midge(), &scattered(60, Vec3::Z * 4.0, 0.8));
         let mut all = Vec::new();
         for _ in 0..360 {
             world.step();
@@ -257,7 +257,7 @@ fn escaping_insects_are_not_caught() {
 fn speeds_stay_within_those_of_the_vehicle() {
     for (vehicle, least) in [(locust(), 1.0), (Vehicle { max_speed: 0.5, ..midge() }, 0.0)] {
         let marker = Aggregate::new(Target::Point(Vec3::Z * 9.0));
-        let mut world = world(Swarm::default().with(marker).group(vehicle), &scattered(80, Vec3::Z * 9.0, 3.0));
+        let mut world = world(Swarm::default().with(marker).group(), vehicle, &scattered(80, Vec3::Z * 9.0, 3.0));
         for _ in 0..200 {
             world.step();
             for velocity in velocities(&world) {
@@ -274,7 +274,7 @@ fn insects_on_the_ground_stay_there() {
     let vehicle = Vehicle { locomotion: Locomotion::Ground, ..midge() };
     let start: Vec<Vec3> = scattered(50, Vec3::ZERO, 1.0).into_iter().map(|place| place.with_z(0.0)).collect();
     let light = Phototaxis::new(Target::Point(Vec3::Z * 2.0));
-    let mut world = world(Swarm::default().with(light).group(vehicle), &start);
+    let mut world = world(Swarm::default().with(light).group(), vehicle, &start);
     run(&mut world, 4.0);
     assert!(places(&world).iter().all(|place| place.z == 0.0));
     assert!(velocities(&world).iter().any(|velocity| velocity.length() > 0.3));
@@ -290,9 +290,9 @@ fn it_does_not_matter_where_a_swarm_is() {
         let mut world =
             World::new(Settings { step: 1.0 / 60.0, sub_steps: SubSteps::Fixed(1), origin, ..Settings::default() })
                 .unwrap();
-        let group = world.add_group(swarm.group(midge())).unwrap();
+        let group = world.add_group(swarm.group()).unwrap();
         let start: Vec<Vec3> = scattered(30, Vec3::Z * 3.0, 2.0).iter().map(|place| place + by).collect();
-        add(&mut world, group, &midge(), &start);
+        add(&mut world, group, midge(), &start);
         run(&mut world, 0.7);
         places(&world).into_iter().map(|place| place - by).collect::<Vec<Vec3>>()
     };

@@ -20,10 +20,11 @@ pub(crate) use step_simd::{Attitudes, Motions, Stepping};
 use crate::Error;
 use crate::parameters::{Angle, Value, parameters};
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// How a vehicle's body is oriented.
 #[parameters]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Locomotion {
     /// On the ground, upright.
     ///
@@ -42,7 +43,7 @@ pub enum Locomotion {
 
 /// How motion is integrated in a step.
 #[parameters]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Integrator {
     /// First the velocity, then the position with the new velocity.
     ///
@@ -57,7 +58,7 @@ pub enum Integrator {
 
 /// The greatest force along each axis of a vehicle, newtons. Without a value, the axis has no limit of its own.
 #[parameters]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Forces {
     /// Forwards.
     #[parameter(default = f32::INFINITY, infinite, unit = "N", least = 0)]
@@ -73,7 +74,7 @@ pub struct Forces {
     pub up: f32,
 }
 
-/// The vehicle of a group that steers. What is not given is as for a pedestrian of mass 1, for which forces equal
+/// A vehicle: the motor of a point mass with a direction. What is not given is as for a pedestrian of mass 1, for which forces equal
 /// accelerations.
 ///
 /// ```
@@ -87,7 +88,7 @@ pub struct Forces {
 /// assert!(motion.velocity.distance(Vec3::Y) < 1e-3 && motion.basis.forward.y > 0.999);
 /// ```
 #[parameters(check = Self::check)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Vehicle {
     /// Kilograms.
     #[parameter(default = 1.0, unit = "kg", above = 0)]
@@ -155,9 +156,24 @@ impl Vehicle {
         motion.velocity * (-self.mass * part_in(seconds, 1.0 / rate) / seconds)
     }
 
+    /// Whether it may leave the ground.
+    pub fn flies(self) -> bool {
+        self.locomotion != Locomotion::Ground
+    }
+
     /// Returns the greatest deceleration, m/s².
     pub fn max_braking(&self) -> f32 {
         self.max_force.min(self.forces.brake) / self.mass
+    }
+
+    /// Returns the bits of all parameters.
+    pub(crate) fn bits(self) -> ([[u32; 6]; 2], Locomotion, Integrator) {
+        let Self { mass, max_force, forces, max_speed, min_speed, max_turn_rate, .. } = self;
+        let Self { low_speed, response, smoothing, locomotion, integrator, .. } = self;
+        let Forces { thrust, brake, side, up } = forces;
+        let rest = [max_speed, min_speed, max_turn_rate.radians(), low_speed, response, smoothing];
+        let numbers = [[mass, max_force, thrust, brake, side, up], rest];
+        (numbers.map(|part| part.map(f32::to_bits)), locomotion, integrator)
     }
 
     /// Checks the parameters.

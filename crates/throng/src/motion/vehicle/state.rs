@@ -42,6 +42,12 @@ pub struct Attitude {
 }
 
 impl Attitude {
+    /// Returns the attitude of a vehicle at rest, upright, with a heading, radians counter-clockwise from +x.
+    pub fn heading(heading: f32) -> Self {
+        let (sin, cos) = libm::sincosf(heading);
+        Self { basis: Basis::facing(Vec3::new(cos, sin, 0.0)), ..Self::default() }
+    }
+
     /// Returns the motion with this attitude at a position with a velocity.
     pub fn motion(self, position: Vec3, velocity: Vec3) -> Motion {
         let Self { basis, acceleration, curvature } = self;

@@ -5,6 +5,7 @@ use glam::Vec2;
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{Avo, ClearPath, Hrvo, LocalModel, NoAvoidance, Orca, Rvo, Vo, time_to_disc};
+use throng::motion::Holonomic;
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, SubSteps, World};
 
 proptest! {
@@ -61,8 +62,13 @@ fn turning(model: Arc<dyn LocalModel>) -> Result<f64, throng::Error> {
         let goal = world.add_goal(Goal::Point { at: glam::DVec2::new(5.0 * side, 0.05 * side), tolerance: 0.1 })?;
         let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false })?;
         let position = glam::DVec2::new(-5.0 * side, 0.05 * side);
-        let agent =
-            Agent { position: position.extend(0.0), group, journey, max_acceleration: 1000.0, ..Agent::default() };
+        let agent = Agent {
+            position: position.extend(0.0),
+            group,
+            journey,
+            motor: Holonomic { max_acceleration: 1000.0, ..Holonomic::default() }.into(),
+            ..Agent::default()
+        };
         world.add_agent(agent)?;
     }
     let mut turned = 0.0;

@@ -5,6 +5,7 @@ use crate::results::Results;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 use throng::avoid::Orca3d;
+use throng::motion::Holonomic;
 use throng::navigate::{Heading, NavMesh, PathSearch, Route};
 use throng::{
     Agent, Body, Goal, Group, Journey, JourneyId, Keyframe, Obstacle, Script, Settings, Stop, SubSteps, Walkable, World,
@@ -438,7 +439,12 @@ fn through_doors() -> World {
         avoids: 0,
         ..Agent::default()
     };
-    world.add_agent(Agent { max_turn_rate: 2.0, ..leaf }.with_body(Body::rectangle(0.3, 0.5))).unwrap();
+    world
+        .add_agent(
+            Agent { motor: Holonomic { max_turn_rate: 2.0, ..Holonomic::default() }.into(), ..leaf }
+                .with_body(Body::rectangle(0.3, 0.5)),
+        )
+        .unwrap();
     fill(&mut world, ((0.5, 0.5), (3.4, 4.0)), 0.9, &Agent { journey: right, ..Agent::default() });
     fill(&mut world, ((5.0, 1.0), (7.0, 5.0)), 1.1, &Agent { journey: left, radius: 0.2, ..Agent::default() });
     world

@@ -196,7 +196,7 @@ fn flyers(seed: u64, count: usize, group: impl Fn(BoxedBehaviour) -> Group, all:
     let half = DVec2::splat(0.6 * (count as f64).sqrt());
     for number in 0..count {
         let position = draw.point(-half, half).extend(3.0 + f64::from(number as u32 % 10) * 0.3);
-        let agent = Agent { position, radius: 0.05, ..Agent::default() };
+        let agent = Agent { position, radius: 0.05, ..Agent::default() }.motor(vehicle());
         world.add_agent(agent.group(groups[if number % 3 == 0 { groups.len() - 1 } else { 0 }])).unwrap();
     }
     world
@@ -217,7 +217,7 @@ proptest! {
         let run = |together: usize, level: SimdLevel| {
             let waves = Arc::new(Waves { together, steered: Default::default() });
             let model: Arc<dyn LocalModel> = if avoids { Arc::new(Orca3d::default()) } else { Arc::new(NoAvoidance) };
-            let group = |steering| Group { guard, model: model.clone(), ..Group::vehicles(steering, vehicle()) };
+            let group = |steering| Group { guard, model: model.clone(), ..Group::steered(steering) };
             let mut all = vec![Shared(waves.clone()).into()];
             if mixed {
                 all.push(Flocking::default().into());
@@ -238,7 +238,7 @@ proptest! {
     fn a_flock_from_outside_flies_as_a_flock(seed: u64, count in 1usize..150, (guard, together) in any::<(bool, bool)>()) {
         let run = |behaviour: &dyn Fn() -> BoxedBehaviour, level: SimdLevel| {
             let group = |steering| Group {
-                guard, neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 2.0, ..Group::vehicles(steering, vehicle())
+                guard, neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 2.0, ..Group::steered(steering)
             };
             let mut world = flyers(seed, count, group, vec![behaviour(), Flocking::default().into()]);
             world.set_simd_level(level);

@@ -7,6 +7,7 @@ use crate::world::scenes::{clutter, free_spot};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::avoid::{Hrvo, Orca, Rvo, Vo};
+use throng::motion::Holonomic;
 use throng::{Agent, Body, Group, GroupId, Keyframe, Obstacle, Script, SubSteps, World};
 
 /// A body at one time.
@@ -109,18 +110,27 @@ fn mixed(case: u64, step: f64, sub_steps: SubSteps, order: u64) -> World {
             heading: Some(draw.between(-3.0, 3.0) as f32),
             journey: journey_to(&mut world, goal),
             preferred_speed,
-            max_speed: preferred_speed * 1.4,
-            max_acceleration: draw.one_of(&[2.0, f32::INFINITY]),
-            max_turn_rate: draw.one_of(&[0.7, 3.0, f32::INFINITY]),
             group: draw.one_of(&groups),
             number: Some(number),
+            motor: Holonomic {
+                max_speed: preferred_speed * 1.4,
+                max_acceleration: draw.one_of(&[2.0, f32::INFINITY]),
+                max_turn_rate: draw.one_of(&[0.7, 3.0, f32::INFINITY]),
+            }
+            .into(),
             ..Agent::default()
         };
         if number % 8 == 0 {
             let turned = |time, heading| Keyframe { time, at: position, heading };
             let keyframes = vec![turned(0.0, 0.0), turned(4.0, std::f64::consts::TAU)];
             let script = Some(world.add_script(Script { keyframes, repeat: true }).unwrap());
-            agent = Agent { script, avoids: 0, max_turn_rate: 3.0, group: GroupId::DEFAULT, ..agent };
+            agent = Agent {
+                script,
+                avoids: 0,
+                group: GroupId::DEFAULT,
+                motor: Holonomic { max_turn_rate: 3.0, ..Holonomic::default() }.into(),
+                ..agent
+            };
         }
         agents.push(agent.with_body(body));
     }
@@ -187,7 +197,12 @@ fn capsules_and_rectangles_get_where_they_want() {
         for k in 0..16 {
             let position = DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 16.0) * 4.0;
             let journey = journey_to(&mut world, -position);
-            let agent = Agent { position: position.extend(0.0), journey, max_turn_rate: 3.0, ..Agent::default() };
+            let agent = Agent {
+                position: position.extend(0.0),
+                journey,
+                motor: Holonomic { max_turn_rate: 3.0, ..Holonomic::default() }.into(),
+                ..Agent::default()
+            };
             world.add_agent(agent.with_body(body)).unwrap();
         }
         run(&mut world, 60.0, |_| ());
@@ -206,7 +221,12 @@ fn a_long_body_passes_a_narrow_door() {
         world.add_obstacle(Obstacle::Wall { points: wall }).unwrap();
     }
     let journey = journey_to(&mut world, DVec2::new(5.0, 1.0));
-    let agent = Agent { position: DVec2::new(-4.0, 2.0).extend(0.0), journey, max_turn_rate: 2.0, ..Agent::default() };
+    let agent = Agent {
+        position: DVec2::new(-4.0, 2.0).extend(0.0),
+        journey,
+        motor: Holonomic { max_turn_rate: 2.0, ..Holonomic::default() }.into(),
+        ..Agent::default()
+    };
     world.add_agent(agent.with_body(Body::capsule(2.0, 0.6))).unwrap();
     run(&mut world, 40.0, |_| ());
     let summary = world.summary();

@@ -45,15 +45,16 @@ fn vehicle() -> impl Strategy<Value = Vehicle> {
     )
 }
 
-fn group(flocking: Flocking, vehicle: Vehicle) -> Group {
-    Group { neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 8.0, ..Group::vehicles(flocking, vehicle) }
+fn group(flocking: Flocking) -> Group {
+    Group { neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: 8.0, ..Group::steered(flocking) }
 }
 
-fn world(groups: &[Group], all: &[One], instructions: SimdLevel) -> World {
+fn world(groups: &[(Group, Vehicle)], all: &[One], instructions: SimdLevel) -> World {
     let settings = Settings { step: 0.05, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
     let mut world = World::new(settings).unwrap();
     world.set_simd_level(instructions);
-    let groups: Vec<_> = groups.iter().map(|group| (world.add_group(group.clone()).unwrap(), &group.vehicle)).collect();
+    let groups: Vec<_> =
+        groups.iter().map(|(group, vehicle)| (world.add_group(group.clone()).unwrap(), vehicle)).collect();
     for (index, &((x, y, z), heading)) in all.iter().enumerate() {
         let (group, vehicle) = groups[index % groups.len()];
         let altitude = if vehicle.locomotion == Locomotion::Ground { 0.0 } else { z };
@@ -62,7 +63,7 @@ fn world(groups: &[Group], all: &[One], instructions: SimdLevel) -> World {
             heading: Some(heading),
             group,
             preferred_speed: 5.0,
-            max_speed: 5.0,
+            motor: (*vehicle).into(),
             ..Agent::default()
         };
         world.add_agent(agent).unwrap();
@@ -84,7 +85,7 @@ proptest! {
             .into_iter()
             .map(|((x, y, z), heading): One| ((coarse(x), coarse(y), coarse(z.into()) as f32), heading))
             .collect();
-        let groups: Vec<Group> = [Some(first), second].into_iter().flatten().map(|(f, v)| group(f, v)).collect();
+        let groups: Vec<(Group, Vehicle)> = [Some(first), second].into_iter().flatten().map(|(f, v)| (group(f), v)).collect();
         let mut plain = world(&groups, &all, SimdLevel::Plain);
         let mut fast: Vec<World> = SimdLevel::ALL.map(|level| world(&groups, &all, level)).into();
         for step in 0..30 {
@@ -110,7 +111,7 @@ fn birds(
     let settings = Settings { step: 0.04, sub_steps: SubSteps::Fixed(1), ..Settings::default() };
     let mut world = World::new(settings).unwrap();
     let vehicle = Vehicle { max_speed: 9.0, max_force: 27.0, locomotion: Locomotion::Banking, ..Vehicle::default() };
-    let group = Group { neighbours, neighbour_distance: 9.0, ..Group::vehicles(steering, vehicle) };
+    let group = Group { neighbours, neighbour_distance: 9.0, ..Group::steered(steering) };
     let group = world.add_group(group).unwrap();
     for number in order {
         // the same place for the same number: a spiral through the ball
@@ -124,8 +125,7 @@ fn birds(
             group,
             radius: 0.5,
             preferred_speed: 9.0,
-            max_speed: 9.0,
-            max_acceleration: f32::INFINITY,
+            motor: vehicle.into(),
             ..Agent::default()
         };
         world.add_agent(agent).unwrap();

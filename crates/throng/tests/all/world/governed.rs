@@ -5,6 +5,7 @@ use crate::world::oracle::Snapshot;
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
+use throng::agent::Guidance;
 use throng::field::{Field, Governed, Interaction};
 use throng::perceive::SimdLevel;
 use throng::{Agent, AgentRef, Error, Group, GroupId, JourneyId, Status, SubSteps, World};
@@ -15,7 +16,7 @@ fn led(world: &mut World, field: impl Field + 'static, ratio: f32) -> GroupId {
     world
         .add_group(Group {
             origin,
-            field: Some(Governed::new(field, ratio)),
+            guidance: Guidance::JOURNEY.governed(Governed::new(field, ratio)),
             look_ahead: false,
             keep_right: 0.0,
             ..Group::default()
@@ -148,22 +149,25 @@ fn no_two_agents_overlap_in_a_mill_at_any_simd_level() {
 }
 
 #[test]
-fn ratios_out_of_their_limits_and_fields_for_vehicles_are_refused() {
+fn ratios_out_of_their_limits_are_refused() {
     let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
     for ratio in [-0.1, 1.1, f32::NAN] {
-        let group = Group { field: Some(Governed::new(whirl, ratio)), ..Group::default() };
+        let group = Group { guidance: Guidance::JOURNEY.governed(Governed::new(whirl, ratio)), ..Group::default() };
         assert!(matches!(world.add_group(group), Err(Error::Limit { what: "ratio of a field", .. })));
     }
-    let vehicles = Group::vehicles(throng_steer::Wander::default(), throng::motion::Vehicle::default());
-    let group = Group { field: Some(Governed::new(whirl, 1.0)), ..vehicles };
-    let message = world.add_group(group).unwrap_err().to_string();
-    assert!(message.contains("let it follow the flow"), "{message}");
 }
 
 /// A group with fields about other agents only.
 fn around(world: &mut World, around: Interaction) -> GroupId {
     let field = Governed { around: vec![around], ..Governed::new(Uniform(Vec3::ZERO), 1.0) };
-    world.add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() }).unwrap()
+    world
+        .add_group(Group {
+            guidance: Guidance::JOURNEY.governed(field),
+            look_ahead: false,
+            keep_right: 0.0,
+            ..Group::default()
+        })
+        .unwrap()
 }
 
 /// The ratio depends on the group, on the place, and on the agent.
@@ -176,7 +180,12 @@ fn ratios_are_those_of_the_place_and_of_the_agent() {
         let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
         let field = Governed { map: Some(Arc::new(map.clone())), ..Governed::new(Uniform(Vec3::Y), 1.0) };
         let group = world
-            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .add_group(Group {
+                guidance: Guidance::JOURNEY.governed(field),
+                look_ahead: false,
+                keep_right: 0.0,
+                ..Group::default()
+            })
             .unwrap();
         let position = DVec2::new(0.0, y);
         let journey = journey_to(&mut world, DVec2::new(1e4, y));
@@ -240,7 +249,12 @@ fn the_mean_of_all_that_is_said_counts() {
         let about = Interaction { reach, weight, ..Interaction::new(posts.index(), Uniform(Vec3::Y)) };
         let field = Governed { around: vec![about], ..Governed::new(Uniform(base), 1.0) };
         let group = world
-            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .add_group(Group {
+                guidance: Guidance::JOURNEY.governed(field),
+                look_ahead: false,
+                keep_right: 0.0,
+                ..Group::default()
+            })
             .unwrap();
         let id = world.add_agent(Agent { group, ..Agent::default() }).unwrap();
         run_for(&mut world, 1.0, |_| {});
@@ -271,7 +285,12 @@ fn people_look_where_a_field_says() {
         let about = Interaction { looks: Some(looks), ..Interaction::new(posts.index(), Uniform(Vec3::ZERO)) };
         let field = Governed { around: vec![about], ..Governed::new(Uniform(flow), 1.0) };
         let group = world
-            .add_group(Group { field: Some(field), look_ahead: false, keep_right: 0.0, ..Group::default() })
+            .add_group(Group {
+                guidance: Guidance::JOURNEY.governed(field),
+                look_ahead: false,
+                keep_right: 0.0,
+                ..Group::default()
+            })
             .unwrap();
         let id = world.add_agent(Agent { group, heading: Some(-1.0), ..Agent::default() }).unwrap();
         run_for(&mut world, 3.0, |_| {});
@@ -291,17 +310,20 @@ fn fields_can_be_changed_on_the_way() {
     world.add_agent(Agent { group, ..Agent::default() }).unwrap();
     run_for(&mut world, 1.0, |_| {});
     assert_eq!(only(&world).0, Vec2::ZERO);
-    world.set_field(group, Some(Governed::new(Uniform(Vec3::X), 1.0))).unwrap();
+    world.set_guidance(group, Guidance::JOURNEY.governed(Governed::new(Uniform(Vec3::X), 1.0))).unwrap();
     run_for(&mut world, 5.0, |_| {});
     assert!(only(&world).0.x > 4.5 && !world.finished());
-    world.set_field(group, Some(Governed::new(Uniform(Vec3::Y), 1.0))).unwrap();
+    world.set_guidance(group, Guidance::JOURNEY.governed(Governed::new(Uniform(Vec3::Y), 1.0))).unwrap();
     run_for(&mut world, 5.0, |_| {});
     assert!(only(&world).0.y > 4.5);
-    world.set_field(group, None).unwrap();
+    world.set_guidance(group, Guidance::JOURNEY).unwrap();
     run_for(&mut world, 2.0, |_| {});
     assert!(only(&world).1 == Vec2::ZERO && world.finished());
     let bad = Governed::new(Uniform(Vec3::X), 2.0);
-    assert!(matches!(world.set_field(group, Some(bad)), Err(Error::Limit { what: "ratio of a field", .. })));
+    assert!(matches!(
+        world.set_guidance(group, Guidance::JOURNEY.governed(bad)),
+        Err(Error::Limit { what: "ratio of a field", .. })
+    ));
 }
 
 #[test]
@@ -315,7 +337,7 @@ fn interactions_out_of_their_limits_are_refused() {
     ];
     for (interaction, expected) in wrong {
         let field = Governed { around: vec![interaction], ..Governed::new(whirl, 1.0) };
-        let group = Group { field: Some(field), ..Group::default() };
+        let group = Group { guidance: Guidance::JOURNEY.governed(field), ..Group::default() };
         assert!(matches!(world.add_group(group), Err(Error::Limit { what, .. }) if what == expected));
     }
     let governed = Agent { governed: 1.5, ..Agent::default() };

@@ -6,6 +6,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{Orca, Vo};
+use throng::motion::{Holonomic, TwoWheels};
 use throng::perceive::SimdLevel;
 use throng::{Agent, Body, Group, Keyframe, Obstacle, Script, SubSteps, World};
 
@@ -87,7 +88,8 @@ fn crowd(kind: &Kind) -> World {
         if kind.mixed {
             agent.radius = draw.one_of(&[0.1, 0.2]);
             agent.priority = draw.one_of(&[0.0, 0.0, 0.5]);
-            agent.max_acceleration = draw.one_of(&[f32::INFINITY, 2.0]);
+            let max_acceleration = draw.one_of(&[f32::INFINITY, 2.0]);
+            agent.motor = Holonomic { max_acceleration, ..Holonomic::default() }.into();
         }
         if kind.odd && draw.index(4) == 0 {
             (agent.preferred_speed, agent.journey) = (0.0, throng::JourneyId::STAY);
@@ -106,7 +108,10 @@ fn irregular(world: &mut World, agent: Agent, draw: &mut Draw) -> Agent {
     match draw.index(40) {
         0 => agent.with_body(Body::capsule(1.2, 0.3)),
         1 => agent.with_body(Body::rectangle(2.0, 0.8)),
-        2 => Agent { max_turn_rate: 1.0, tracking_error: 0.1, ..agent },
+        2 => Agent {
+            motor: TwoWheels { max_turn_rate: 1.0, tracking_error: 0.1, ..TwoWheels::default() }.into(),
+            ..agent
+        },
         3 => Agent { layers: 2, avoids: 3, ..agent },
         4 => {
             let at = agent.position.truncate();
@@ -114,7 +119,13 @@ fn irregular(world: &mut World, agent: Agent, draw: &mut Draw) -> Agent {
             let keyframes = vec![keyframe(0.0, at), keyframe(2.0, at + DVec2::new(1.0, 2.0)), keyframe(4.0, at)];
             let script = world.add_script(Script { keyframes, repeat: true }).unwrap();
             let body = draw.one_of(&[Body::disc(0.2), Body::rectangle(1.0, 0.2)]);
-            Agent { script: Some(script), avoids: 0, max_turn_rate: 3.0, ..agent }.with_body(body)
+            Agent {
+                script: Some(script),
+                avoids: 0,
+                motor: Holonomic { max_turn_rate: 3.0, ..Holonomic::default() }.into(),
+                ..agent
+            }
+            .with_body(body)
         }
         _ => agent,
     }

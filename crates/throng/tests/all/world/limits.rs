@@ -5,6 +5,7 @@ use crate::world::oracle::rounding_speed;
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
 use throng::avoid::{AnticipationVelocity, Avo, LocalModel};
+use throng::motion::Holonomic;
 use throng::{Agent, Body, Goal, Group, Obstacle, SubSteps, World};
 
 /// Steps one sub-step at a time until `limit`, and checks the limits of the first agent.
@@ -41,9 +42,12 @@ fn a_lone_agent_keeps_its_limits_from_start_to_rest() {
         let agent = Agent {
             heading: Some(draw.between(-3.0, 3.0) as f32),
             preferred_speed,
-            max_speed: preferred_speed * 1.2,
-            max_acceleration: draw.between(0.3, 6.0) as f32,
-            max_turn_rate: draw.one_of(&[0.7, 2.0, f32::INFINITY]),
+            motor: Holonomic {
+                max_speed: preferred_speed * 1.2,
+                max_acceleration: draw.between(0.3, 6.0) as f32,
+                max_turn_rate: draw.one_of(&[0.7, 2.0, f32::INFINITY]),
+            }
+            .into(),
             ..plain
         };
         world.add_agent(agent).unwrap();
@@ -68,8 +72,12 @@ fn the_ends_of_a_long_body_turn_no_faster_than_the_agent_walks() {
         let agent = Agent {
             heading: Some(back),
             preferred_speed,
-            max_speed: 2.0 * preferred_speed,
-            max_turn_rate: draw.one_of(&[12.0, f32::INFINITY]),
+            motor: Holonomic {
+                max_speed: 2.0 * preferred_speed,
+                max_turn_rate: draw.one_of(&[12.0, f32::INFINITY]),
+                ..Holonomic::default()
+            }
+            .into(),
             ..walker(&mut world, origin, origin + way)
         };
         let body = draw.one_of(&[Body::capsule(length, width), Body::rectangle(length, width)]);
@@ -105,12 +113,10 @@ fn a_car_brakes_for_people_that_cross_its_way() {
             group: cars,
             heading: Some(angle as f32),
             preferred_speed: 2.5,
-            max_speed: 3.0,
-            max_acceleration: 2.0,
-            max_turn_rate: 0.35,
             priority: 0.8,
             position: turned(-14.0, 0.0).extend(0.0),
             journey: journey_into(&mut world, Goal::Point { at: turned(18.0, 0.0), tolerance: 1.0 }),
+            motor: Holonomic { max_speed: 3.0, max_acceleration: 2.0, max_turn_rate: 0.35 }.into(),
             ..Agent::default()
         };
         world.add_agent(car.with_body(Body::rectangle(4.2, 1.8))).unwrap();
@@ -147,7 +153,11 @@ fn a_lone_agent_reaches_its_preferred_speed_and_no_more() {
     let mut world = with_settings(0.05, SubSteps::Fixed(1), DVec2::new(500.0, 77.0));
     let origin = world.settings().origin;
     let group = world.add_group(Group { relaxation_time: 0.0, ..Group::default() }).unwrap();
-    let agent = Agent { max_acceleration: 1.0, group, ..walker(&mut world, origin, origin + DVec2::new(-30.0, 14.0)) };
+    let agent = Agent {
+        group,
+        motor: Holonomic { max_acceleration: 1.0, ..Holonomic::default() }.into(),
+        ..walker(&mut world, origin, origin + DVec2::new(-30.0, 14.0))
+    };
     world.add_agent(agent).unwrap();
     run_for(&mut world, 1.0, |_| {});
     assert!((world.relative_columns().velocity[0].length() - 1.0).abs() < 1e-3, "1 m/s2 for 1 s");
@@ -191,7 +201,14 @@ fn a_model_with_a_delay_of_its_own_relaxes_by_that_alone() {
         let group = world.add_group(Group { model, ..Group::default() }).unwrap();
         let velocity = Vec2::from_angle(angle as f32).rotate(start);
         let walks = walker(&mut world, origin, origin + DVec2::from_angle(angle) * 400.0);
-        world.add_agent(Agent { group, velocity, max_acceleration: 50.0, ..walks }).unwrap();
+        world
+            .add_agent(Agent {
+                group,
+                velocity,
+                motor: Holonomic { max_acceleration: 50.0, ..Holonomic::default() }.into(),
+                ..walks
+            })
+            .unwrap();
         run_for(&mut world, seconds, |_| {});
         Vec2::from_angle(-angle as f32).rotate(world.relative_columns().velocity[0])
     };
@@ -238,7 +255,10 @@ fn limits_hold_on_the_way_round_a_corner() {
         let origin = world.settings().origin;
         world.add_obstacle(Obstacle::rectangle(origin, DVec2::new(2.0, 6.0), angle)).unwrap();
         let plain = walker(&mut world, origin - along * 5.0, origin + along * 5.0 + along.perp());
-        let agent = Agent { max_turn_rate: turn_rate, max_acceleration: 2.5, ..plain };
+        let agent = Agent {
+            motor: Holonomic { max_acceleration: 2.5, max_turn_rate: turn_rate, ..Holonomic::default() }.into(),
+            ..plain
+        };
         world.add_agent(agent).unwrap();
         hold_to_limits(&mut world, 25.0);
         let summary = world.summary();
@@ -251,7 +271,11 @@ fn limits_hold_on_the_way_round_a_corner() {
 fn with_a_turn_limit_no_agent_walks_sideways() {
     let mut world = with_settings(1.0 / 30.0, SubSteps::Fixed(1), DVec2::ZERO);
     let plain = walker(&mut world, DVec2::ZERO, DVec2::new(-9.0, 3.0));
-    let agent = Agent { heading: Some(0.4), max_turn_rate: 1.2, max_acceleration: 2.0, ..plain };
+    let agent = Agent {
+        heading: Some(0.4),
+        motor: Holonomic { max_acceleration: 2.0, max_turn_rate: 1.2, ..Holonomic::default() }.into(),
+        ..plain
+    };
     world.add_agent(agent).unwrap();
     run(&mut world, 30.0, |world| {
         let (velocity, heading) = (world.relative_columns().velocity[0], world.relative_columns().heading[0]);
@@ -284,7 +308,11 @@ fn vehicles_stop_at_their_goals() {
         let mut world = with_settings(0.02, SubSteps::Fixed(1), DVec2::ZERO);
         let braking = f64::from(speed * speed / max_acceleration) * 0.5;
         let plain = walker(&mut world, DVec2::new(-braking - 5.0, 0.0), DVec2::new(braking + 5.0, 0.0));
-        let agent = Agent { preferred_speed: speed, max_speed: speed, max_acceleration, ..plain };
+        let agent = Agent {
+            preferred_speed: speed,
+            motor: Holonomic { max_speed: speed, max_acceleration, ..Holonomic::default() }.into(),
+            ..plain
+        };
         world.add_agent(agent).unwrap();
         let free = f64::from(speed / max_acceleration) + (2.0 * braking + 10.0) / f64::from(speed);
         run(&mut world, 3.0 * free, |_| {});

@@ -3,6 +3,7 @@
 use crate::world::common::{journey_to, world};
 use glam::{DVec2, Vec2};
 use throng::avoid::Orca;
+use throng::motion::Holonomic;
 use throng::{Agent, Error, Goal, Group, Journey, Obstacle, Settings, Stop, SubSteps, Walkable, World};
 
 const NAN: f64 = f64::NAN;
@@ -50,13 +51,28 @@ fn agents_out_of_range() {
         ("radius", Agent { radius: f32::INFINITY, ..good.clone() }),
         ("preferred speed", Agent { preferred_speed: nan, ..good.clone() }),
         ("preferred speed", Agent { preferred_speed: -0.1, ..good.clone() }),
-        ("max speed", Agent { max_speed: 1.0, ..good.clone() }),
-        ("max speed", Agent { max_speed: nan, ..good.clone() }),
-        ("max speed", Agent { max_speed: f32::INFINITY, ..good.clone() }),
-        ("max acceleration", Agent { max_acceleration: 0.0, ..good.clone() }),
-        ("max acceleration", Agent { max_acceleration: nan, ..good.clone() }),
-        ("max turn rate", Agent { max_turn_rate: -2.0, ..good.clone() }),
-        ("max turn rate", Agent { max_turn_rate: nan, ..good.clone() }),
+        ("max speed", Agent { motor: Holonomic { max_speed: 1.0, ..Holonomic::default() }.into(), ..good.clone() }),
+        ("max speed", Agent { motor: Holonomic { max_speed: nan, ..Holonomic::default() }.into(), ..good.clone() }),
+        (
+            "max speed",
+            Agent { motor: Holonomic { max_speed: f32::INFINITY, ..Holonomic::default() }.into(), ..good.clone() },
+        ),
+        (
+            "max acceleration",
+            Agent { motor: Holonomic { max_acceleration: 0.0, ..Holonomic::default() }.into(), ..good.clone() },
+        ),
+        (
+            "max acceleration",
+            Agent { motor: Holonomic { max_acceleration: nan, ..Holonomic::default() }.into(), ..good.clone() },
+        ),
+        (
+            "max turn rate",
+            Agent { motor: Holonomic { max_turn_rate: -2.0, ..Holonomic::default() }.into(), ..good.clone() },
+        ),
+        (
+            "max turn rate",
+            Agent { motor: Holonomic { max_turn_rate: nan, ..Holonomic::default() }.into(), ..good.clone() },
+        ),
         ("priority", Agent { priority: nan, ..good.clone() }),
     ];
     for (what, agent) in bad {
@@ -78,10 +94,17 @@ fn huge_numbers_do_no_harm() {
         let plain = Agent { journey, position: position.extend(0.0), ..Agent::default() };
         let _ = world.add_agent(Agent { velocity: Vec2::new(huge, -huge), ..plain.clone() });
         let _ = world.add_agent(Agent { heading: Some(huge), ..plain.clone() });
-        let _ = world.add_agent(Agent { heading: Some(-huge), max_turn_rate: 1.0, ..plain.clone() });
+        let _ = world.add_agent(Agent {
+            heading: Some(-huge),
+            motor: Holonomic { max_turn_rate: 1.0, ..Holonomic::default() }.into(),
+            ..plain.clone()
+        });
         let _ = world.add_agent(Agent { priority: huge, ..plain.clone() });
         let _ = world.add_agent(Agent { priority: -huge, ..plain.clone() });
-        let _ = world.add_agent(Agent { max_acceleration: huge, max_turn_rate: huge, ..plain });
+        let _ = world.add_agent(Agent {
+            motor: Holonomic { max_acceleration: huge, max_turn_rate: huge, ..Holonomic::default() }.into(),
+            ..plain
+        });
     }
     let mut farthest: f32 = 0.0;
     for _ in 0..200 {

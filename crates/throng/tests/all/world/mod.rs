@@ -25,6 +25,7 @@ mod limits;
 mod look_ahead;
 mod mistakes;
 mod models;
+mod motors;
 mod movers;
 mod narrow;
 mod obstacles;

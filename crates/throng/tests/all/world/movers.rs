@@ -3,6 +3,7 @@
 use crate::world::common::{journey_to, rectangle, run, run_for, with_settings};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use throng::motion::Holonomic;
 use throng::{Agent, AgentId, AgentRef, Body, Error, Group, Keyframe, Script, SubSteps, World};
 
 fn keyframe(time: f64, (x, y): (f64, f64), heading: f64) -> Keyframe {
@@ -17,9 +18,8 @@ fn mover(world: &mut World, body: Body, keyframes: &[Keyframe], repeat: bool) ->
         heading: Some(first.heading as f32),
         script: Some(script),
         preferred_speed: 0.0,
-        max_speed: 3.0,
-        max_turn_rate: 3.0,
         avoids: 0,
+        motor: Holonomic { max_speed: 3.0, max_turn_rate: 3.0, ..Holonomic::default() }.into(),
         ..Agent::default()
     };
     world.add_agent(agent.with_body(body)).unwrap()
@@ -68,7 +68,7 @@ fn a_door_that_is_blocked_waits_and_catches_up() {
     let stands = Agent {
         position: DVec2::new(0.795, 0.0).extend(0.0),
         preferred_speed: 0.0,
-        max_speed: 0.001,
+        motor: Holonomic { max_speed: 0.001, ..Holonomic::default() }.into(),
         ..Agent::default()
     };
     let person = world.add_agent(stands).unwrap();

@@ -3,6 +3,7 @@
 use crate::world::common::{Draw, rectangle, run, run_for, walker, world};
 use crate::world::oracle::{assert_free, distance_to, obstacles};
 use glam::DVec2;
+use throng::motion::Holonomic;
 use throng::{Agent, Obstacle, Status, Walkable, World};
 
 fn wall(points: &[DVec2]) -> Obstacle {
@@ -131,7 +132,13 @@ fn agents_added_later_and_farther_away_find_a_way_too() {
     let near_by = walker(&mut world, far, far + along * 6.0);
     world.add_agent(near_by).unwrap();
     let to_far = walker(&mut world, origin + along * 14.0, origin + along * 4000.0);
-    world.add_agent(Agent { preferred_speed: 100.0, max_speed: 100.0, max_acceleration: 50.0, ..to_far }).unwrap();
+    world
+        .add_agent(Agent {
+            preferred_speed: 100.0,
+            motor: Holonomic { max_speed: 100.0, max_acceleration: 50.0, ..Holonomic::default() }.into(),
+            ..to_far
+        })
+        .unwrap();
     run(&mut world, 120.0, |_| {});
     assert_eq!(world.stranded(), []);
     assert_eq!(world.summary().arrived, 3);

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
+use throng::agent::Guidance;
 use throng::field::Governed;
 use throng::motion::{Locomotion, Vehicle, WrapAround};
 use throng::parameters::Angle;
@@ -26,7 +27,9 @@ fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World 
     let mut map = Map::over(flat(-20.0, -20.0), flat(20.0, 20.0), 0.5).unwrap();
     map.paint(&brush, &[flat(-15.0, 0.0), flat(8.0, 2.0)], 0.8).unwrap();
     let field = Governed { map: Some(Arc::new(map)), ..Governed::new(sampled, 1.0) };
-    let painted = world.add_group(Group { name: "painted".into(), field: Some(field), ..base.clone() }).unwrap();
+    let painted = world
+        .add_group(Group { name: "painted".into(), guidance: Guidance::JOURNEY.governed(field), ..base.clone() })
+        .unwrap();
     for k in 0..5 {
         let start = offset + DVec2::new(-9.0, f64::from(k) - 2.0);
         world.add_agent(Agent::at(start).goal(offset + DVec2::new(9.0, -9.0)).group(painted)).unwrap();
@@ -38,7 +41,7 @@ fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World 
     let to = Destination::Point { at: flat(9.0, 30.0), tolerance: 0.2 };
     let flow = RoundJams::new(ToGoal::new(Arc::new(ground), vec![to], 1.3).unwrap());
     let led = world.add_group(base.clone()).unwrap();
-    world.set_field(led, Some(Governed::new(flow, 1.0))).unwrap();
+    world.set_guidance(led, Guidance::JOURNEY.governed(Governed::new(flow, 1.0))).unwrap();
     for k in 0..6 {
         let start = offset + DVec2::new(-6.0, 28.0 + 0.6 * f64::from(k));
         world.add_agent(Agent::at(start).group(led)).unwrap();
@@ -57,28 +60,23 @@ fn scene(offset: DVec2, origin: DVec2, group_origin: DVec2, seed: u64) -> World 
         .with(Sphere::new(at(60.0, 0.0, 0.0), 9.0).unwrap(), SeenFrom::Inside)
         .with(Sphere::new(at(60.0, 2.0, 0.0), 1.0).unwrap(), SeenFrom::Outside);
     let steered = world
-        .add_group(Group {
-            name: "steered".into(),
-            origin: group_origin,
-            solid: cage,
-            ..Group::vehicles(steering, Vehicle::default())
-        })
+        .add_group(Group { name: "steered".into(), origin: group_origin, solid: cage, ..Group::steered(steering) })
         .unwrap();
     world.notify((offset + DVec2::new(55.0, 0.0)).extend(0.0), 0.0).unwrap();
     for k in 0..4 {
-        world.add_agent(Agent::at(offset + DVec2::new(56.0, f64::from(k))).group(steered)).unwrap();
+        let agent = Agent::at(offset + DVec2::new(56.0, f64::from(k)));
+        world.add_agent(agent.group(steered).motor(Vehicle::default())).unwrap();
     }
 
     // flight in a space that wraps around
     let vehicle = Vehicle { locomotion: Locomotion::Level, ..Vehicle::default() };
     let fly = Dock { speed: 1.0, ..Dock::new(at(0.0, -60.0, 30.0), Angle::default()) };
     let ball = WrapAround { center: at(0.0, -60.0, 20.0), radius: 6.0 };
-    let flying = world
-        .add_group(Group { origin: group_origin, wrap_around: Some(ball), ..Group::vehicles(fly, vehicle) })
-        .unwrap();
+    let flying =
+        world.add_group(Group { origin: group_origin, wrap_around: Some(ball), ..Group::steered(fly) }).unwrap();
     let up = |k: u32| (offset + DVec2::new(f64::from(k), -60.0)).extend(24.0);
     for k in 0..3 {
-        world.add_agent(Agent::at(up(k)).group(flying)).unwrap();
+        world.add_agent(Agent::at(up(k)).group(flying).motor(vehicle)).unwrap();
     }
     world
 }
@@ -132,9 +130,9 @@ fn traces_are_relative_to_the_origin_of_the_world() {
     let reasons = |group_origin: DVec2| {
         let mut world = World::new(Settings { origin: far, ..Settings::default() }).unwrap();
         let target = Target::Point((far + DVec2::new(9.0, 2.0) - group_origin).as_vec2().extend(0.0));
-        let group = Group { origin: group_origin, ..Group::vehicles(Seek { target }, Vehicle::default()) };
+        let group = Group { origin: group_origin, ..Group::steered(Seek { target }) };
         let group = world.add_group(group).unwrap();
-        world.add_agent(Agent::at(far).group(group)).unwrap();
+        world.add_agent(Agent::at(far).group(group).motor(Vehicle::default())).unwrap();
         world.request_traces(TraceRequest::All);
         world.step();
         world.relative_traces()[0].entries.clone()
@@ -148,8 +146,8 @@ fn traces_are_relative_to_the_origin_of_the_world() {
 fn an_origin_that_is_too_far_away_is_refused() {
     let mut world = World::new(Settings { origin: DVec2::new(500_000.0, 4_000_000.0), ..Settings::default() }).unwrap();
     world.add_group(Group::default()).unwrap();
-    let error = world.add_group(Group::vehicles(Wander::default(), Vehicle::default())).unwrap_err();
+    let error = world.add_group(Group::steered(Wander::default())).unwrap_err();
     assert!(matches!(&error, Error::Limit { .. }) && error.to_string().contains("origin of the group"), "{error}");
     let origin = world.settings().origin;
-    world.add_group(Group { origin, ..Group::vehicles(Wander::default(), Vehicle::default()) }).unwrap();
+    world.add_group(Group { origin, ..Group::steered(Wander::default()) }).unwrap();
 }

@@ -3,7 +3,9 @@
 use crate::world::common::{Draw, journey_to, walker, world};
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
+use throng::agent::Guidance;
 use throng::motion::{Steering, Vehicle};
+use throng::steer::BoxedBehaviour;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
 use throng::{Agent, AgentId, AgentRef, Error, Group, GroupId, Obstacle, Rules, World};
 
@@ -189,10 +191,9 @@ fn behaviours_see_figures_and_kicks_last() {
     let missing = world.set_rules(Arc::new(Leader)).unwrap_err();
     assert_eq!((missing.to_string().as_str(), world.figures().len()), ("there is no group `obedient`", 0));
     let vehicle = Vehicle { max_speed: 4.0, response: 0.1, ..Vehicle::default() };
-    let group = |name: &str, steering| Group {
+    let group = |name: &str, steering: BoxedBehaviour| Group {
         name: name.into(),
-        steering: Some(steering),
-        vehicle,
+        guidance: Guidance::behaviour(steering),
         guard: false,
         ..Group::default()
     };
@@ -205,7 +206,7 @@ fn behaviours_see_figures_and_kicks_last() {
                 position: position.extend(0.0),
                 group,
                 preferred_speed: 4.0,
-                max_speed: 4.0,
+                motor: vehicle.into(),
                 ..Agent::default()
             })
             .unwrap()

@@ -4,6 +4,7 @@ use crate::world::common::{Draw, journey_into, journey_to, rectangle};
 use crate::world::oracle::{distance_to, obstacles};
 use glam::DVec2;
 use throng::avoid::Orca;
+use throng::motion::Holonomic;
 use throng::{Agent, Goal, Group, GroupId, Journey, JourneyId, Obstacle, Settings, Stop, SubSteps, World};
 
 /// A room of walls, at any angle, with discs, blocks, triangles and bent walls in it.
@@ -58,10 +59,13 @@ pub fn populate(world: &mut World, draw: &mut Draw, area: (DVec2, DVec2), count:
             journey,
             radius,
             preferred_speed,
-            max_speed: preferred_speed * draw.between(1.0, 1.8) as f32,
-            max_acceleration: draw.one_of(kind.accelerations),
-            max_turn_rate: draw.one_of(kind.turn_rates),
             group: kind.group,
+            motor: Holonomic {
+                max_speed: preferred_speed * draw.between(1.0, 1.8) as f32,
+                max_acceleration: draw.one_of(kind.accelerations),
+                max_turn_rate: draw.one_of(kind.turn_rates),
+            }
+            .into(),
             ..Agent::default()
         };
         // a rotated room does not fill its box: a place outside the room is in another part of the ground
@@ -121,9 +125,13 @@ pub fn busy(order: u64) -> World {
             group: groups[draw.index(2)],
             journey: journeys[draw.index(journeys.len())],
             preferred_speed: draw.between(0.7, 1.7) as f32,
-            max_acceleration: draw.one_of(&[2.0, 5.0, f32::INFINITY]),
-            max_turn_rate: draw.one_of(&[3.0, f32::INFINITY]),
             number: Some(number * 3),
+            motor: Holonomic {
+                max_acceleration: draw.one_of(&[2.0, 5.0, f32::INFINITY]),
+                max_turn_rate: draw.one_of(&[3.0, f32::INFINITY]),
+                ..Holonomic::default()
+            }
+            .into(),
             ..Agent::default()
         };
         let later = (number % 4 == 3).then(|| draw.between(0.1, 9.0));

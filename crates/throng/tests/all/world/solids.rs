@@ -6,6 +6,7 @@ use crate::world::determinism::with_threads;
 use glam::{DQuat, DVec3, Quat, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
+use throng::motion::Motor;
 use throng::motion::{Locomotion, Steering, Vehicle};
 use throng::perceive::SimdLevel;
 use throng::space::surface::{Capsule, Cuboid, Moved, Pose, SeenFrom, Sphere, Surface, Union};
@@ -103,32 +104,28 @@ fn place(world: &World, row: usize) -> Vec3 {
     world.relative_columns().position[row].extend(world.relative_columns().altitude[row])
 }
 
-fn jolted(solid: Barriers, speed: f32, keeps: f64, guard: bool) -> Group {
-    let vehicle = Vehicle {
-        max_speed: speed,
-        max_force: 1e9,
-        response: 0.0,
-        locomotion: Locomotion::Level,
-        ..Vehicle::default()
-    };
-    Group { solid, guard, neighbour_distance: 1.0, ..Group::vehicles(BoxedBehaviour::from(Jolt { keeps }), vehicle) }
+/// The vehicle of agents that jolt.
+fn jolting(max_speed: f32) -> Vehicle {
+    Vehicle { max_speed, max_force: 1e9, response: 0.0, locomotion: Locomotion::Level, ..Vehicle::default() }
+}
+
+fn jolted(solid: Barriers, keeps: f64, guard: bool) -> Group {
+    Group { solid, guard, neighbour_distance: 1.0, ..Group::steered(BoxedBehaviour::from(Jolt { keeps })) }
 }
 
 /// A world with these balls in it, with undivided steps.
-fn filled(group: Group, balls: &[(Vec3, f32)], step: f64, seed: u64) -> World {
+fn filled(group: Group, motor: impl Into<Motor>, balls: &[(Vec3, f32)], step: f64, seed: u64) -> World {
     let settings = Settings { step, sub_steps: SubSteps::Fixed(1), seed, ..Settings::default() };
     let mut world = World::new(settings).unwrap();
-    let (max_speed, group) = (group.vehicle.max_speed, world.add_group(group).unwrap());
+    let (motor, group) = (motor.into(), world.add_group(group).unwrap());
     for &(at, radius) in balls {
         let position = at.truncate().as_dvec2();
-        let speeds = (1.0f32.min(max_speed), max_speed);
         let agent = Agent {
             position: position.extend(f64::from(at.z)),
             radius,
             group,
-            preferred_speed: speeds.0,
-            max_speed: speeds.1,
-            max_acceleration: f32::INFINITY,
+            preferred_speed: motor.max_speed().min(1.0),
+            motor,
             ..Agent::default()
         };
         world.add_agent(agent).unwrap();
@@ -212,7 +209,7 @@ proptest! {
         cage in cage(), balls in balls(), speed in 0.1f32..20.0, step in prop_oneof![0.01f64..0.1, 0.1f64..1.0],
         guard: bool, seed: u64, lanes: bool,
     ) {
-        let mut world = filled(jolted(cage.barriers(), speed, 3.0 * step, guard), &balls, step, seed);
+        let mut world = filled(jolted(cage.barriers(), 3.0 * step, guard), jolting(speed), &balls, step, seed);
         if !lanes {
             world.set_simd_level(SimdLevel::Plain);
         }
@@ -270,15 +267,15 @@ fn run(mut world: World, cage: &Cage, seconds: f64) -> World {
 #[test]
 fn fast_swarms_stay_out_of_columns_for_ten_minutes() {
     let cage = columns();
-    let group = jolted(cage.barriers(), 6.0, 0.4, false);
-    run(filled(group, &free(&cage, 250, 0.02), 0.05, 1), &cage, 600.0);
+    let group = jolted(cage.barriers(), 0.4, false);
+    run(filled(group, jolting(6.0), &free(&cage, 250, 0.02), 0.05, 1), &cage, 600.0);
 }
 
 #[test]
 fn in_a_guarded_swarm_no_agent_overlaps_anything() {
     let cage = columns();
-    let group = jolted(cage.barriers(), 3.0, 0.4, true);
-    let world = run(filled(group, &free(&cage, 200, 0.15), 0.05, 1), &cage, 60.0);
+    let group = jolted(cage.barriers(), 0.4, true);
+    let world = run(filled(group, jolting(3.0), &free(&cage, 200, 0.15), 0.05, 1), &cage, 60.0);
     let summary = world.summary();
     assert!(summary.overlaps == 0 && summary.least_separation >= 0.9999, "{summary:?}");
     assert!(summary.guard_share > 0.05, "{summary:?}");
@@ -288,7 +285,7 @@ fn in_a_guarded_swarm_no_agent_overlaps_anything() {
 #[test]
 fn agents_led_along_solids_keep_moving() {
     let cage = columns();
-    let mut world = filled(jolted(cage.barriers(), 2.0, 0.5, false), &free(&cage, 100, 0.05), 0.05, 3);
+    let mut world = filled(jolted(cage.barriers(), 0.5, false), jolting(2.0), &free(&cage, 100, 0.05), 0.05, 3);
     for row in 0..100 {
         assert_eq!(world.relative_columns().walked[row], 0.0);
     }
@@ -310,9 +307,9 @@ fn flock(cage: &Cage, lanes: SimdLevel) -> World {
         solid: cage.barriers(),
         neighbours: Group::ALL_NEIGHBOURS,
         neighbour_distance: 1.5,
-        ..Group::vehicles(flocking, vehicle)
+        ..Group::steered(flocking)
     };
-    let mut world = filled(group, &free(cage, 300, 0.05), 0.05, 5);
+    let mut world = filled(group, vehicle, &free(cage, 300, 0.05), 0.05, 5);
     world.set_simd_level(lanes);
     for id in world.agent_ids() {
         let row = world.row(id).unwrap();
@@ -334,8 +331,8 @@ fn any_number_of_threads_leads_to_the_same_bits() {
     let cage = columns();
     let worlds = || {
         [false, true].map(|guard| {
-            let group = jolted(cage.barriers(), 4.0, 0.4, guard);
-            filled(group, &free(&cage, 300, 0.1), 0.05, 9)
+            let group = jolted(cage.barriers(), 0.4, guard);
+            filled(group, jolting(4.0), &free(&cage, 300, 0.1), 0.05, 9)
         })
     };
     let hashes = |threads| {
@@ -357,7 +354,7 @@ fn any_number_of_threads_leads_to_the_same_bits() {
 #[test]
 fn what_is_saved_goes_on_with_the_same_bits() {
     let cage = columns();
-    let make = || filled(jolted(cage.barriers(), 4.0, 0.4, true), &free(&cage, 120, 0.1), 0.05, 2);
+    let make = || filled(jolted(cage.barriers(), 0.4, true), jolting(4.0), &free(&cage, 120, 0.1), 0.05, 2);
     let mut world = make();
     (0..50).for_each(|_| world.step());
     let mut other = make();
@@ -373,7 +370,8 @@ fn what_is_saved_goes_on_with_the_same_bits() {
 fn agents_that_start_inside_are_led_out_smoothly_and_counted() {
     for guard in [false, true] {
         let cage = Cage { shapes: vec![Shape::Ball(Vec3::Z * 5.0, 1.0)], as_one: false, inside: None };
-        let mut world = filled(jolted(cage.barriers(), 1.0, 0.4, guard), &[(Vec3::new(0.1, 0.2, 5.3), 0.1)], 0.05, 2);
+        let mut world =
+            filled(jolted(cage.barriers(), 0.4, guard), jolting(1.0), &[(Vec3::new(0.1, 0.2, 5.3), 0.1)], 0.05, 2);
         let mut depth = f64::INFINITY;
         let mut steps = 0;
         while cage.rooms(place(&world, 0).as_dvec3())[0] < 0.1 {
@@ -424,7 +422,7 @@ fn walkers_go_round_what_is_solid_to_their_group_only() {
 #[test]
 fn agents_that_wrap_around_have_no_solids() {
     let ball = throng::motion::WrapAround { center: Vec3::Z * 9.0, radius: 5.0 };
-    let group = Group { wrap_around: Some(ball), ..jolted(columns().barriers(), 1.0, 1.0, false) };
+    let group = Group { wrap_around: Some(ball), ..jolted(columns().barriers(), 1.0, false) };
     let mut world = World::new(Settings::default()).unwrap();
     let refused = world.add_group(group).unwrap_err().to_string();
     assert!(refused.contains("wraps around, where a solid may be in the way"), "{refused}");

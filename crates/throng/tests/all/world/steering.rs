@@ -22,8 +22,7 @@ fn agent(at: (f64, f64, f32), group: throng::GroupId, vehicle: &Vehicle) -> Agen
         position: DVec2::new(at.0, at.1).extend(f64::from(at.2)),
         group,
         preferred_speed: vehicle.max_speed,
-        max_speed: vehicle.max_speed,
-        max_acceleration: f32::INFINITY,
+        motor: (*vehicle).into(),
         heading: Some(0.0),
         ..Agent::default()
     }
@@ -42,7 +41,7 @@ fn alone_it_moves_as_its_vehicle() {
         let target = Vec3::new(-4.0, 7.0, if locomotion == Locomotion::Ground { 0.0 } else { 9.0 });
         let arrive = || Arrive::new(Target::Point(target));
         let mut world = world();
-        let group = world.add_group(Group::vehicles(arrive(), vehicle)).unwrap();
+        let group = world.add_group(Group::steered(arrive())).unwrap();
         let height = if locomotion == Locomotion::Ground { 0.0 } else { 5.0 };
         let id = world.add_agent(agent((3.0, 1.0, height), group, &vehicle)).unwrap();
         let mut motion = Motion::at_rest(Vec3::new(3.0, 1.0, height), Vec3::X);
@@ -67,8 +66,8 @@ fn pursuers_find_their_quarry_by_its_number_wherever_it_is() {
     let mut world = world();
     let vehicle = Vehicle::default();
     let fast = Vehicle { max_speed: 3.0, ..vehicle };
-    let quarry = world.add_group(Group::vehicles(Wander::default(), vehicle)).unwrap();
-    let pursuers = world.add_group(Group::vehicles(Pursue::new(Target::Agent(7)), fast)).unwrap();
+    let quarry = world.add_group(Group::steered(Wander::default())).unwrap();
+    let pursuers = world.add_group(Group::steered(Pursue::new(Target::Agent(7)))).unwrap();
     let quarry = world.add_agent(Agent { number: Some(7), ..agent((0.0, 0.0, 0.0), quarry, &vehicle) }).unwrap();
     let pursuer = world.add_agent(agent((60.0, -30.0, 0.0), pursuers, &fast)).unwrap();
     let caught = (0..3000).any(|_| {
@@ -85,7 +84,7 @@ fn flock(count: u32) -> World {
     let home = Seek { target: Target::Point(Vec3::new(0.0, 0.0, 60.0)) };
     let steering =
         WeightedSum(vec![(1.0, Flocking::default().into()), (0.3, Wander::default().into()), (0.1, home.into())]);
-    let group = Group { neighbour_distance: 9.0, neighbours: 20, ..Group::vehicles(steering, vehicle) };
+    let group = Group { neighbour_distance: 9.0, neighbours: 20, ..Group::steered(steering) };
     let group = world.add_group(group).unwrap();
     for k in 0..count {
         let (x, y, z) = (f64::from(k % 7) * 2.0, f64::from(k / 7 % 5) * 2.0, 40.0 + (k / 35) as f32 * 2.0);
@@ -119,7 +118,7 @@ fn agents_that_seek_the_same_place_on_foot_do_not_overlap() {
     let mut world = world();
     let vehicle = Vehicle::default();
     let seek = Arrive::new(Target::Point(Vec3::ZERO));
-    let group = Group { model: Arc::new(Orca::default()), guard: true, ..Group::vehicles(seek, vehicle) };
+    let group = Group { model: Arc::new(Orca::default()), guard: true, ..Group::steered(seek) };
     let group = world.add_group(group).unwrap();
     for k in 0..40 {
         let at = DVec2::from_angle(f64::from(k) * 0.4) * (2.0 + 0.15 * f64::from(k));
@@ -168,7 +167,7 @@ fn traced_agents_record_what_explain_returns_and_move_unchanged() {
 fn arrived_agents_stay_at_their_goal() {
     let mut world = world();
     let vehicle = Vehicle::default();
-    let group = world.add_group(Group::vehicles(Arrive::new(Target::Goal), vehicle)).unwrap();
+    let group = world.add_group(Group::steered(Arrive::new(Target::Goal))).unwrap();
     let goal = world.add_goal(Goal::Point { at: DVec2::new(6.0, 2.0), tolerance: 0.5 }).unwrap();
     let journey = world.add_journey(Journey { stops: vec![Stop { goal, wait: 0.0 }], repeat: false }).unwrap();
     let id = world.add_agent(Agent { journey, ..agent((0.0, 0.0, 0.0), group, &vehicle) }).unwrap();

@@ -3,6 +3,7 @@
 use crate::world::common::{Draw, journey_into, journey_to, rectangle, run, walker, world};
 use crate::world::oracle::assert_free;
 use glam::DVec2;
+use throng::motion::Holonomic;
 use throng::{Agent, Goal, Group, GroupId, Journey, Obstacle, Stop, World};
 
 /// Runs until all agents have arrived, without overlaps; fails after `limit` seconds.
@@ -157,7 +158,14 @@ fn the_fast_get_past_the_slow() {
         let (speed, x) = if k % 2 == 0 { (0.2, 0.0) } else { (2.0, -3.0 - f64::from(k)) };
         let y = 0.45 * f64::from(k / 2);
         let plain = walker(&mut world, DVec2::new(x, y), DVec2::new(8.0 + f64::from(k), y));
-        world.add_agent(Agent { preferred_speed: speed, max_speed: 1.3 * speed, group, ..plain }).unwrap();
+        world
+            .add_agent(Agent {
+                preferred_speed: speed,
+                group,
+                motor: Holonomic { max_speed: 1.3 * speed, ..Holonomic::default() }.into(),
+                ..plain
+            })
+            .unwrap();
     }
     run(&mut world, 25.0, assert_free);
     let fast_arrived =

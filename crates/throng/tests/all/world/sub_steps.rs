@@ -3,8 +3,10 @@
 use crate::world::common::{Draw, run_for, with_settings};
 use crate::world::scenes::{Kind, populate};
 use glam::{DVec2, Vec3};
+use throng::agent::Guidance;
 use throng::field::Governed;
-use throng::motion::Vehicle;
+use throng::motion::Motor;
+use throng::motion::{Holonomic, Vehicle};
 use throng::{Agent, Body, Group, Keyframe, Script, Stage, SubSteps, World};
 use throng_steer::Wander;
 
@@ -41,7 +43,8 @@ fn a_fixed_number_is_kept_to() {
 /// Whether an agent deviates by at most a sixth of its clearance radius in a sub-step and moves at most that radius.
 fn keeps_to_the_rule(agent: &Agent, seconds: f64) -> bool {
     let radius = f64::from(agent.body().clearance_radius());
-    let [speed, acceleration] = [agent.max_speed, agent.max_acceleration].map(f64::from);
+    let Motor::Holonomic(motor) = agent.motor else { return false };
+    let [speed, acceleration] = [motor.max_speed, motor.max_acceleration].map(f64::from);
     let deviation = (acceleration * seconds).min(speed) * seconds;
     deviation <= radius / 6.0 && speed * seconds <= radius
 }
@@ -54,7 +57,11 @@ fn random_agent(draw: &mut Draw) -> Agent {
         _ => Body::rectangle(draw.between(0.5, 4.0) as f32, draw.between(0.1, 2.0) as f32),
     };
     let acceleration = if draw.index(3) == 0 { f32::INFINITY } else { draw.between(0.5, 40.0) as f32 };
-    let agent = Agent { preferred_speed: speed, max_speed: speed, max_acceleration: acceleration, ..Agent::default() };
+    let agent = Agent {
+        preferred_speed: speed,
+        motor: Holonomic { max_speed: speed, max_acceleration: acceleration, ..Holonomic::default() }.into(),
+        ..Agent::default()
+    };
     agent.with_body(body)
 }
 
@@ -93,11 +100,21 @@ fn the_rule_is_what_its_page_says() {
 fn one_agent_divides_its_steps_and_no_agents_need_no_division() {
     let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
     assert_eq!(parts_of_next(&mut world), 1);
-    let agent = Agent { radius: 0.2, max_speed: 2.0, max_acceleration: f32::INFINITY, ..Agent::default() };
+    let agent = Agent {
+        radius: 0.2,
+        motor: Holonomic { max_speed: 2.0, max_acceleration: f32::INFINITY, ..Holonomic::default() }.into(),
+        ..Agent::default()
+    };
     world.add_agent(agent).unwrap();
     assert_eq!(parts_of_next(&mut world), 6);
     let mut world = with_settings(10.0, SubSteps::Auto, DVec2::ZERO);
-    world.add_agent(Agent { preferred_speed: 0.0, max_speed: 0.0, ..Agent::default() }).unwrap();
+    world
+        .add_agent(Agent {
+            preferred_speed: 0.0,
+            motor: Holonomic { max_speed: 0.0, ..Holonomic::default() }.into(),
+            ..Agent::default()
+        })
+        .unwrap();
     assert_eq!(parts_of_next(&mut world), 1);
 }
 
@@ -111,11 +128,18 @@ fn thin_bodies_that_are_slow_or_scripted_do_not_count() {
         [(0.0, 4.0), (1.0, 6.0)].map(|(time, y)| Keyframe { time, at: DVec2::new(-5.0, y), heading: 0.0 });
     let script = world.add_script(Script { keyframes: vec![closed, open], repeat: true }).unwrap();
     let position = closed.at.extend(0.0);
-    let thin = Agent { max_speed: 4.0, position, ..Agent::default() }.with_body(Body::rectangle(1.1, 0.01));
+    let thin =
+        Agent { position, motor: Holonomic { max_speed: 4.0, ..Holonomic::default() }.into(), ..Agent::default() }
+            .with_body(Body::rectangle(1.1, 0.01));
     world.add_agent(Agent { script: Some(script), ..thin.clone() }).unwrap();
     assert_eq!(parts_of_next(&mut world), before);
     let position = DVec2::new(-9.0, 0.0).extend(0.0);
-    let slow = Agent { preferred_speed: 0.01, max_speed: 0.01, position, ..thin.clone() };
+    let slow = Agent {
+        preferred_speed: 0.01,
+        position,
+        motor: Holonomic { max_speed: 0.01, ..Holonomic::default() }.into(),
+        ..thin.clone()
+    };
     world.add_agent(slow).unwrap();
     assert_eq!(parts_of_next(&mut world), before);
     let position = DVec2::new(-9.0, 9.0).extend(0.0);
@@ -129,11 +153,18 @@ fn agents_that_do_not_look_ahead_need_shorter_sub_steps() {
     let parts = |group: Group| {
         let mut world = with_settings(0.2, SubSteps::Auto, DVec2::ZERO);
         let group = world.add_group(group).unwrap();
-        world.add_agent(Agent { group, radius: 0.3, max_speed: 1.8, ..Agent::default() }).unwrap();
+        world
+            .add_agent(Agent {
+                group,
+                radius: 0.3,
+                motor: Holonomic { max_speed: 1.8, ..Holonomic::default() }.into(),
+                ..Agent::default()
+            })
+            .unwrap();
         parts_of_next(&mut world)
     };
-    let field = Some(Governed::new(|_: Vec3, _: f64| Vec3::Y, 1.0));
-    let led = Group { field, look_ahead: false, ..Group::default() };
+    let guidance = Guidance::JOURNEY.governed(Governed::new(|_: Vec3, _: f64| Vec3::Y, 1.0));
+    let led = Group { guidance, look_ahead: false, ..Group::default() };
     let blind = Group { look_ahead: false, ..Group::default() };
     // sqrt(0.3 / 6 / 5) s, 0.375 * 0.3 / 1.8 s, 0.3 / 6 / 1.8 s
     assert_eq!([Group::default(), led, blind].map(parts), [2, 4, 8]);
@@ -145,8 +176,8 @@ fn agents_that_steer_have_the_limits_of_their_vehicles() {
     let parts = |max_force| {
         let mut world = with_settings(0.2, SubSteps::Auto, DVec2::ZERO);
         let vehicle = Vehicle { mass: 2.0, max_force, ..Vehicle::default() };
-        let group = world.add_group(Group::vehicles(Wander::default(), vehicle)).unwrap();
-        let agent = Agent { group, radius: 0.3, max_speed: 1.8, max_acceleration: f32::INFINITY, ..Agent::default() };
+        let group = world.add_group(Group::steered(Wander::default())).unwrap();
+        let agent = Agent { group, radius: 0.3, motor: vehicle.into(), ..Agent::default() };
         world.add_agent(agent).unwrap();
         parts_of_next(&mut world)
     };

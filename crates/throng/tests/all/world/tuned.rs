@@ -4,6 +4,7 @@ use crate::world::common::{Draw, journey_to, run_for, world};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 use throng::avoid::{Hrvo, LocalModel, NoAvoidance, Orca};
+use throng::motion::Motor;
 use throng::motion::Vehicle;
 use throng::{Agent, Error, Group, GroupId, JourneyId, Status, World};
 use throng_steer::Wander;
@@ -50,10 +51,12 @@ fn walkers_become_vehicles_and_walkers_again() {
     let (mut world, group) = crossing(with(Orca::default()));
     run_for(&mut world, 1.0, |_| {});
     let before = world.group(group).clone();
-    let cars = Group { name: "walkers".into(), ..Group::vehicles(Wander::default(), Vehicle::default()) };
+    let cars = Group { name: "walkers".into(), ..Group::steered(Wander::default()) };
     world.set_group(group, cars).unwrap();
+    world.adjust(|_, agent| agent.motor = Vehicle::default().into()).unwrap();
     run_for(&mut world, 2.0, |_| {});
     world.set_group(group, before).unwrap();
+    world.adjust(|_, agent| agent.motor = Motor::default()).unwrap();
     run_for(&mut world, 80.0, |_| {});
     assert!(world.relative_columns().status.iter().all(|&status| status == Status::Arrived));
 }
@@ -73,7 +76,8 @@ fn agents_change_and_so_do_scheduled_agents() {
     let places = world.relative_columns().position.clone();
     world
         .adjust(|number, agent| {
-            (agent.preferred_speed, agent.max_speed) = (1.5 + number as f32 * 0.1, 2.0);
+            agent.preferred_speed = 1.5 + number as f32 * 0.1;
+            agent.motor.set_max_speed(2.0);
             (agent.position, agent.journey, agent.heading) = (DVec3::splat(77.0), JourneyId::STAY, Some(3.0));
         })
         .unwrap();
@@ -105,7 +109,9 @@ fn what_is_out_of_its_limits_changes_nothing() {
     let hash = world.state_hash();
     let wrong = Group { neighbours: 0, ..with(Orca::default()) };
     assert!(matches!(world.set_group(group, wrong), Err(Error::Limit { .. })));
-    assert!(world.adjust(|number, agent| agent.max_speed = if number == 40 { f32::NAN } else { 3.0 }).is_err());
+    assert!(
+        world.adjust(|number, agent| agent.motor.set_max_speed(if number == 40 { f32::NAN } else { 3.0 })).is_err()
+    );
     assert_eq!(world.state_hash(), hash);
     assert!(world.relative_columns().max_speed.values().iter().all(|&speed| speed < 3.0));
 }
