@@ -11,7 +11,8 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).
+/// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008): the velocity of least penalty for the time to a
+/// collision and the distance from the preferred velocity.
 ///
 /// ```
 /// use throng::avoid::Rvo;

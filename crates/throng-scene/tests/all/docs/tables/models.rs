@@ -1,0 +1,57 @@
+//! The local models: their list, the keys of all, and the keys of each.
+
+use super::schema::{Key, Schema, toml, words};
+use super::table;
+
+/// The columns of a table of keys.
+const COLUMNS: [&str; 5] = ["key", "what it is", "unit", "default", "limits"];
+
+pub fn tables(schema: &Schema) -> Vec<(String, String)> {
+    let models = schema.choices("Avoid");
+    let keys: Vec<(&str, Vec<Key<'_>>)> =
+        models.iter().map(|model| (model.name, schema.keys(model.parameters))).collect();
+    let has = |keys: &[Key<'_>], name: &str| keys.iter().any(|key| key.name == name);
+    let is_common = |key: &Key<'_>| keys.iter().all(|(_, other)| has(other, &key.name));
+    let list = models.iter().map(|model| vec![format!("`{}`", model.name), model.about.clone()]);
+    let common = keys[0].1.iter().filter(|key| is_common(key)).map(|key| {
+        let of_models = keys.iter().map(|(model, keys)| (*model, keys.iter().find(|other| other.name == key.name).unwrap()));
+        common_row(&of_models.collect::<Vec<_>>())
+    });
+    let mut tables = vec![
+        ("local models".to_owned(), table(&["`avoid.`", "what it is"], list)),
+        ("keys of every model".to_owned(), table(&COLUMNS, common)),
+    ];
+    for (model, keys) in &keys {
+        let own: Vec<Vec<String>> = keys.iter().filter(|key| !is_common(key)).map(|key| row(key).to_vec()).collect();
+        if !own.is_empty() {
+            tables.push((format!("keys of {model}"), table(&COLUMNS, own)));
+        }
+    }
+    tables
+}
+
+/// Returns the row of a key: its name, doc line, unit, default and limit.
+fn row(key: &Key<'_>) -> [String; 5] {
+    let about = words(key.value);
+    let (about, limit) = about.split_once(" Limit: ").unwrap_or((&about, ""));
+    let default = match &key.value["default"] {
+        _ if key.is_required => "required".into(),
+        serde_json::Value::Null => String::new(),
+        default => format!("`{}`", toml(default)),
+    };
+    let unit = key.value["unit"].as_str().unwrap_or_default();
+    [format!("`{}`", key.name), about.to_owned(), unit.to_owned(), default, limit.trim_end_matches('.').to_owned()]
+}
+
+/// Returns the row of a key that every model has. A cell has what most models have, and then what differs.
+fn common_row(of_models: &[(&str, &Key<'_>)]) -> Vec<String> {
+    let rows: Vec<(&str, [String; 5])> = of_models.iter().map(|(model, key)| (*model, row(key))).collect();
+    let cell = |column: usize| {
+        let count = |text: &str| rows.iter().filter(|(_, row)| row[column] == text).count();
+        let most = rows.iter().map(|(_, row)| &row[column]).max_by_key(|text| count(text)).unwrap();
+        let other = rows.iter().filter(|(_, row)| row[column] != *most && !row[column].is_empty());
+        let other = other.map(|(model, row)| format!("<br>`{model}`: {}", row[column]));
+        most.clone() + &other.collect::<String>()
+    };
+    (0..COLUMNS.len()).map(cell).collect()
+}
