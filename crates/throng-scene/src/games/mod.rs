@@ -27,7 +27,11 @@ pub fn rules(book: &mut Rulebook) {
         "A seeker runs for a base, and defenders tag it by touching it; after each run all start again.",
         |_| Ok(capture::CaptureTheFlag::default()),
     );
-    book.add_own("map-drive", "Counts the laps of a car on its route, and puts it back there if it is stuck.", map_drive::rules);
+    book.add_own(
+        "map-drive",
+        "Counts the laps of a car on its route, and puts it back there if it is stuck.",
+        map_drive::rules,
+    );
 }
 
 /// Adds the behaviours of the players to a registry.

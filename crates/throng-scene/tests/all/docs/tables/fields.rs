@@ -1,6 +1,6 @@
 //! The vector fields, and the tables and choices that only fields have.
 
-use super::schema::{Schema, list, reference};
+use super::schema::{Schema, list, reference, words};
 use super::table;
 use serde_json::Value;
 
@@ -16,7 +16,7 @@ pub fn tables(schema: &Schema) -> Vec<(String, String)> {
     });
     let rows = parts.iter().map(|name| {
         let part = schema.definition(name);
-        vec![format!("`{name}`"), super::schema::words(part), schema.all_keys(part, &parts)]
+        vec![format!("`{name}`"), words(part), schema.all_keys(part, &parts)]
     });
     let governed = schema.keys(schema.definition("Governed"));
     let governed = governed.iter().map(|key| {
@@ -26,19 +26,19 @@ pub fn tables(schema: &Schema) -> Vec<(String, String)> {
     vec![
         ("fields".to_owned(), table(&["`flow.`", "what it is", "keys"], kinds)),
         ("parts of fields".to_owned(), table(&["table", "what it is", "keys"], rows)),
-        ("keys of `field`".to_owned(), table(&["key of `field`", "meaning"], governed)),
+        ("keys of field".to_owned(), table(&["key of `field`", "meaning"], governed)),
     ]
 }
 
 /// Returns the definitions that a scene reaches only through fields, in the order of their first use, except those of the
-/// kinds of fields.
+/// kinds of fields and those without keys.
 fn parts<'a>(schema: &'a Schema, own: &[&'a str]) -> Vec<&'a str> {
     let (mut elsewhere, mut inside) = ([&DESCRIBED[..], own].concat(), vec![]);
     reach(schema, schema.root(), &mut elsewhere);
     for name in DESCRIBED.iter().chain(own) {
         reach(schema, schema.definition(name), &mut inside);
     }
-    inside.retain(|name| !elsewhere.contains(name));
+    inside.retain(|name| !elsewhere.contains(name) && !schema.keys(schema.definition(name)).is_empty());
     inside
 }
 

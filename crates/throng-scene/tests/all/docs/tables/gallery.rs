@@ -9,8 +9,9 @@ use toml::Value;
 pub struct Uses(Vec<(&'static str, BTreeSet<(String, String)>)>);
 
 impl Uses {
-    pub fn of_gallery(schema: &Schema) -> Self {
-        Self(gallery::names().map(|name| (name, of_scene(gallery::text(name).unwrap(), schema))).collect())
+    pub fn of_gallery() -> Self {
+        let schema = Schema::default();
+        Self(gallery::names().map(|name| (name, of_scene(gallery::text(name).unwrap(), &schema))).collect())
     }
 
     /// Returns the scenes that use a name of a part of the registry: `Steer`, `Avoid`, `Flow`, `rules`.
@@ -55,7 +56,7 @@ fn find(value: &Value, at: &serde_json::Value, schema: &Schema, uses: &mut BTree
 
 #[test]
 fn choices_are_found_wherever_they_are_and_keys_are_no_choices() {
-    let schema = Schema::new(throng_scene::schema());
+    let schema = Schema::default();
     let scene = r#"
         rules = "soccer"
         [[field]]

@@ -13,20 +13,20 @@ mod has;
 mod models;
 mod schema;
 
-pub(crate) use behaviours::registered;
-pub(crate) use gallery::Uses;
+pub use behaviours::registered;
+pub use gallery::Uses;
 
 use schema::Schema;
 use std::path::{Path, PathBuf};
-use throng_scene::Scene;
 
 const END: &str = "\n<!-- end of the table -->";
 
 /// Returns the name and the rows of each table, the header included.
 fn tables() -> Vec<(String, String)> {
-    let schema = Schema::new(schemars::schema_for!(Scene).to_value());
-    let uses = Uses::of_gallery(&schema);
-    let tables = [behaviours::tables(&schema), models::tables(&schema), fields::tables(&schema), has::tables(&schema, &uses)];
+    let schema = Schema::default();
+    let uses = Uses::of_gallery();
+    let tables =
+        [behaviours::tables(&schema), models::tables(&schema), fields::tables(&schema), has::tables(&schema, &uses)];
     tables.into_iter().flatten().collect()
 }
 

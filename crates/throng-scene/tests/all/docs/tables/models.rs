@@ -1,6 +1,6 @@
 //! The local models: their list, the keys of all, and the keys of each.
 
-use super::schema::{Key, Schema, toml, words};
+use super::schema::{Key, Schema, toml};
 use super::table;
 
 /// The columns of a table of keys.
@@ -14,15 +14,17 @@ pub fn tables(schema: &Schema) -> Vec<(String, String)> {
     let is_common = |key: &Key<'_>| keys.iter().all(|(_, other)| has(other, &key.name));
     let list = models.iter().map(|model| vec![format!("`{}`", model.name), model.about.clone()]);
     let common = keys[0].1.iter().filter(|key| is_common(key)).map(|key| {
-        let of_models = keys.iter().map(|(model, keys)| (*model, keys.iter().find(|other| other.name == key.name).unwrap()));
-        common_row(&of_models.collect::<Vec<_>>())
+        let of_models =
+            keys.iter().map(|(model, keys)| (*model, keys.iter().find(|other| other.name == key.name).unwrap()));
+        common_row(schema, &of_models.collect::<Vec<_>>())
     });
     let mut tables = vec![
         ("local models".to_owned(), table(&["`avoid.`", "what it is"], list)),
         ("keys of every model".to_owned(), table(&COLUMNS, common)),
     ];
     for (model, keys) in &keys {
-        let own: Vec<Vec<String>> = keys.iter().filter(|key| !is_common(key)).map(|key| row(key).to_vec()).collect();
+        let own: Vec<Vec<String>> =
+            keys.iter().filter(|key| !is_common(key)).map(|key| row(schema, key).to_vec()).collect();
         if !own.is_empty() {
             tables.push((format!("keys of {model}"), table(&COLUMNS, own)));
         }
@@ -31,21 +33,28 @@ pub fn tables(schema: &Schema) -> Vec<(String, String)> {
 }
 
 /// Returns the row of a key: its name, doc line, unit, default and limit.
-fn row(key: &Key<'_>) -> [String; 5] {
-    let about = words(key.value);
-    let (about, limit) = about.split_once(" Limit: ").unwrap_or((&about, ""));
+fn row(schema: &Schema, key: &Key<'_>) -> [String; 5] {
+    let (about, limit) = key.about.split_once(" Limit: ").unwrap_or((&key.about, ""));
+    let names = schema.keys(key.value).into_iter().filter(|name| name.value.get("const").is_some());
+    let names: String = names.map(|name| format!("<br>`{}`: {}", name.name, name.about)).collect();
     let default = match &key.value["default"] {
         _ if key.is_required => "required".into(),
         serde_json::Value::Null => String::new(),
         default => format!("`{}`", toml(default)),
     };
     let unit = key.value["unit"].as_str().unwrap_or_default();
-    [format!("`{}`", key.name), about.to_owned(), unit.to_owned(), default, limit.trim_end_matches('.').to_owned()]
+    [
+        format!("`{}`", key.name),
+        about.to_owned() + &names,
+        unit.to_owned(),
+        default,
+        limit.trim_end_matches('.').to_owned(),
+    ]
 }
 
 /// Returns the row of a key that every model has. A cell has what most models have, and then what differs.
-fn common_row(of_models: &[(&str, &Key<'_>)]) -> Vec<String> {
-    let rows: Vec<(&str, [String; 5])> = of_models.iter().map(|(model, key)| (*model, row(key))).collect();
+fn common_row(schema: &Schema, of_models: &[(&str, &Key<'_>)]) -> Vec<String> {
+    let rows: Vec<(&str, [String; 5])> = of_models.iter().map(|(model, key)| (*model, row(schema, key))).collect();
     let cell = |column: usize| {
         let count = |text: &str| rows.iter().filter(|(_, row)| row[column] == text).count();
         let most = rows.iter().map(|(_, row)| &row[column]).max_by_key(|text| count(text)).unwrap();

@@ -1,7 +1,9 @@
 //! The schema of scene files as tables need it: choices, keys, and how files write values.
 
 use serde_json::Value;
+use throng_scene::Scene;
 
+/// The schema of scene files.
 pub struct Schema(Value);
 
 /// What a scene can choose by name.
@@ -15,15 +17,20 @@ pub struct Choice<'a> {
 /// A key of a table, or a choice of several.
 pub struct Key<'a> {
     pub name: String,
+    pub about: String,
+    /// The schema of its value.
     pub value: &'a Value,
     pub is_required: bool,
 }
 
-impl Schema {
-    pub fn new(root: Value) -> Self {
-        Self(root)
+impl Default for Schema {
+    /// Returns the schema of the types.
+    fn default() -> Self {
+        Self(schemars::schema_for!(Scene).to_value())
     }
+}
 
+impl Schema {
     pub fn root(&self) -> &Value {
         &self.0
     }
@@ -58,10 +65,16 @@ impl Schema {
         let value = table.unwrap_or(value);
         let is_required = |key: &str| list(value, "required").any(|known| known == key);
         let keys = value["properties"].as_object().into_iter().flatten();
-        let keys = keys.map(|(name, value)| Key { name: name.clone(), value, is_required: is_required(name) });
+        let keys = keys.map(|(name, value)| Key {
+            name: name.clone(),
+            about: words(value),
+            value,
+            is_required: is_required(name),
+        });
         let choices = list(value, "oneOf").map(|choice| {
-            let key = choice["properties"].as_object().and_then(|keys| keys.keys().next().cloned());
-            Key { name: key.unwrap_or_else(|| toml(&choice["const"])), value: choice, is_required: false }
+            let key = choice["properties"].as_object().and_then(|keys| keys.iter().next());
+            let (name, value) = key.map_or((toml(&choice["const"]), choice), |(name, value)| (name.clone(), value));
+            Key { name, about: words(choice), value, is_required: false }
         });
         keys.chain(choices).collect()
     }
@@ -93,17 +106,21 @@ impl Schema {
             default => format!("{key} = {}", toml(default)),
         };
         match value["properties"].as_object() {
-            Some(keys) if !keys.is_empty() => format!("`{{ {} }}`", keys.iter().map(key).collect::<Vec<_>>().join(", ")),
+            Some(keys) if !keys.is_empty() => {
+                format!("`{{ {} }}`", keys.iter().map(key).collect::<Vec<_>>().join(", "))
+            }
             _ => String::new(),
         }
     }
 
     /// Returns the text of a key: its doc line, how files write a table, and the default.
     pub fn key(&self, key: &Key<'_>, named: &[&str]) -> String {
-        let mut text = format!("`{}`: {}", key.name, words(key.value));
-        if self.holds_tables(key.value, named) {
-            text += &format!(" In files {}.", self.shape(key.value, named));
-        }
+        let mut text = format!("`{}`: {}", key.name, key.about);
+        text += &match self.link(key.value).filter(|name| named.contains(name)) {
+            Some(name) => format!(" See `{name}`."),
+            None if self.holds_tables(key.value, named) => format!(" In files {}.", self.shape(key.value, named)),
+            None => String::new(),
+        };
         match &key.value["default"] {
             Value::Null | Value::Object(_) => {}
             Value::Array(items) if items.is_empty() => {}
