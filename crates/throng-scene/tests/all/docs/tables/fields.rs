@@ -60,3 +60,19 @@ fn reach<'a>(schema: &'a Schema, value: &'a Value, known: &mut Vec<&'a str>) {
         reach(schema, part, known);
     }
 }
+
+#[test]
+fn every_field_has_a_row_and_every_table_that_only_fields_have() {
+    let tables = tables(&Schema::default());
+    let names =
+        |at: usize| -> Vec<&str> { tables[at].1.lines().skip(2).map(|row| row.split('`').nth(1).unwrap()).collect() };
+    let fields = throng_scene::Plugins::new().fields;
+    assert_eq!(names(0), fields.names().collect::<Vec<_>>());
+    let parts = names(1);
+    assert!(
+        ["Stroke", "Jams", "MapStroke", "Interaction", "Wendland"].iter().all(|part| parts.contains(part)),
+        "{parts:?}"
+    );
+    // regions and places are no part of fields alone; kinds have their own rows
+    assert!(["Region", "Position", "Sketch", "Flow"].iter().all(|part| !parts.contains(part)), "{parts:?}");
+}

@@ -31,7 +31,7 @@ fn tables() -> Vec<(String, String)> {
 }
 
 /// Returns the columns and rows of a table in Markdown. `|` is escaped in their cells.
-fn table<'a>(columns: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+fn table(columns: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let head = [format!("| {} |", columns.join(" | ")), "|---".repeat(columns.len()) + "|"];
     let rows = rows.into_iter().map(|cells| {
         assert_eq!(cells.len(), columns.len(), "{cells:?}");

@@ -190,3 +190,55 @@ pub fn toml(value: &Value) -> String {
         value => value.to_string(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn keys_say_what_files_write() {
+        let schema = Schema(json!({ "$defs": {
+            "Kettle": {
+                "description": "A kettle.",
+                "properties": {
+                    "litres": { "type": "number", "description": "Its volume,\n litres. Limit: > 0.", "default": 1.0 },
+                    "spout": { "anyOf": [{ "$ref": "#/$defs/Spout" }, { "type": "null" }], "description": "Its spout." },
+                    "cups": { "type": "array", "items": { "$ref": "#/$defs/Spout" }, "description": "Cups.", "default": [] },
+                    "at": { "$ref": "#/$defs/At", "description": "Its place.", "default": [1.0, 2.5] },
+                },
+                "required": ["spout"],
+            },
+            "Spout": { "properties": { "width": { "type": "number", "default": 0.5 }, "lid": { "default": { "a": 1 } } } },
+            "At": { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 },
+            "Heat": { "oneOf": [
+                { "const": "low", "description": "Little." },
+                { "properties": { "set": { "$ref": "#/$defs/Spout" } }, "description": "As given." },
+            ] },
+            "Several": { "anyOf": [{ "type": "array", "items": { "$ref": "#/$defs/At" } }, { "$ref": "#/$defs/Spout" }] },
+        } }));
+        let of = |name: &str| schema.definition(name);
+        let litres = "`litres`: Its volume, litres. Limit: > 0. Default: `1`.";
+        let at = "`at`: Its place. Default: `[1, 2.5]`.";
+        let inline = "In files `{ width = 0.5, lid }`.";
+        assert_eq!(
+            schema.all_keys(of("Kettle"), &[]).split("<br>").collect::<Vec<_>>(),
+            [
+                litres,
+                &format!("`spout`: Its spout. {inline}"),
+                "`cups`: Cups. In files a list of `{ width = 0.5, lid }`.",
+                at
+            ]
+        );
+        assert_eq!(
+            schema.all_keys(of("Kettle"), &["Spout"]).split("<br>").collect::<Vec<_>>(),
+            [litres, "`spout`: Its spout. See `Spout`.", "`cups`: Cups. In files a list of `Spout`.", at]
+        );
+        assert!(schema.keys(of("Kettle")).iter().all(|key| key.is_required == (key.name == "spout")));
+        assert_eq!(schema.all_keys(of("Heat"), &[]), format!("`\"low\"`: Little.<br>`set`: As given. {inline}"));
+        assert_eq!(schema.all_keys(of("At"), &[]), "`[x, y]`");
+        // the keys of a form as a table; as a value, such a choice of forms needs more words than a cell has
+        assert_eq!(schema.keys(of("Several")).len(), 2);
+        assert_eq!(schema.shape(of("Several"), &[]), "");
+    }
+}
