@@ -14,10 +14,24 @@ use throng::{AgentId, AgentRef, World};
 
 /// Adds the rules of all games to a rulebook.
 pub fn rules(book: &mut Rulebook) {
-    book.add("multiple-pursuit", |_| Ok(multiple_pursuit::MultiplePursuit::default()));
-    book.add("soccer", |_| Ok(soccer::Soccer::default()));
-    book.add("capture-the-flag", |_| Ok(capture::CaptureTheFlag::default()));
-    book.add("map-drive", map_drive::rules);
+    book.add_own(
+        "multiple-pursuit",
+        "An agent of the pack that touches the wanderer starts again on a ring around it.",
+        |_| Ok(multiple_pursuit::MultiplePursuit::default()),
+    );
+    book.add_own("soccer", "Two teams kick the ball by touching it, and its goals count.", |_| {
+        Ok(soccer::Soccer::default())
+    });
+    book.add_own(
+        "capture-the-flag",
+        "A seeker runs for a base, and defenders tag it by touching it; after each run all start again.",
+        |_| Ok(capture::CaptureTheFlag::default()),
+    );
+    book.add_own(
+        "map-drive",
+        "Counts the laps of a car on its route, and puts it back there if it is stuck.",
+        map_drive::rules,
+    );
 }
 
 /// Adds the behaviours of the players to a registry.

@@ -43,7 +43,15 @@ use throng::{Error, Rules, World};
 /// # Ok::<(), throng_scene::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Rulebook(BTreeMap<String, MakeRules>);
+pub struct Rulebook(BTreeMap<String, Entry>);
+
+/// Rules of a rulebook.
+#[derive(Clone)]
+struct Entry {
+    /// What they do; empty for rules of a program.
+    about: &'static str,
+    make: MakeRules,
+}
 
 /// Rules that were made for a scene, or the error if the scene lacks what they need.
 type MadeRules = Result<Arc<dyn Rules>, Error>;
@@ -67,7 +75,25 @@ impl Rulebook {
         name: impl Into<String>,
         make: impl Fn(&SceneNames<'_>) -> Result<R, Error> + Send + Sync + 'static,
     ) {
-        let name = name.into();
+        self.insert(name.into(), "", make);
+    }
+
+    /// Adds rules of throng, and what they do, in one sentence.
+    pub(crate) fn add_own<R: Rules + 'static>(
+        &mut self,
+        name: &str,
+        about: &'static str,
+        make: impl Fn(&SceneNames<'_>) -> Result<R, Error> + Send + Sync + 'static,
+    ) {
+        self.insert(name.to_owned(), about, make);
+    }
+
+    fn insert<R: Rules + 'static>(
+        &mut self,
+        name: String,
+        about: &'static str,
+        make: impl Fn(&SceneNames<'_>) -> Result<R, Error> + Send + Sync + 'static,
+    ) {
         let of: Arc<str> = name.as_str().into();
         let make: MakeRules = Arc::new(move |cast| {
             named("rules", &of, || {
@@ -76,7 +102,7 @@ impl Rulebook {
                 Ok(named)
             })
         });
-        self.0.insert(name, make);
+        self.0.insert(name, Entry { about, make });
     }
 
     /// Adds the rules of another rulebook. They replace rules with the same names.
@@ -89,9 +115,21 @@ impl Rulebook {
         self.0.keys().map(String::as_str)
     }
 
+    /// Returns what the rules with this name do, in one sentence; empty for rules of a program. `None` if there are none.
+    ///
+    /// ```
+    /// use throng_scene::Rulebook;
+    /// let book = Rulebook::default();
+    /// assert_eq!(book.about("soccer"), Some("Two teams kick the ball by touching it, and its goals count."));
+    /// assert_eq!(book.about("chess"), None);
+    /// ```
+    pub fn about(&self, name: &str) -> Option<&str> {
+        self.0.get(name).map(|entry| entry.about)
+    }
+
     /// Returns the rules with this name, made for a scene; or the message of a panic in them.
     pub(crate) fn make(&self, name: &str, cast: &SceneNames<'_>) -> Option<Result<MadeRules, String>> {
-        self.0.get(name).map(|make| caught(|| make(cast)))
+        self.0.get(name).map(|entry| caught(|| (entry.make)(cast)))
     }
 }
 

@@ -36,9 +36,9 @@ described! {
     Sketch = "sketch",
     /// A sketch in space.
     SketchInSpace = "sketch_in_space",
-    /// A field painted with a brush.
+    /// A field painted with a brush. Where the paint is thin, it governs a group only in part.
     Paint = "paint",
-    /// A field encoded in the pixels of a picture (PNG).
+    /// A field encoded in the pixels of a picture (PNG). It is zero at transparent pixels.
     Picture = "picture",
     /// A field from a file: a table (CSV), or a vector field of Menge (text).
     Table = "table",
@@ -241,9 +241,9 @@ parameters! {
         jams: Option<Jams>,
         /// Width of the cells, metres. Without it, 0.25, or more in wide scenes. Limit: > 0.
         cell: Option<f64>,
-        /// The lower left corner of the ground that is searched. Without it, that of the scene.
+        /// The lower left corner of the ground that is searched. Without it, that of the scene and 2 m around it.
         min: Option<Point>,
-        /// The upper right corner. Without it, that of the scene.
+        /// The upper right corner. Without it, that of the scene and 2 m around it.
         max: Option<Point>,
     }
 

@@ -1,15 +1,17 @@
-//! The page on the features of other libraries: each item that it names exists, each scene is in the gallery, nothing
-//! is missing.
+//! The page on the features of other libraries: each item that it names exists, and each scene is in the gallery and uses
+//! what its row names.
 
+use crate::docs::tables::{Uses, registered};
 use std::path::Path;
-use throng_scene::gallery;
+use throng_scene::{Behaviours, gallery};
 
 const PAGE: &str = include_str!("../../../../docs/parity.md");
 
-/// Returns the cells of every row: feature, item, scene.
+/// Returns the cells of every row on other libraries: feature, item, scene. The tables before are generated.
 fn rows() -> Vec<[&'static str; 3]> {
+    let (_, page) = PAGE.split_once("\n## OpenSteer\n").unwrap();
     let rows =
-        PAGE.lines().filter(|line| line.starts_with('|') && !line.starts_with("| what ") && !line.starts_with("|--"));
+        page.lines().filter(|line| line.starts_with('|') && !line.starts_with("| what ") && !line.starts_with("|--"));
     rows.map(|line| {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
         cells.try_into().unwrap_or_else(|_| panic!("not three cells: {line}"))
@@ -93,17 +95,35 @@ fn every_item_exists() {
     assert!(wrong.iter().all(|wrong| !exists(wrong)));
 }
 
+/// Returns the behaviours in a cell: the names of types that are registered, and names of scene files, `steer.NAME`.
+fn behaviours(cell: &'static str) -> Vec<&'static str> {
+    let known = registered();
+    let of_type = |path: &str| {
+        let name = path.strip_prefix("throng_steer::")?.split("::").next()?;
+        known.iter().find(|known| known.type_name == name).map(|known| known.name)
+    };
+    quoted(cell).filter_map(|item| item.strip_prefix("steer.").or_else(|| of_type(item))).collect()
+}
+
 #[test]
-fn every_scene_is_in_the_gallery() {
+fn every_scene_is_in_the_gallery_and_uses_the_behaviours_of_its_row() {
+    let uses = Uses::of_gallery();
     let known: Vec<&str> = gallery::names().collect();
-    for [what, _, scene] in rows() {
-        assert!(scene == "all" || scene.starts_with("none") || scene.starts_with('`'), "{what}: {scene}");
+    let mut wrong = vec![];
+    for [what, place, cell] in rows() {
+        assert!(cell == "all" || cell.starts_with("none") || cell.starts_with('`'), "{what}: {cell}");
+        let behaviours = behaviours(place);
+        for name in &behaviours {
+            assert!(Behaviours::default().names().any(|known| known == *name), "{what}: there is no `steer.{name}`");
+        }
+        let scenes: Vec<&str> = behaviours.iter().flat_map(|name| uses.scenes("Steer", name)).collect();
+        let fits = |scene: &str| known.contains(&scene) && (behaviours.is_empty() || scenes.contains(&scene));
+        wrong.extend(quoted(cell).filter(|scene| !fits(scene)).map(|scene| format!("{what}: {scene}")));
+        if cell.starts_with("none") && !scenes.is_empty() {
+            wrong.push(format!("{what}: not none, but {scenes:?}"));
+        }
     }
-    let mut missing: Vec<&str> =
-        rows().into_iter().flat_map(|row| quoted(row[2])).filter(|name| !known.contains(name)).collect();
-    missing.sort_unstable();
-    missing.dedup();
-    assert!(missing.is_empty(), "{missing:?}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]
@@ -112,17 +132,4 @@ fn nothing_is_without_a_place_or_a_reason() {
         let reason = place.split_whitespace().count() > 3;
         assert!(place.contains("::") || place.starts_with("studio") || reason, "{what}: {place}");
     }
-}
-
-#[test]
-fn every_behaviour_is_on_the_page() {
-    let steer = Path::new(env!("CARGO_MANIFEST_DIR")).join("../throng/src/steer");
-    let texts = sources(&steer);
-    let behaviours =
-        texts.iter().flat_map(|text| text.lines()).filter_map(|line| line.strip_prefix("impl Behaviour for "));
-    let missing: Vec<&str> = behaviours
-        .map(|name| name.trim_end_matches(" {"))
-        .filter(|name| !words(PAGE).any(|word| word == *name))
-        .collect();
-    assert!(missing.is_empty(), "{missing:?}");
 }

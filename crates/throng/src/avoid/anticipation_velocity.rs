@@ -21,7 +21,8 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// The anticipation velocity model (Xu, Chraibi, Seyfried, 2021), as in JuPedSim.
+/// The anticipation velocity model (Xu, Chraibi, Seyfried, 2021), as in JuPedSim: the speed follows from the gap ahead,
+/// the direction from the predicted positions of neighbours.
 ///
 /// ```
 /// use throng::avoid::AnticipationVelocity;
@@ -33,22 +34,22 @@ pub struct AnticipationVelocity {
     /// Seconds that an agent stays behind the neighbour ahead (T).
     #[parameter(default = 1.06, unit = "s", above = 0)]
     pub time_gap: f32,
-    /// How far ahead positions are predicted, seconds.
+    /// How far ahead positions are predicted, seconds (ta).
     #[parameter(default = 1.0, unit = "s", least = 0)]
     pub anticipation_time: f32,
-    /// Seconds in which the direction completes all but 1/e of a change.
+    /// Seconds in which the direction completes all but 1/e of a change (tr).
     #[parameter(default = 0.3, unit = "s", above = 0)]
     pub reaction_time: f32,
-    /// Influence of a neighbour at contact on the direction, relative to the preferred direction.
+    /// Influence of a neighbour at contact on the direction, relative to the preferred direction (k).
     #[parameter(default = 8.0, least = 0)]
     pub strength: f32,
-    /// Metres of predicted gap over which that influence falls to 1/e.
+    /// Metres of predicted gap over which that influence falls to 1/e (D).
     #[parameter(default = 0.1, unit = "m", above = 0)]
     pub range: f32,
-    /// Gap to an obstacle, metres, within which an agent does not walk towards it.
+    /// Gap to an obstacle, metres, within which an agent does not walk towards it (JuPedSim).
     #[parameter(default = 0.1, unit = "m", least = 0)]
     pub wall_buffer: f32,
-    /// How strongly such an agent turns away from the obstacle.
+    /// How strongly such an agent turns away from the obstacle (JuPedSim).
     #[parameter(default = 0.3, least = 0)]
     pub wall_pushout: f32,
 }

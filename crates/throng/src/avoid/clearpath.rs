@@ -9,10 +9,10 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// Reciprocal velocity obstacles that end at a time horizon, solved exactly (ClearPath; Guy et al., 2009).
+/// Reciprocal velocity obstacles that end at a time horizon, solved exactly (ClearPath; Guy et al., 2009): it finds
+/// gaps between neighbours that the half-planes of ORCA hide.
 ///
-/// It finds gaps between neighbours that the half-planes of [`Orca`](super::Orca) hide. Where no velocity is free it
-/// drops the constraints of the farthest neighbours first.
+/// Where no velocity is free it drops the constraints of the farthest neighbours first.
 ///
 /// ```
 /// use throng::avoid::ClearPath;

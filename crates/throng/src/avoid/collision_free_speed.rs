@@ -17,7 +17,8 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim.
+/// The collision-free speed model (Tordeux, Chraibi, Seyfried, 2016), as in JuPedSim: the speed follows from the gap
+/// ahead.
 ///
 /// ```
 /// use throng::avoid::CollisionFreeSpeed;
@@ -29,17 +30,17 @@ pub struct CollisionFreeSpeed {
     /// Seconds that an agent stays behind the neighbour ahead (T).
     #[parameter(default = 1.0, unit = "s", above = 0)]
     pub time_gap: f32,
-    /// Influence of a neighbour at contact on the direction, relative to the preferred direction.
+    /// Influence of a neighbour at contact on the direction, relative to the preferred direction (a).
     #[parameter(default = 8.0, least = 0)]
     pub strength: f32,
-    /// Metres of gap over which that influence falls to 1/e.
+    /// Metres of gap over which that influence falls to 1/e (D).
     #[parameter(default = 0.1, unit = "m", above = 0)]
     pub range: f32,
     /// As `strength`, for obstacles.
     #[parameter(default = 5.0, least = 0)]
     pub strength_obstacles: f32,
     /// As `range`, for obstacles.
-    #[parameter(default = 0.02, above = 0)]
+    #[parameter(default = 0.02, unit = "m", above = 0)]
     pub range_obstacles: f32,
 }
 

@@ -10,7 +10,8 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011).
+/// Hybrid reciprocal velocity obstacles (Snape, van den Berg, Guy, Manocha, 2011): two agents agree on the side on which
+/// they pass. For few agents.
 ///
 /// ```
 /// use throng::avoid::Hrvo;

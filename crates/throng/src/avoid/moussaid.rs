@@ -20,7 +20,7 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// The social force model measured in experiments (Moussaid and others, 2009). Distances are between centres.
+/// The social force model measured in experiments (Moussaïd et al., 2009). Distances are between centres.
 ///
 /// ```
 /// use throng::avoid::Moussaid2009;
@@ -35,10 +35,10 @@ pub struct Moussaid2009 {
     /// Greatest acceleration by one neighbour, m/s^2 (A).
     #[parameter(default = 4.5, unit = "m/s²", least = 0)]
     pub strength: f32,
-    /// Range of an interaction with a direction of length 1, metres.
+    /// Range of an interaction with a direction of length 1, metres (gamma).
     #[parameter(default = 0.35, unit = "m", above = 0)]
     pub gamma: f32,
-    /// Weight of the relative velocity against the direction to the neighbour, s/m.
+    /// Weight of the relative velocity against the direction to the neighbour, s/m (lambda).
     #[parameter(default = 2.0, unit = "s/m", least = 0)]
     pub lambda: f32,
     /// How narrow the angle is in which neighbours make the agent turn, 1/m (n).

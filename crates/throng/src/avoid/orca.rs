@@ -30,7 +30,8 @@ pub enum BuiltFrom {
     Zero,
 }
 
-/// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011).
+/// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin, Manocha, 2011): the nearest velocity that all
+/// neighbours permit if they do their share of the avoidance. The default.
 ///
 /// ```
 /// use throng::avoid::Orca;

@@ -11,7 +11,8 @@ use crate::Error;
 use crate::parameters::{Value, parameters};
 use glam::Vec2;
 
-/// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008).
+/// Reciprocal velocity obstacles (van den Berg, Lin, Manocha, 2008): the velocity of least penalty for the time to a
+/// collision and the distance from the preferred velocity.
 ///
 /// ```
 /// use throng::avoid::Rvo;
@@ -22,7 +23,8 @@ use glam::Vec2;
 #[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rvo {
-    /// Weight of the time to a collision against the distance from the preferred velocity, metres.
+    /// Weight of the time to a collision against the distance from the preferred velocity, metres: with a small weight
+    /// agents come nearer to each other.
     #[parameter(default = 1.0, unit = "m", above = 0)]
     pub weight: f32,
     /// The part of the avoidance that an agent does if both agents have the same right of way (the paper's alpha).

@@ -20,7 +20,7 @@ use crate::Error;
 use crate::parameters::{Angle, Value, parameters};
 use glam::Vec2;
 
-/// The social force model (Helbing, Molnar, 1995). Distances are between centres.
+/// The social force model (Helbing, Molnár, 1995). Distances are between centres.
 ///
 /// ```
 /// use throng::avoid::SocialForce;

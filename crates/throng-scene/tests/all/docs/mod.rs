@@ -4,7 +4,7 @@
 mod behaviour;
 mod field;
 mod model;
-mod tables;
+pub mod tables;
 
 use std::path::Path;
 use throng_scene::{Scene, schema};
