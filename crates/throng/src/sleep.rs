@@ -28,7 +28,7 @@ pub(crate) struct SleepBlocks {
     still: Vec<u64>,
     /// Blocks that sleep in this sub-step; empty if none does.
     asleep: Vec<bool>,
-    /// Positions of agents that were removed since.
+    /// Positions from which agents have gone since, other than by motion.
     gone: Vec<Vec2>,
     unrest: ActiveSquares,
     /// Seconds of the last sub-step and whether it was guarded; `None` if sleep was not possible.
@@ -54,6 +54,11 @@ impl SleepBlocks {
     pub fn end(&mut self) {
         self.still.clear();
         self.asleep.clear();
+    }
+
+    /// Records that an agent has gone from a position to a far one. It was not still.
+    pub fn note_left(&mut self, at: Vec2) {
+        self.gone.push(at);
     }
 
     /// Records that the agent of a row, at a position, is removed. The agent of the last row takes its row.

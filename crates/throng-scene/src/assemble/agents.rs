@@ -1,14 +1,15 @@
 //! The bodies and speeds of each agent.
 
 use super::size::Size;
-use super::steer::{vehicle, wrap_around};
+use super::steer::vehicle;
 use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
 use crate::registry::ChosenModel;
-use crate::scene::{Group, Neighbours, Number, Preset, Scene};
+use crate::scene::{self, Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
 use throng::Agent;
 use throng::field::Governed;
+use throng::motion::WrapAround;
 use throng::steer::BoxedBehaviour;
 
 /// Draws the values that differ between agents.
@@ -150,4 +151,10 @@ pub(super) fn shared(
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
         ..usual
     }
+}
+
+/// Returns the sphere that the agents leave on one side and enter on the other.
+fn wrap_around(said: scene::WrapAround, origin: DVec2) -> WrapAround {
+    let [x, y, z] = said.center.0;
+    WrapAround { center: (DVec2::new(x, y) - origin).as_vec2().extend(z as f32), radius: said.radius as f32 }
 }

@@ -156,13 +156,12 @@ impl Flight<'_> {
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(after), y: before.perp_dot(after) }).abs();
         let course = (seen(before) & seen(after)).select(course, splat(0.0));
-        let there = self.wrapped(simd, to);
-        there.truncate().put_side_by_side(&mut positions[part.clone()]);
+        to.truncate().put_side_by_side(&mut positions[part.clone()]);
         after.put_side_by_side(&mut velocities[part.clone()]);
         if let (Some(altitude), Some(vertical_velocity)) =
             (altitude.get_mut(part.clone()), vertical_velocity.get_mut(part.clone()))
         {
-            altitude.copy_from_slice(&there.z.as_slice()[..part.len()]);
+            altitude.copy_from_slice(&to.z.as_slice()[..part.len()]);
             vertical_velocity.copy_from_slice(&velocity.z.as_slice()[..part.len()]);
         }
         headings[part.clone()].copy_from_slice(&facing.as_slice()[..part.len()]);
@@ -182,23 +181,5 @@ impl Flight<'_> {
         to.store(&mut places);
         ones(near).for_each(|lane| set3(&mut places, lane, self.led[rows.start + lane].place()));
         Vec3s::load(simd, &places)
-    }
-
-    /// Returns the positions after wrapping around.
-    #[inline(always)]
-    fn wrapped<S: Simd>(&self, simd: S, places: Vec3s<S>) -> Vec3s<S> {
-        let Some(ball) = self.group.wrap_around else { return places };
-        let offset = places - Vec3s::splat(simd, ball.center);
-        if !offset.length().simd_gt(S::f32s::splat(simd, ball.radius)).any_true() {
-            return places;
-        }
-        let mut all = [[0.0; LANES]; 3];
-        places.store(&mut all);
-        for lane in 0..LANES {
-            if let Some(place) = ball.back(get3(&all, lane)) {
-                set3(&mut all, lane, place);
-            }
-        }
-        Vec3s::load(simd, &all)
     }
 }

@@ -1,12 +1,9 @@
 //! Checks the steering of a group before it is built.
 
-use super::super::limits::{HIGHEST, Limit, check, check_number, check_point};
-use super::vehicle;
+use super::super::limits::{Limit, check, check_number};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::scene::steer::Position;
-use crate::scene::{Group, Speed, WrapAround};
-use throng::motion::Locomotion;
+use crate::scene::{Group, Speed};
 use toml::Value;
 
 /// Checks the steering of a group: only groups that steer have vehicles, no other key contradicts the vehicle, the
@@ -16,7 +13,6 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
         let says = [
             ("start_speed", group.start_speed.is_some(), "only agents that steer have a start_speed"),
             ("vehicle", group.vehicle.is_some(), "only agents that steer have a vehicle"),
-            ("wrap_around", group.wrap_around.is_some(), "only agents that steer wrap around"),
         ];
         return match says.into_iter().find(|(_, said, _)| *said) {
             None => Ok(()),
@@ -25,7 +21,6 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
             }
         };
     };
-    check_wrap_around(&path.key("wrap_around"), group)?;
     let fixes = [
         ("speed", group.speed != Speed::default(), "set vehicle.max_speed instead"),
         ("acceleration", group.acceleration.is_some(), "set vehicle.max_force and vehicle.mass instead"),
@@ -52,24 +47,6 @@ pub fn check_steering(path: &Path, group: &Group) -> Result<(), Problem> {
     let path = path.key("vehicle");
     if let Some(given) = &group.vehicle {
         given.read(&path)?;
-    }
-    Ok(())
-}
-
-/// Checks that agents that wrap around reach neither the ground nor another agent on the other side.
-fn check_wrap_around(path: &Path, group: &Group) -> Result<(), Problem> {
-    let Some(WrapAround { center: Position([x, y, z]), radius }) = group.wrap_around else { return Ok(()) };
-    check_point(&path.key("center"), &[x, y])?;
-    check(&path.key("radius"), radius, Limit::UpTo(HIGHEST))?;
-    let flies = vehicle(group).locomotion != Locomotion::Ground;
-    check(&path.key("center").index(2), z, Limit::Between(if flies { radius } else { 0.0 }, HIGHEST))?;
-    if group.guard == Some(true) {
-        let message = "agents that wrap around cannot be guarded: the guard does not see the other side";
-        return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `guard`"));
-    }
-    if group.solid.is_some() {
-        let message = "agents that wrap around have no `solid`: a solid may be in the way on the other side";
-        return Err(Problem::new(path, Kind::Conflict, message).hint("leave out `solid` or `wrap_around`"));
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ mod vehicle;
 pub(super) use around::Around;
 pub(super) use check::check_steering;
 pub(super) use names::in_world;
-pub(super) use vehicle::{vehicle, wrap_around};
+pub(super) use vehicle::vehicle;
 
 use super::flow::Flows;
 use crate::file::{Path, Problem};
