@@ -268,9 +268,10 @@ impl State {
 mod tests {
     use super::*;
     use crate::avoid::Vo;
+    use crate::motion::WrapAround;
     use crate::perceive::SimdLevel;
     use crate::{Agent, Goal, Group, Journey, Obstacle, Settings, Stop, SubSteps, World};
-    use glam::DVec2;
+    use glam::{DVec2, Vec3};
     use proptest::prelude::*;
     use std::sync::Arc;
 
@@ -305,6 +306,8 @@ mod tests {
         mixed: bool,
         /// Some agents have another local model.
         odd: bool,
+        /// Whether agents wrap around a ball: most clusters are within it, and most walkers leave it.
+        wraps: bool,
         sub_steps: SubSteps,
     }
 
@@ -332,15 +335,16 @@ mod tests {
             prop::collection::vec(cluster, 1..6),
             prop::collection::vec((place(), place()), 0..4),
             prop::collection::vec((0u64..120, change()), 0..4),
-            (any::<bool>(), prop::bool::weighted(0.3), prop::bool::weighted(0.1), sub_steps),
+            (any::<bool>(), prop::bool::weighted(0.3), prop::bool::weighted(0.1), prop::bool::weighted(0.3), sub_steps),
         )
-            .prop_map(|(clusters, walkers, changes, (guard, mixed, odd, sub_steps))| Crowd {
+            .prop_map(|(clusters, walkers, changes, (guard, mixed, odd, wraps, sub_steps))| Crowd {
                 clusters,
                 walkers,
                 changes,
                 guard,
                 mixed,
                 odd,
+                wraps,
                 sub_steps,
             })
     }
@@ -349,7 +353,9 @@ mod tests {
         let settings = Settings { step: 0.05, sub_steps: crowd.sub_steps, ..Settings::default() };
         let mut world = World::new(settings).unwrap();
         world.set_simd_level(instructions);
-        let usual = Group { guard: crowd.guard, neighbour_distance: 2.0, ..Group::default() };
+        let ball = WrapAround { center: Vec3::X * 70.0, radius: 72.5 };
+        let wrap_around = crowd.wraps.then_some(ball);
+        let usual = Group { guard: crowd.guard, neighbour_distance: 2.0, wrap_around, ..Group::default() };
         let other = Group { neighbours: 4, neighbour_distance: 1.5, ..usual.clone() };
         let usual_group = world.add_group(usual.clone()).unwrap();
         let other = world.add_group(if crowd.mixed { other } else { usual.clone() }).unwrap();
@@ -455,6 +461,7 @@ mod tests {
             guard: true,
             mixed: false,
             odd: false,
+            wraps: false,
             sub_steps: SubSteps::Fixed(1),
         };
         let all = compare(&crowd, 400).unwrap();
@@ -462,5 +469,9 @@ mod tests {
         crowd.walkers = vec![(DVec2::new(-10.0, 0.0), DVec2::new(80.0, 0.0))];
         let some = compare(&crowd, 400).unwrap();
         assert!(some > 64 * 100 && some < all, "{some} of {all}");
+        // from beyond the last cluster to the first
+        (crowd.wraps, crowd.walkers) = (true, vec![(DVec2::new(120.0, 6.0), DVec2::new(200.0, 6.0))]);
+        let wrapped = compare(&crowd, 600).unwrap();
+        assert!(wrapped > 64 * 100 && wrapped < 150 * 600, "{wrapped}");
     }
 }

@@ -42,3 +42,4 @@ mod stranded;
 mod stuck;
 mod sub_steps;
 mod tuned;
+mod wrapping;
