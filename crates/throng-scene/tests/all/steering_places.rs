@@ -305,7 +305,7 @@ fn an_agent_that_leaves_the_ball_enters_on_the_other_side() {
             }
             before = x;
             assert!(
-                (world.relative_columns().velocity[0].x - 2.0).abs() < 0.01 || world.time() < 2.0,
+                (world.relative_columns().velocity[0].x - 2.0).abs() < 0.01 || world.time() < 3.0,
                 "as if nothing had happened: {said}"
             );
         }
