@@ -13,7 +13,7 @@ use throng::motion::{Locomotion, Vehicle, WrapAround};
 use throng::perceive::SimdLevel;
 use throng::space::surface::{SeenFrom, Sphere};
 use throng::steer::Barriers;
-use throng::{Agent, Body, Group, GroupId, Keyframe, Obstacle, Script, Status, SubSteps, World};
+use throng::{Agent, Body, EventKind, Group, GroupId, Keyframe, Obstacle, Script, Status, SubSteps, World};
 use throng_steer::{Flocking, Wander};
 
 /// A sphere that is solid to some groups.
@@ -390,42 +390,68 @@ fn only_what_may_not_overlap_is_in_the_way() {
 }
 
 #[test]
-fn a_walker_plans_its_way_anew_after_a_jump() {
-    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
-    let group = world.add_group(Group { wrap_around: ball(6.0), ..Group::default() }).unwrap();
-    // between the goal and where the walker enters
-    let points = [(-2.0, -3.0), (-2.0, 3.0)].map(DVec2::from).to_vec();
-    world.add_obstacle(Obstacle::Wall { points }).unwrap();
-    let journey = journey_to(&mut world, DVec2::ZERO);
-    let walker = world.add_agent(Agent { group, journey, ..Agent::at([3.5, 0.0]) }).unwrap();
-    world.step();
-    world.set_preferred_velocity(walker, Vec3::X).unwrap();
-    while world.position(walker).unwrap().x > 0.0 {
-        assert!(world.time() < 9.0, "it does not wrap around");
+fn of_two_agents_with_one_place_to_enter_the_lower_number_enters() {
+    for order in [[0, 1], [1, 0]] {
+        let mut world = with_settings(0.1, SubSteps::Fixed(1), DVec2::ZERO);
+        let groups = [Vec3::ZERO, Vec3::new(-3.0, -3.0, 0.0)].map(|center| {
+            let wrap_around = Some(WrapAround { center, radius: 3.0 });
+            world.add_group(Group { wrap_around, model: Arc::new(NoAvoidance), ..Group::default() }).unwrap()
+        });
+        // both would enter at (-3, 0)
+        let at = [DVec2::new(2.99, 0.0), DVec2::new(-3.0, -5.99)];
+        for index in order {
+            let (group, number) = (groups[index], Some(index as u32));
+            let id = world.add_agent(Agent { group, number, ..Agent::at(at[index]) }).unwrap();
+            world.set_preferred_velocity(id, [Vec3::X, Vec3::NEG_Y][index]).unwrap();
+        }
         world.step();
+        let place = |number: u32| {
+            let agents = world.relative_columns();
+            agents.position[agents.number.iter().position(|&one| one == number).unwrap()]
+        };
+        assert!(place(0).x < 0.0 && place(1).y < -5.9, "{order:?}: {} and {}", place(0), place(1));
     }
-    world.set_preferred_velocity(walker, None).unwrap();
-    let mut around = 0.0_f64;
-    while !world.finished() {
-        assert!(world.time() < 30.0, "it does not get there");
-        world.step();
-        around = around.max(world.position(walker).unwrap().y.abs());
-    }
-    assert!((3.0..5.0).contains(&around), "past an end of the wall: {around}");
 }
 
 #[test]
-fn a_goal_outside_is_out_of_reach() {
+fn a_walker_plans_its_way_anew_after_a_jump() {
+    let mut world = with_settings(0.05, SubSteps::Auto, DVec2::ZERO);
+    let group = world.add_group(Group { wrap_around: ball(6.0), ..Group::default() }).unwrap();
+    let points = [(3.0, -3.0), (3.0, 3.0)].map(DVec2::from).to_vec();
+    world.add_obstacle(Obstacle::Wall { points }).unwrap();
+    // behind the wall, first by its end in the north
+    let journey = journey_to(&mut world, DVec2::new(4.5, 0.0));
+    let walker = world.add_agent(Agent { group, journey, ..Agent::at([0.0, 4.0]) }).unwrap();
+    world.step();
+    world.set_preferred_velocity(walker, Vec3::Y).unwrap();
+    while world.position(walker).unwrap().y > 0.0 {
+        assert!(world.time() < 9.0, "it does not wrap around");
+        world.step();
+    }
+    // both ends are in sight, and the end in the south is nearer
+    world.set_preferred_velocity(walker, None).unwrap();
+    while !world.finished() {
+        assert!(world.time() < 30.0, "it does not get there");
+        world.step();
+        let at = world.position(walker).unwrap();
+        assert!(at.y < 0.2, "it goes the former way: {at}");
+    }
+}
+
+#[test]
+fn on_its_way_to_a_goal_outside_a_walker_plans_anew_after_every_jump() {
     let mut world = with_settings(0.1, SubSteps::Fixed(1), DVec2::ZERO);
     let group = world.add_group(Group { wrap_around: ball(3.0), ..Group::default() }).unwrap();
     let journey = journey_to(&mut world, DVec2::X * 9.0);
     let walker = world.add_agent(Agent { group, journey, ..Agent::at([0.0, 0.0]) }).unwrap();
-    let (mut jumps, mut before) = (0, 0.0);
+    let (mut jumps, mut planned, mut before) = (0, 0, 0.0);
     for _ in 0..300 {
         world.step();
+        planned += world.events().iter().filter(|event| event.kind == EventKind::Replanned).count();
+        assert_eq!(planned, jumps, "in the step after");
         let x = world.position(walker).unwrap().x;
         assert!(x.abs() < 3.0 + 0.2, "{x}");
-        jumps += u32::from(x < before - 5.0);
+        jumps += usize::from(x < before - 5.0);
         before = x;
     }
     assert!(jumps > 3 && world.agent(walker).is_some_and(|agent| agent.status() == Status::Walking), "{jumps} jumps");
