@@ -3,8 +3,8 @@
 //! The result of a sub-step for an agent depends on its own state and the state of the agents near it. An agent is
 //! *still* in a sub-step if it does not walk, its state is the same to the bit before and after, and no pass of the
 //! guard moved it. A still agent is still in the next sub-step too unless an agent near it was not still. A block of 64
-//! rows sleeps if all its agents were still and no other agent that was not still is near enough to matter. An agent is
-//! near enough within the sum of two distances:
+//! rows sleeps if all its agents were still and no other agent that was not still is near enough to matter. An agent that was
+//! removed, or jumped to a far place, also counts where it was. An agent is near enough within the sum of two distances:
 //!
 //! - twice the neighbour distance. An agent that was not still changes the chosen velocities of the agents that see it,
 //!   so these may move. Sleeping agents must not see a moving agent, because its separation from them would have to be
