@@ -70,6 +70,7 @@ mod tests {
     use super::*;
     use glam::Vec3;
     use throng::Settings;
+    use throng::agent::Guidance;
     use throng::field::Governed;
 
     #[test]
@@ -78,7 +79,8 @@ mod tests {
         let (east, north) =
             (Governed::new(|_: Vec3, _: f64| Vec3::X, 1.0), Governed::new(|_: Vec3, _: f64| Vec3::Y, 0.5));
         for field in [Some(east.clone()), None, Some(north), Some(east)] {
-            world.add_group(Group { field, ..Group::default() }).unwrap();
+            let guidance = Guidance { field, ..Guidance::JOURNEY };
+            world.add_group(Group { guidance, ..Group::default() }).unwrap();
         }
         let flows = Flow::all(&world);
         // every world has a first group

@@ -3,8 +3,8 @@
 //! The result of a sub-step for an agent depends on its own state and the state of the agents near it. An agent is
 //! *still* in a sub-step if it does not walk, its state is the same to the bit before and after, and no pass of the
 //! guard moved it. A still agent is still in the next sub-step too unless an agent near it was not still. A block of 64
-//! rows sleeps if all its agents were still and no other agent that was not still is near enough to matter. An agent is
-//! near enough within the sum of two distances:
+//! rows sleeps if all its agents were still and no other agent that was not still is near enough to matter. An agent that was
+//! removed, or jumped to a far place, also counts where it was. An agent is near enough within the sum of two distances:
 //!
 //! - twice the neighbour distance. An agent that was not still changes the chosen velocities of the agents that see it,
 //!   so these may move. Sleeping agents must not see a moving agent, because its separation from them would have to be
@@ -28,7 +28,7 @@ pub(crate) struct SleepBlocks {
     still: Vec<u64>,
     /// Blocks that sleep in this sub-step; empty if none does.
     asleep: Vec<bool>,
-    /// Positions of agents that were removed since.
+    /// Positions from which agents have gone since, other than by motion.
     gone: Vec<Vec2>,
     unrest: ActiveSquares,
     /// Seconds of the last sub-step and whether it was guarded; `None` if sleep was not possible.
@@ -54,6 +54,11 @@ impl SleepBlocks {
     pub fn end(&mut self) {
         self.still.clear();
         self.asleep.clear();
+    }
+
+    /// Records that an agent has gone from a position to a far one. It was not still.
+    pub fn note_left(&mut self, at: Vec2) {
+        self.gone.push(at);
     }
 
     /// Records that the agent of a row, at a position, is removed. The agent of the last row takes its row.
@@ -263,9 +268,10 @@ impl State {
 mod tests {
     use super::*;
     use crate::avoid::Vo;
+    use crate::motion::WrapAround;
     use crate::perceive::SimdLevel;
     use crate::{Agent, Goal, Group, Journey, Obstacle, Settings, Stop, SubSteps, World};
-    use glam::DVec2;
+    use glam::{DVec2, Vec3};
     use proptest::prelude::*;
     use std::sync::Arc;
 
@@ -300,6 +306,8 @@ mod tests {
         mixed: bool,
         /// Some agents have another local model.
         odd: bool,
+        /// Whether agents wrap around a ball: most clusters are within it, and most walkers leave it.
+        wraps: bool,
         sub_steps: SubSteps,
     }
 
@@ -327,15 +335,16 @@ mod tests {
             prop::collection::vec(cluster, 1..6),
             prop::collection::vec((place(), place()), 0..4),
             prop::collection::vec((0u64..120, change()), 0..4),
-            (any::<bool>(), prop::bool::weighted(0.3), prop::bool::weighted(0.1), sub_steps),
+            (any::<bool>(), prop::bool::weighted(0.3), prop::bool::weighted(0.1), prop::bool::weighted(0.3), sub_steps),
         )
-            .prop_map(|(clusters, walkers, changes, (guard, mixed, odd, sub_steps))| Crowd {
+            .prop_map(|(clusters, walkers, changes, (guard, mixed, odd, wraps, sub_steps))| Crowd {
                 clusters,
                 walkers,
                 changes,
                 guard,
                 mixed,
                 odd,
+                wraps,
                 sub_steps,
             })
     }
@@ -344,7 +353,9 @@ mod tests {
         let settings = Settings { step: 0.05, sub_steps: crowd.sub_steps, ..Settings::default() };
         let mut world = World::new(settings).unwrap();
         world.set_simd_level(instructions);
-        let usual = Group { guard: crowd.guard, neighbour_distance: 2.0, ..Group::default() };
+        let ball = WrapAround { center: Vec3::X * 70.0, radius: 72.5 };
+        let wrap_around = crowd.wraps.then_some(ball);
+        let usual = Group { guard: crowd.guard, neighbour_distance: 2.0, wrap_around, ..Group::default() };
         let other = Group { neighbours: 4, neighbour_distance: 1.5, ..usual.clone() };
         let usual_group = world.add_group(usual.clone()).unwrap();
         let other = world.add_group(if crowd.mixed { other } else { usual.clone() }).unwrap();
@@ -451,6 +462,7 @@ mod tests {
             guard: true,
             mixed: false,
             odd: false,
+            wraps: false,
             sub_steps: SubSteps::Fixed(1),
         };
         let all = compare(&crowd, 400).unwrap();
@@ -458,5 +470,9 @@ mod tests {
         crowd.walkers = vec![(DVec2::new(-10.0, 0.0), DVec2::new(80.0, 0.0))];
         let some = compare(&crowd, 400).unwrap();
         assert!(some > 64 * 100 && some < all, "{some} of {all}");
+        // from beyond the last cluster to the first
+        (crowd.wraps, crowd.walkers) = (true, vec![(DVec2::new(120.0, 6.0), DVec2::new(200.0, 6.0))]);
+        let wrapped = compare(&crowd, 600).unwrap();
+        assert!(wrapped > 64 * 100 && wrapped < 150 * 600, "{wrapped}");
     }
 }

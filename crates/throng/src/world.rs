@@ -225,7 +225,7 @@ impl World {
         for row in 0..agents.len() {
             grid.within(agents.position[row], bound(row) + largest, |near| {
                 let other = near.row as usize;
-                if agents.number[row] < near.number && (agents.avoids(row, other) || agents.avoids(other, row)) {
+                if agents.number[row] < near.number && agents.meet(row, other) {
                     let separation = agents.separation(row, other);
                     if separation < 1.0 - 1e-4 {
                         pairs.push((agents.number[row], near.number, separation));

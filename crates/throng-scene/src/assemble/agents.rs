@@ -2,7 +2,6 @@
 
 use super::motor::vehicle;
 use super::size::Size;
-use super::steer::wrap_around;
 use crate::geometry::DVec2;
 use crate::random::{Purpose, Random};
 use crate::registry::ChosenModel;
@@ -10,7 +9,7 @@ use crate::scene::{self, Group, Neighbours, Number, Preset, Scene};
 use glam::Vec2;
 use throng::Agent;
 use throng::agent::Guidance;
-use throng::motion::{Holonomic, Motor, TwoWheels, Vehicle};
+use throng::motion::{Holonomic, Motor, TwoWheels, Vehicle, WrapAround};
 
 /// Draws the values that differ between agents.
 pub(super) struct AgentDraw<'a> {
@@ -165,4 +164,10 @@ pub(super) fn shared(
         wrap_around: group.wrap_around.map(|ball| wrap_around(ball, origin)),
         ..usual
     }
+}
+
+/// Returns the sphere that the agents leave on one side and enter on the other.
+fn wrap_around(said: scene::WrapAround, origin: DVec2) -> WrapAround {
+    let [x, y, z] = said.center.0;
+    WrapAround { center: (DVec2::new(x, y) - origin).as_vec2().extend(z as f32), radius: said.radius as f32 }
 }

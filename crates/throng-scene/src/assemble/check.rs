@@ -8,7 +8,7 @@ use crate::file::{Path, Problem};
 use crate::registry::Models;
 use crate::scene::{
     Body, Camera, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape,
-    Sides, Stop, SubSteps, View,
+    Sides, Stop, SubSteps, View, WrapAround,
 };
 
 type Checked = Result<(), Problem>;
@@ -153,6 +153,11 @@ fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
     check_some(&path.key("keep_right"), group.keep_right, Limit::Between(-28.0, 28.0))?;
     check_layers(&path.key("layers"), &group.layers)?;
     check_layers(&path.key("avoids"), group.avoids.as_deref().unwrap_or_default())?;
+    if let Some(WrapAround { center, radius }) = &group.wrap_around {
+        let path = path.key("wrap_around");
+        check_spot(&path.key("center"), &center.0)?;
+        check(&path.key("radius"), *radius, Limit::UpTo(super::limits::HIGHEST))?;
+    }
     check_steering(path, group)?;
     models.make(&group.local_model(), &path.key("avoid")).map(drop)
 }

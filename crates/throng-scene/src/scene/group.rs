@@ -83,11 +83,11 @@ pub struct Group {
     /// The vehicle that moves the agents: it determines their speed, acceleration and turn rate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<GivenParameters<Vehicle>>,
-    /// A sphere that agents that steer leave on one side and enter on the other. Only without `guard`.
+    /// A sphere that the agents leave on one side and enter on the other, where `guard` and `solid` leave room for them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_around: Option<WrapAround>,
     /// What the agents never enter, by name: surfaces, from the side each is seen from, obstacles, `"obstacles"` or
-    /// `"everything"`. Without it, only what `guard` keeps them from. Not with `wrap_around`.
+    /// `"everything"`. Without it, only what `guard` keeps them from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<ObstacleNames>,
     /// The defaults of `look_ahead` and `keep_right`.

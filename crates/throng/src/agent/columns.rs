@@ -251,6 +251,11 @@ impl Columns {
         common(self.avoids.values()) & common(self.layers.values()) != 0
     }
 
+    /// Whether two agents collide with each other: at least one of them avoids the other.
+    pub(crate) fn meet(&self, row: usize, other: usize) -> bool {
+        self.avoids(row, other) || self.avoids(other, row)
+    }
+
     /// Whether `row` avoids `other`.
     pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
         self.avoids[row] & self.layers[other] != 0

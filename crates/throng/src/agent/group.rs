@@ -51,14 +51,17 @@ pub struct Group {
     pub resolve: bool,
     /// What guides its agents: their journeys, a behaviour, a field.
     pub guidance: Guidance,
-    /// A ball that agents that steer leave on one side and enter on the other; `None`: space does not wrap. Only
-    /// without the guard, which cannot check the other side.
+    /// A ball that the agents leave on one side and enter on the other; `None`: space does not wrap. An agent enters as
+    /// soon as nothing that it is kept from is in its way there: the agents and walls that the guard keeps it from, and
+    /// `solid`. Until then it moves on outside. An agent that neither flies nor walks in the air leaves the circle in
+    /// which the ball cuts its height. A walker keeps its goal and plans its path anew; a goal outside the ball is out of
+    /// reach. Moving obstacles ([`Script`](crate::Script)) stay outside.
     pub wrap_around: Option<WrapAround>,
     /// Surfaces in space that no agent of the group enters, guarded or not, with the side from which they are seen:
     /// columns from outside, a cage from inside. A body counts as its bounding ball. An agent that would enter moves
     /// along the surface, or stops. An agent that starts inside is led out, and counts as an
     /// [overlap](crate::Summary::overlaps) until then. The surfaces do not move and hide no agent;
-    /// behaviours (`throng_steer::AvoidObstacles`) can avoid them in advance. Not for agents that wrap around.
+    /// behaviours (`throng_steer::AvoidObstacles`) can avoid them in advance.
     pub solid: Barriers,
     /// Whether the [guard](crate::guard) prevents its agents from overlapping other agents and walls. Only two agents
     /// that both belong to groups without the guard may overlap.
@@ -82,20 +85,7 @@ impl Group {
         self.check_look_ahead()?;
         self.model.check()?;
         self.guidance.check()?;
-        if self.guidance.behaviour.is_some() {
-            if let Some(wrap_around) = &self.wrap_around {
-                wrap_around.check()?;
-                if self.guard {
-                    let why = "it wraps around, which the guard cannot check: use it without the guard".into();
-                    return Err(Error::Shape { what: "the group".into(), why });
-                }
-            }
-        }
-        if self.wrap_around.is_some() && !self.solid.0.is_empty() {
-            let why = "it wraps around, where a solid may be in the way: remove the wrapping or the solids".into();
-            return Err(Error::Shape { what: "the group".into(), why });
-        }
-        Ok(())
+        self.wrap_around.as_ref().map_or(Ok(()), WrapAround::check)
     }
 
     /// Whether it has anything that its origin counts for.

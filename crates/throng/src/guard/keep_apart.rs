@@ -89,7 +89,7 @@ impl KeepApart {
         let wished =
             |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
         if state.is_guarded() {
-            let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+            let meets = |row, other| agents.meet(row, other);
             let sorted = state.any_looks_at_all() && seen.discs_only && agents.any_flies();
             let centers = Centers { grid: seen.grid, space: sorted.then_some(seen.lattice) };
             contacts.collect_from(&bodies, &agents.number, centers, walls, meets, covered(state, seen));
@@ -280,7 +280,7 @@ mod tests {
         let facing = Facing { preferred: &chosen, planned: &planned };
         guard.run(&mut state, seen, (facing, &chosen), &sleep, of);
         let agents = &state.agents;
-        let meets = |row, other| agents.avoids(row, other) || agents.avoids(other, row);
+        let meets = |row, other| agents.meet(row, other);
         let mut contacts = Contacts::default();
         let bodies = guard.bodies(&state, &sleep);
         contacts.collect(&bodies, &agents.number, seen.grid, &state.walls, meets, |_| None);

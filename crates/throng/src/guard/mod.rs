@@ -100,6 +100,7 @@ pub use certify::{Guard, Report};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use contacts::{Contacts, RowContacts};
 pub(crate) use keep_apart::{Guarded, KeepApart};
+pub(crate) use relax::SKIN;
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use safe::{SLACK, nearest_approach};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 /// Number of iterations in which every row that may need it is moved.
 pub(super) const ITERATIONS: usize = 4;
 /// Fraction of the sum of radii that relaxed pairs keep between them.
-pub(super) const SKIN: f64 = 0.01;
+pub(crate) const SKIN: f64 = 0.01;
 /// Two bodies overlap if they are closer than the sum of radii by more than this fraction of it. Less is rounding.
 const OVERLAP: f64 = 1e-4;
 /// Fraction of what two bodies can move in a step by which overlapping bodies are moved apart per step. A bad start is

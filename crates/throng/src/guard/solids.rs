@@ -128,6 +128,11 @@ impl Solids {
         least_room(self.sides(row), place)
     }
 
+    /// Whether the solids of a group leave room for a ball at a place.
+    pub(crate) fn leave_room(&self, group: GroupId, place: Vec3, radius: f32) -> bool {
+        least_room(&self.groups[group.index()], place) >= radius + rounding(place)
+    }
+
     /// Whether the motion of a row to a target is safe with all solids.
     pub(super) fn is_safe(&self, row: usize, bodies: &GuardedBodies<'_>, target: BodyPose) -> bool {
         let sides = self.sides(row);

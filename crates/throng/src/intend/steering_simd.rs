@@ -140,10 +140,10 @@ fn are_consecutive(rows: &[u32]) -> bool {
 }
 
 impl State {
-    /// Returns the SIMD level for the motion of all agents, if all are discs of one group with the same vehicle.
+    /// Returns the SIMD level for the motion of all agents, if all are discs with the same vehicle.
     pub(crate) fn lanes_to_fly(&self) -> Option<Level> {
-        let Columns { group, vehicle, script, .. } = &self.agents;
-        let alike = group.uniform().is_some() && vehicle.uniform()?.is_some() && script.uniform() == Some(None);
+        let Columns { vehicle, script, .. } = &self.agents;
+        let alike = vehicle.uniform()?.is_some() && script.uniform() == Some(None);
         self.instructions.level().filter(|_| alike && self.agents.all_discs())
     }
 

@@ -4,7 +4,7 @@ use crate::Error;
 use glam::Vec3;
 
 /// A ball that wraps around: an agent that leaves it is moved by the diameter, through the centre (OpenSteer,
-/// `sphericalWrapAround`).
+/// `sphericalWrapAround`), as soon as there is room for it there.
 ///
 /// ```
 /// use glam::Vec3;
@@ -27,6 +27,13 @@ impl WrapAround {
         let offset = place - self.center;
         let out = offset.length();
         (out > self.radius && out.is_finite()).then(|| place - offset * (2.0 * self.radius / out))
+    }
+
+    /// Returns the ball, at this height, that has the same section there; of radius NaN, which nothing is outside of, if
+    /// the ball does not reach that height.
+    pub(crate) fn at_height(&self, z: f32) -> Self {
+        let above = z - self.center.z;
+        Self { center: self.center.with_z(z), radius: (self.radius * self.radius - above * above).sqrt() }
     }
 
     /// Checks the parameters.

@@ -1,9 +1,9 @@
-//! The motion of vehicles of one group, with SIMD, one agent in each element. The bits are the same as those of the
+//! The motion of vehicles that are the same, with SIMD, one agent in each element. The bits are the same as those of the
 //! [scalar path](super::movement).
 
 use super::movement::{diverted, rows_if};
 use super::movement_simd::Trips;
-use crate::agent::{Column, Group, SEEN, Status};
+use crate::agent::{Column, SEEN, Status};
 use crate::guard::{BodyPose, Guarded, Solids};
 use crate::intend::{Intended, Velocities};
 use crate::motion::{Attitude, Vehicle, angles};
@@ -15,7 +15,7 @@ use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
-/// Moves all agents, if all are discs of one group with the same vehicle, and no agent is guarded.
+/// Moves all agents, if all are discs with the same vehicle, and no agent is guarded.
 pub(super) fn fly_many(
     level: Level,
     state: &mut State,
@@ -24,7 +24,7 @@ pub(super) fn fly_many(
     safe: Guarded<'_>,
     seconds: f32,
 ) {
-    let State { agents, local_groups: groups, .. } = state;
+    let agents = &mut state.agents;
     let Some(Some(vehicle)) = agents.vehicle.uniform() else { return };
     let in_air = chosen.is_in_space();
     let flight = Flight {
@@ -36,7 +36,6 @@ pub(super) fn fly_many(
         solids: safe.solids,
         led: safe.targets,
         status: &agents.status,
-        group: &groups[agents.group[0].index()],
         vehicle,
         seconds,
     };
@@ -73,7 +72,6 @@ struct Flight<'a> {
     solids: &'a Solids,
     led: &'a [BodyPose],
     status: &'a [Status],
-    group: &'a Group,
     vehicle: Vehicle,
     seconds: f32,
 }
@@ -159,13 +157,12 @@ impl Flight<'_> {
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(after), y: before.perp_dot(after) }).abs();
         let course = (seen(before) & seen(after)).select(course, splat(0.0));
-        let there = self.wrapped(simd, to);
-        there.truncate().put_side_by_side(&mut positions[part.clone()]);
+        to.truncate().put_side_by_side(&mut positions[part.clone()]);
         after.put_side_by_side(&mut velocities[part.clone()]);
         if let (Some(altitude), Some(vertical_velocity)) =
             (altitude.get_mut(part.clone()), vertical_velocity.get_mut(part.clone()))
         {
-            altitude.copy_from_slice(&there.z.as_slice()[..part.len()]);
+            altitude.copy_from_slice(&to.z.as_slice()[..part.len()]);
             vertical_velocity.copy_from_slice(&velocity.z.as_slice()[..part.len()]);
         }
         headings[part.clone()].copy_from_slice(&facing.as_slice()[..part.len()]);
@@ -185,23 +182,5 @@ impl Flight<'_> {
         to.store(&mut places);
         ones(near).for_each(|lane| set3(&mut places, lane, self.led[rows.start + lane].place()));
         Vec3s::load(simd, &places)
-    }
-
-    /// Returns the positions after wrapping around.
-    #[inline(always)]
-    fn wrapped<S: Simd>(&self, simd: S, places: Vec3s<S>) -> Vec3s<S> {
-        let Some(ball) = self.group.wrap_around else { return places };
-        let offset = places - Vec3s::splat(simd, ball.center);
-        if !offset.length().simd_gt(S::f32s::splat(simd, ball.radius)).any_true() {
-            return places;
-        }
-        let mut all = [[0.0; LANES]; 3];
-        places.store(&mut all);
-        for lane in 0..LANES {
-            if let Some(place) = ball.back(get3(&all, lane)) {
-                set3(&mut all, lane, place);
-            }
-        }
-        Vec3s::load(simd, &all)
     }
 }

@@ -3,5 +3,6 @@
 mod flight_simd;
 mod movement;
 mod movement_simd;
+mod wrap;
 
 pub(crate) use movement::{Move, velocity};

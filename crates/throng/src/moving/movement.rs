@@ -1,6 +1,7 @@
 //! Stage 5, motion: agents move to where the guard finds no overlap.
 
 use super::flight_simd::fly_many;
+use super::wrap::Wrap;
 use crate::agent::{Column, ColumnValue, Columns, SEEN, Status};
 use crate::guard::{BodyPose, Guarded};
 use crate::intend::{Facing, Intended, Velocities};
@@ -12,11 +13,12 @@ use crate::sleep::SleepBlocks;
 use crate::world::State;
 use glam::{Vec2, Vec3};
 
-/// 5. Motion: moves agents to the targets of the guard, and turns them.
+/// 5. Motion: moves agents to the targets of the guard, turns them, and wraps them around.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Move {
     /// Rows that turn on the scalar path, with their headings and the sums of their turns before the motion.
     pub(super) turners: Vec<(usize, f32, f64)>,
+    wrap: Wrap,
 }
 
 impl Move {
@@ -35,7 +37,11 @@ impl Move {
                 let to = safe.targets[row].position;
                 !to.same(state.agents.position[row])
             };
-            !is_displaced && !shown[row].way.may_change() && is_still(&state.agents, chosen.ground[row], row, seconds)
+            !is_displaced
+                && !shown[row].way.may_change()
+                && is_still(&state.agents, chosen.ground[row], row, seconds)
+                // it waits for room on the other side
+                && state.other_side(row).is_none()
         });
         let flying = state.lanes_to_fly().filter(|_| !state.is_guarded());
         match (state.lanes_to_move(), flying) {
@@ -43,6 +49,7 @@ impl Move {
             (None, Some(level)) => fly_many(level, state, &mut intended, chosen, safe, seconds),
             (None, None) => move_each(state, &intended, chosen, safe, seconds),
         }
+        self.wrap.run(state, safe.solids, sleep);
         state.agents.pass(seconds);
     }
 }
@@ -60,8 +67,8 @@ fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
 /// Moves all agents on the scalar path.
 fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, safe: Guarded<'_>, seconds: f32) {
     let (any_vehicle, all_discs) = (state.any_vehicle(), state.agents.all_discs());
-    let State { agents, local_groups: groups, .. } = state;
-    let (core, max_turn_rate, status, group) = (&agents.core, &agents.max_turn_rate, &agents.status, &agents.group);
+    let agents = &mut state.agents;
+    let (core, max_turn_rate, status) = (&agents.core, &agents.max_turn_rate, &agents.status);
     let (vehicle, script) = (&agents.vehicle, &agents.script);
     let moving = (
         (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
@@ -84,9 +91,8 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             let from = position[at].extend(height(&altitude));
             let before = velocities[at].extend(height(&vertical_velocity));
             let target = safe.targets[row];
-            let mut place = target.place();
+            let place = target.place();
             let mut velocity = velocity(from, place, chosen.at(row), seconds);
-            let group = &groups[group[row].index()];
             let heading = if let Some(vehicle) = vehicle[row].filter(|_| script[row].is_none()) {
                 let motion = attitude.all[at].motion(from, before);
                 let (moved, mut now) = if facing.is_as_planned(row, velocity) {
@@ -103,7 +109,6 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
                     spin.all[at] = wrap(target.heading - headings[at]) / seconds;
                 }
                 (velocity, attitude.all[at]) = (moved, now);
-                place = group.wrap_around.and_then(|ball| ball.back(place)).unwrap_or(place);
                 now.basis.heading()
             } else {
                 let is_disc = core[row] == Vec2::ZERO;
@@ -124,7 +129,7 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             if status[row] == Status::Walking {
                 turned[at] += turn_between(headings[at], heading);
                 course_turned[at] += f64::from(angle_between(before.truncate(), velocity.truncate()));
-                walked[at] += f64::from((target.place() - from).length());
+                walked[at] += f64::from((place - from).length());
             }
             (position[at], velocities[at], headings[at]) = (place.truncate(), velocity.truncate(), heading);
             if let (Some(altitude), Some(vertical_velocity)) =

@@ -1,6 +1,6 @@
 //! A place: obstacles and walkable areas in world coordinates, and the test whether a body fits.
 
-use super::{Core, NearWalls, Obstacle, Walkable, Walls, crossing};
+use super::{Core, NearWalls, Obstacle, Walkable, Wall, Walls, crossing};
 use crate::Error;
 use crate::agent::Body;
 use crate::navigate::union;
@@ -39,14 +39,14 @@ impl Place {
     /// `walls` are relative to the local origin.
     pub(crate) fn no_room_for(&self, p: DVec2, core: &Core, body: Body, walls: &Walls) -> Option<&'static str> {
         self.blocked_where(p, || walls.cover(core.center)).or_else(|| {
-            let mut near = NearWalls::default();
-            walls.near(core.center, f64::from(body.bounding_radius()), &mut near);
-            let edges = near.edges.iter().map(|&(_, index)| walls.edges()[index as usize]);
-            let edges = edges.map(|edge| core.separation(&Core::segment(edge.start, edge.end)).distance);
-            let discs = near.discs.iter().map(|&(_, index)| walls.discs()[index as usize]);
-            let discs = discs.map(|disc| core.separation(&Core::point(disc.center)).distance - disc.radius);
-            let radius = f64::from(body.radius);
-            let overlaps = edges.chain(discs).any(|distance| distance < radius * (1.0 - 1e-4));
+            let mut overlaps = false;
+            walls.visit(core.center, f64::from(body.bounding_radius()), |wall| {
+                let distance = match wall {
+                    Wall::Edge(edge) => core.separation(&Core::segment(edge.start, edge.end)).distance,
+                    Wall::Disc(disc) => core.separation(&Core::point(disc.center)).distance - disc.radius,
+                };
+                overlaps |= distance < f64::from(body.radius) * (1.0 - 1e-4);
+            });
             overlaps.then_some("its body would overlap a wall")
         })
     }

@@ -122,11 +122,7 @@ impl World {
         }
         self.state.agents.position[row] = (there.position.truncate() - self.state.settings.origin).as_vec2();
         self.state.agents.altitude.set(row, there.position.z as f32);
-        if self.state.agents.status[row] == Status::Stranded {
-            // the goal may be reachable from there
-            self.state.agents.status[row] = Status::Walking;
-            self.state.unstrand(row);
-        }
+        self.state.revive(row);
         self.step.wake();
         Ok(())
     }
@@ -197,6 +193,14 @@ impl State {
         let unused: BTreeMap<Vec<u8>, JourneyId> = unused;
         own.unused.extend(unused.into_values());
         own.full = 2 * own.by_goal.len();
+    }
+
+    /// Lets a stranded agent walk again: the goal may be reachable from where it is now.
+    pub(crate) fn revive(&mut self, row: usize) {
+        if self.agents.status[row] == Status::Stranded {
+            self.agents.status[row] = Status::Walking;
+            self.unstrand(row);
+        }
     }
 
     /// Takes an agent off the list of agents that cannot reach their goals.

@@ -3,12 +3,10 @@
 mod around;
 mod check;
 mod names;
-mod wrap_around;
 
 pub(super) use around::Around;
 pub(super) use check::check_steering;
 pub(super) use names::in_world;
-pub(super) use wrap_around::wrap_around;
 
 use super::flow::Flows;
 use crate::file::{Path, Problem};

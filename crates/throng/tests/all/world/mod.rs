@@ -43,3 +43,4 @@ mod stranded;
 mod stuck;
 mod sub_steps;
 mod tuned;
+mod wrapping;

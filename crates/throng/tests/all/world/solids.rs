@@ -418,12 +418,3 @@ fn walkers_go_round_what_is_solid_to_their_group_only() {
         }
     }
 }
-
-#[test]
-fn agents_that_wrap_around_have_no_solids() {
-    let ball = throng::motion::WrapAround { center: Vec3::Z * 9.0, radius: 5.0 };
-    let group = Group { wrap_around: Some(ball), ..jolted(columns().barriers(), 1.0, false) };
-    let mut world = World::new(Settings::default()).unwrap();
-    let refused = world.add_group(group).unwrap_err().to_string();
-    assert!(refused.contains("wraps around, where a solid may be in the way"), "{refused}");
-}
