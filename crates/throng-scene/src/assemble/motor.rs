@@ -22,29 +22,33 @@ pub(super) fn least_top_speed(group: &Group) -> f32 {
 /// Checks that a group has no keys of another motor, and that those of its own are valid.
 pub(super) fn check_motor(path: &Path, group: &Group) -> Result<(), Problem> {
     let motor = group.moved_by();
-    let (speed, error) = (group.speed != Speed::default(), group.tracking_error.is_some());
-    let of_walkers = [
-        ("speed", speed, "set vehicle.max_speed instead"),
-        ("acceleration", group.acceleration.is_some(), "set vehicle.max_force and vehicle.mass instead"),
-        ("turn_rate", group.turn_rate.is_some(), "set vehicle.turn_rate instead"),
-        ("tracking_error", error, "leave it out"),
-    ];
-    let of_vehicles = ("vehicle", group.vehicle.is_some(), "leave it out, or set motor = \"vehicle\"");
-    let of_wheels = ("tracking_error", error, "leave it out, or set motor = \"two_wheels\"");
-    let (name, foreign) = match motor {
-        Motor::Vehicle => ("a vehicle", &of_walkers[..]),
-        Motor::TwoWheels => ("two wheels", &[of_vehicles][..]),
-        Motor::Holonomic => ("a holonomic motor", &[of_vehicles, of_wheels][..]),
+    let is_given = |key: &str| match key {
+        "speed" => group.speed != Speed::default(),
+        "acceleration" => group.acceleration.is_some(),
+        "turn_rate" => group.turn_rate.is_some(),
+        // no error is none
+        "tracking_error" => !matches!(group.tracking_error, None | Some(Number::Constant(0.0))),
+        _ => group.vehicle.is_some(),
     };
-    // a distribution or a constant of 0 is no error
-    let is_nothing = |key: &str| key == "tracking_error" && group.tracking_error == Some(Number::Constant(0.0));
-    if let Some((key, _, fix)) = foreign.iter().find(|(key, given, _)| *given && !is_nothing(key)) {
+    if let Some(key) = motor.keys_of_others().find(|key| is_given(key)) {
+        let name = match motor {
+            Motor::Holonomic => "a holonomic motor",
+            Motor::TwoWheels => "two wheels",
+            Motor::Vehicle => "a vehicle",
+        };
+        let fix = match (motor, key) {
+            (Motor::Vehicle, "speed") => "set vehicle.max_speed instead",
+            (Motor::Vehicle, "acceleration") => "set vehicle.max_force and vehicle.mass instead",
+            (Motor::Vehicle, "turn_rate") => "set vehicle.turn_rate instead",
+            (_, "tracking_error") => "leave it out, or set motor = \"two_wheels\"",
+            _ => "leave it out, or set motor = \"vehicle\"",
+        };
         let message = format!("the agents have {name}, which has no `{key}`");
-        return Err(Problem::new(&path.key(key), Kind::Conflict, message).hint(*fix));
+        return Err(Problem::new(&path.key(key), Kind::Conflict, message).hint(fix));
     }
     if motor == Motor::TwoWheels && group.turn_rate.is_none() {
         let message = "two wheels are for bodies that turn slowly, but there is no turn_rate";
-        let key = if error { "tracking_error" } else { "motor" };
+        let key = if group.motor.is_some() { "motor" } else { "tracking_error" };
         return Err(Problem::new(&path.key(key), Kind::MissingKey, message)
             .hint(format!("add `turn_rate = 180`, degrees a second, or leave out `{key}`")));
     }

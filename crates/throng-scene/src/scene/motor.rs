@@ -16,6 +16,23 @@ pub enum Motor {
     Vehicle,
 }
 
+impl Motor {
+    /// Returns the keys of a group that limit the motion of agents with this motor.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Holonomic => &["speed", "acceleration", "turn_rate"],
+            Self::TwoWheels => &["speed", "acceleration", "turn_rate", "tracking_error"],
+            Self::Vehicle => &["vehicle"],
+        }
+    }
+
+    /// Returns the keys of a group that limit the motion of agents with other motors.
+    pub fn keys_of_others(self) -> impl Iterator<Item = &'static str> {
+        let all = [Self::TwoWheels, Self::Vehicle].into_iter().flat_map(Self::keys).copied();
+        all.filter(move |key| !self.keys().contains(key))
+    }
+}
+
 impl Group {
     /// Returns what moves the agents: what `motor` says, or what the other keys imply.
     pub fn moved_by(&self) -> Motor {

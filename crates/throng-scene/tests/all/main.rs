@@ -15,6 +15,7 @@ mod layout;
 mod levels;
 mod menge;
 mod messages;
+mod motors;
 mod parameters;
 mod parity;
 mod pictures;

@@ -52,6 +52,7 @@ impl Tunable {
             let mut section =
                 section::of(&self.schema, &self.schema["$defs"]["Group"], &said, &format!("group.{k}"), &name);
             section.leave_out(&NOT_TUNED);
+            section.leave_out(&group.moved_by().keys_of_others().collect::<Vec<_>>());
             section.given(&|path| text.has(path));
             section
         };
@@ -95,6 +96,16 @@ mod tests {
         assert_eq!(value, "orca");
         assert_eq!(names, Models::default().names().collect::<Vec<_>>());
         assert!(options.iter().all(|(_, about)| about.len() > 10), "{options:?}");
+    }
+
+    /// A slider for a key of another motor could only give an error.
+    #[test]
+    fn only_the_limits_of_the_motor_are_tuned() {
+        for (scene, has, has_not) in [("wander", "vehicle", "speed"), ("circle", "speed", "vehicle")] {
+            let sections = Tunable::new(&Plugins::new()).groups(&Document::gallery(scene).unwrap());
+            let names: Vec<&str> = sections[0].sections.iter().map(|section| section.name.as_str()).collect();
+            assert!(names.contains(&has) && !names.contains(&has_not), "{scene}: {names:?}");
+        }
     }
 
     /// Sets every number of every scene to its own value, and checks that the scene stays equal.

@@ -157,7 +157,7 @@ impl Wishes<'_> {
             let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
             wrap(heading + (turn as f32).clamp(-most, most))
         } else {
-            if self.state.vehicle(row).is_some() && self.facing.is_as_planned(row, self.chosen.at(row)) {
+            if self.state.has_vehicle(row) && self.facing.is_as_planned(row, self.chosen.at(row)) {
                 return self.facing.planned.attitude[row].basis.heading();
             }
             let to = self.facing.direction(row, self.chosen.ground[row], most);

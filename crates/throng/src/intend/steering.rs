@@ -227,15 +227,14 @@ impl<'a> Behaving<'a> {
             scratch,
             |scratch, range, ((velocity, attitude, faces), memory, preferred)| {
                 let mut plans = Plans { first: range.start, velocity, attitude, faces, preferred, memory };
+                // a row that plans nothing requests no facing
+                plans.faces.fill(false);
                 let SteeringScratch { rows, neighbours } = scratch;
                 for (index, group) in groups() {
                     rows.clear();
                     let all = range.start as u32..range.end as u32;
-                    rows.extend(
-                        all.filter(|&row| {
-                            state.agents.group[row as usize].index() == index && state.plans(row as usize)
-                        }),
-                    );
+                    let belongs = |row: usize| state.agents.group[row].index() == index && state.plans(row);
+                    rows.extend(all.filter(|&row| belongs(row as usize)));
                     // a SIMD vector holds agents with the same vehicle
                     for rows in rows.chunk_by(|&a, &b| state.share_vehicle(a as usize, b as usize)) {
                         match self.in_lanes(group, rows[0] as usize, frame) {
@@ -281,7 +280,7 @@ impl<'a> Behaving<'a> {
             if aim.is_finite() { aim } else { motion.velocity }
         });
         let governed = if own.is_some() { sources.governed(around, row, aim, now) } else { aim };
-        if self.state.vehicle(row).is_some() {
+        if self.state.has_vehicle(row) {
             let leads_there = || vehicle.force_towards(&motion, governed, seconds).into();
             let steering = match own {
                 Some(own) if governed == aim => own,
@@ -386,6 +385,12 @@ impl State {
         self.agents.vehicle[row].filter(|_| self.agents.script[row].is_none())
     }
 
+    /// Whether a vehicle moves an agent.
+    #[inline]
+    pub(crate) fn has_vehicle(&self, row: usize) -> bool {
+        self.agents.vehicle[row].is_some() && self.agents.script[row].is_none()
+    }
+
     /// Returns the vehicle that the behaviour of an agent steers.
     fn steered_vehicle(&self, row: usize, seconds: f32) -> Vehicle {
         self.agents.motor(row).vehicle(seconds)
@@ -430,7 +435,7 @@ impl State {
         let agents = &self.agents;
         let position = self.place_in_space(row);
         let velocity = agents.velocity_in_space(row);
-        if self.vehicle(row).is_some() {
+        if self.has_vehicle(row) {
             agents.attitude[row].motion(position, velocity)
         } else {
             Motion { position, velocity, basis: Basis::facing(self.forward(row)), ..Motion::default() }
@@ -444,7 +449,7 @@ impl State {
 
     /// Returns the direction that an agent faces.
     pub(crate) fn forward(&self, row: usize) -> Vec3 {
-        if self.vehicle(row).is_some() {
+        if self.has_vehicle(row) {
             self.agents.attitude[row].basis.forward
         } else {
             let (sin, cos) = libm::sincosf(self.agents.heading[row]);

@@ -92,8 +92,7 @@ impl State {
     /// Whether an agent needs a local model. A script needs none, and a vehicle without avoidance has limited its
     /// velocity itself.
     pub(crate) fn needs_model(&self, row: usize) -> bool {
-        let Columns { script, vehicle, .. } = &self.agents;
-        script[row].is_none() && (vehicle[row].is_none() || self.model(row).avoids())
+        self.agents.script[row].is_none() && (!self.has_vehicle(row) || self.model(row).avoids())
     }
 
     /// Whether all agents need a local model.

@@ -264,6 +264,22 @@ fn agents_face_what_their_behaviour_requests() {
     }
 }
 
+/// A request to face a direction ends with the behaviour, also while other agents of the world have plans.
+#[test]
+fn agents_on_their_journeys_face_their_paths_again() {
+    let mut world = world(0.05, DVec2::ZERO);
+    let group = world.add_group(Group::steered(Sidestep)).unwrap();
+    let agent = walker(&mut world, DVec2::ZERO, DVec2::X * 40.0);
+    let id = world.add_agent(agent.group(group)).unwrap();
+    world.add_agent(Agent::at([0.0, 30.0]).motor(Vehicle::default())).unwrap();
+    let heading = |world: &World| world.relative_columns().heading[world.row(id).unwrap()];
+    run_for(&mut world, 4.0, |_| {});
+    assert!(heading(&world) > 1.5);
+    world.set_guidance(group, Guidance::JOURNEY).unwrap();
+    run_for(&mut world, 4.0, |_| {});
+    assert!(heading(&world).abs() < 0.1, "{}", heading(&world));
+}
+
 /// Birds of one flock with vehicles of their own: each keeps to its top speed, and both paths give the same bits.
 #[test]
 fn vehicles_differ_within_a_group() {

@@ -10,6 +10,7 @@ mod behaviours;
 mod fields;
 mod gallery;
 mod has;
+mod keys;
 mod models;
 mod schema;
 
@@ -25,8 +26,13 @@ const END: &str = "\n<!-- end of the table -->";
 fn tables() -> Vec<(String, String)> {
     let schema = Schema::default();
     let uses = Uses::of_gallery();
-    let tables =
-        [behaviours::tables(&schema), models::tables(&schema), fields::tables(&schema), has::tables(&schema, &uses)];
+    let tables = [
+        behaviours::tables(&schema),
+        keys::tables(&schema),
+        models::tables(&schema),
+        fields::tables(&schema),
+        has::tables(&schema, &uses),
+    ];
     tables.into_iter().flatten().collect()
 }
 

@@ -1,10 +1,8 @@
 //! The local models: their list, the keys of all, and the keys of each.
 
-use super::schema::{Key, Schema, toml};
+use super::keys::{COLUMNS, row};
+use super::schema::{Key, Schema};
 use super::table;
-
-/// The columns of a table of keys.
-const COLUMNS: [&str; 5] = ["key", "what it is", "unit", "default", "limits"];
 
 pub fn tables(schema: &Schema) -> Vec<(String, String)> {
     let models = schema.choices("Avoid");
@@ -30,26 +28,6 @@ pub fn tables(schema: &Schema) -> Vec<(String, String)> {
         }
     }
     tables
-}
-
-/// Returns the row of a key: its name, doc line, unit, default and limit.
-fn row(schema: &Schema, key: &Key<'_>) -> [String; 5] {
-    let (about, limit) = key.about.split_once(" Limit: ").unwrap_or((&key.about, ""));
-    let names = schema.keys(key.value).into_iter().filter(|name| name.value.get("const").is_some());
-    let names: String = names.map(|name| format!("<br>`{}`: {}", name.name, name.about)).collect();
-    let default = match &key.value["default"] {
-        _ if key.is_required => "required".into(),
-        serde_json::Value::Null => String::new(),
-        default => format!("`{}`", toml(default)),
-    };
-    let unit = key.value["unit"].as_str().unwrap_or_default();
-    [
-        format!("`{}`", key.name),
-        about.to_owned() + &names,
-        unit.to_owned(),
-        default,
-        limit.trim_end_matches('.').to_owned(),
-    ]
 }
 
 /// Returns the row of a key that every model has. A cell has what most models have, and then what differs.
