@@ -13,6 +13,7 @@ use throng::field::{Adaptive, Field};
 /// ```
 /// use glam::DVec2;
 /// use std::sync::Arc;
+/// use throng::agent::Guidance;
 /// use throng::field::Governed;
 /// use throng_field::{Destination, RoundJams, Terrain, TerrainSettings, ToGoal};
 /// use throng::{Agent, Group, Settings, World};
@@ -21,7 +22,8 @@ use throng::field::{Adaptive, Field};
 /// let ground = Terrain::of_place(world.place(), DVec2::ZERO, survey)?;
 /// let to = Destination::Point { at: DVec2::X * 9.0, tolerance: 0.2 };
 /// let flow = RoundJams::new(ToGoal::new(Arc::new(ground), vec![to], 1.3)?);
-/// let group = world.add_group(Group { field: Some(Governed::new(flow, 1.0)), ..Group::default() })?;
+/// let guidance = Guidance::JOURNEY.governed(Governed::new(flow, 1.0));
+/// let group = world.add_group(Group { guidance, ..Group::default() })?;
 /// // ten agents block the direct route
 /// for y in -5..5 {
 ///     world.add_agent(Agent::at([0.0, 0.5 * f64::from(y)]))?;

@@ -64,15 +64,9 @@ pub(crate) fn approach(view: &SteeringInput<'_>, offset: Vec3, velocity: Vec3, s
     (view.passable(velocity) + nearing).clamp_length_max(most)
 }
 
-/// Returns the least time constant, at least `least`, by which a distance can shrink without overshoot.
-///
-/// It is long enough to brake from the top speed. The velocity follows the chosen velocity by the vehicle's response, a
-/// part of the difference in each step, so distance and velocity are a linear system. Its eigenvalues are real and
-/// positive from `seconds * (1 + q) / (1 - q)` on, where `q` is the square root of the part that is left after a step.
-/// For short steps that is four times the response.
+/// Returns the least time constant, at least `least`, by which a distance can shrink without overshoot. It is long enough
+/// to brake from the top speed.
 pub(crate) fn settling_time(view: &SteeringInput<'_>, least: f32) -> f32 {
     let vehicle = &view.vehicle;
-    let follows = vehicle.response + vehicle.smoothing;
-    let left = if follows > 0.0 { libm::expf(-0.5 * view.seconds / follows) } else { 0.0 };
-    least.max(vehicle.max_speed / vehicle.max_braking()).max(view.seconds * (1.0 + left) / (1.0 - left))
+    least.max(vehicle.max_speed / vehicle.max_braking()).max(vehicle.settling_time(view.seconds))
 }

@@ -37,7 +37,8 @@ value! {
     JourneyId: |value| value,
     Option<ScriptId>: |value| value,
     Option<Vec3>: |value| value.map(|v| v.to_array().map(f32::to_bits)),
-    Option<Vehicle>: |value| value.map(Vehicle::bits),
+    // a vehicle has no number for which the sign of zero matters
+    Option<Vehicle>: |value| value,
     Attitude: |value| {
         let Basis { forward, side, up } = value.basis;
         [forward, side, up, value.acceleration, value.curvature].map(|v| v.to_array().map(f32::to_bits))

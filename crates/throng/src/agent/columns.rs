@@ -227,9 +227,16 @@ impl Columns {
         }
     }
 
-    /// Returns the greatest deceleration of an agent, m/s².
-    pub(crate) fn max_braking(&self, row: usize) -> f32 {
-        self.vehicle[row].map_or(self.max_acceleration[row], |vehicle| vehicle.max_braking())
+    /// Returns the time constant, at least `least` seconds, with which an agent can approach a place without overshoot.
+    pub(crate) fn approach_time(&self, row: usize, least: f32, seconds: f32) -> f32 {
+        self.vehicle[row].map_or(least, |vehicle| least.max(vehicle.settling_time(seconds)))
+    }
+
+    /// Returns the greatest speed with which an agent approaches a place, `distance` metres away, to stop there: it brakes
+    /// with half of its deceleration, which leaves half for turning, and takes at least `time` seconds.
+    pub(crate) fn stopping_speed(&self, row: usize, distance: f32, time: f32) -> f32 {
+        let most = self.vehicle[row].map_or(self.max_acceleration[row], |vehicle| vehicle.max_braking());
+        (most * distance).sqrt().min(distance / time)
     }
 
     /// Sets the motor of an agent.

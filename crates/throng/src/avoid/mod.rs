@@ -160,7 +160,7 @@ pub struct AvoidanceInput<'a> {
     /// Greatest acceleration, m/s²; infinite for no limit.
     pub max_acceleration: f32,
     /// Greatest deviation from the chosen path while the body turns, metres; 0 if the body can move in any direction at
-    /// once. See [`Agent::tracking_error`](crate::Agent::tracking_error).
+    /// once. See [`TwoWheels::tracking_error`](crate::motion::TwoWheels::tracking_error).
     pub tracking_error: f32,
     /// Greatest turn rate, rad/s; infinite for no limit.
     pub max_turn_rate: f32,

@@ -16,6 +16,7 @@ const AGAINST: f32 = 2.7;
 ///
 /// ```
 /// use glam::DVec2;
+/// use throng::agent::Guidance;
 /// use throng::field::FactorMap;
 /// let east = |place: DVec2| if place.x > 0.0 { 1.0 } else { 0.0 };
 /// assert_eq!(FactorMap::at(&east, DVec2::X), 1.0);
@@ -39,11 +40,13 @@ impl<F: Fn(DVec2) -> f32 + Send + Sync> FactorMap for F {
 ///
 /// ```
 /// use glam::{DVec2, Vec3};
+/// use throng::agent::Guidance;
 /// use throng::field::Governed;
 /// use throng::{Agent, Group, Settings, World};
 /// let mut world = World::new(Settings::default())?;
 /// let east = |_: Vec3, _: f64| Vec3::X;
-/// let group = world.add_group(Group { field: Some(Governed::new(east, 1.0)), ..Group::default() })?;
+/// let guidance = Guidance::JOURNEY.governed(Governed::new(east, 1.0));
+/// let group = world.add_group(Group { guidance, ..Group::default() })?;
 /// world.add_agent(Agent { group, ..Agent::default() })?;
 /// while world.time() < 10.0 {
 ///     world.step();

@@ -13,6 +13,7 @@ use std::sync::Arc;
 ///
 /// ```
 /// use glam::Vec3;
+/// use throng::agent::Guidance;
 /// use throng::field::{Governed, Interaction};
 /// use throng::{Agent, Group, Settings, World};
 /// let mut world = World::new(Settings::default())?;
@@ -21,8 +22,8 @@ use std::sync::Arc;
 /// // the fans keep 3 m away
 /// let away = |place: Vec3, _: f64| if place.length() < 3.0 { place.normalize_or_zero() } else { Vec3::ZERO };
 /// let around = vec![Interaction::new(singer.index(), away)];
-/// let field = Some(Governed { around, ..Governed::new(|_: Vec3, _: f64| Vec3::ZERO, 1.0) });
-/// let fans = world.add_group(Group { field, ..Group::default() })?;
+/// let field = Governed { around, ..Governed::new(|_: Vec3, _: f64| Vec3::ZERO, 1.0) };
+/// let fans = world.add_group(Group { guidance: Guidance::JOURNEY.governed(field), ..Group::default() })?;
 /// world.add_agent(Agent::at([1.0, 0.0]).group(fans))?;
 /// while world.time() < 4.0 {
 ///     world.step();

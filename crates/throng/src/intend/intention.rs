@@ -242,7 +242,9 @@ impl Intending<'_> {
             Some((goal, (offset, tolerance))) if travel.at_point && !self.around.is_taken(row, goal) => {
                 let offset = offset.as_vec3();
                 let beyond = offset.length() - tolerance;
-                let speed = (beyond / RETURN_TIME).min(0.5 * self.state.agents.preferred_speed[row]);
+                let agents = &self.state.agents;
+                let time = agents.approach_time(row, RETURN_TIME, seconds);
+                let speed = (beyond / time).min(0.5 * agents.preferred_speed[row]);
                 offset.normalize_or_zero() * speed.max(0.0)
             }
             _ => Vec3::ZERO,
@@ -256,7 +258,8 @@ impl Surroundings<'_> {
     pub fn arriving(&self, row: usize, turn: Turn, seconds: f32) -> f32 {
         let way = self.way(row);
         if way.stops() || turn == Turn::Aside {
-            (self.state.agents.max_braking(row) * way.remaining).sqrt().min(way.remaining / seconds)
+            let agents = &self.state.agents;
+            agents.stopping_speed(row, way.remaining, agents.approach_time(row, seconds, seconds))
         } else {
             f32::INFINITY
         }

@@ -393,7 +393,7 @@ impl State {
 
     /// Returns the vehicle that the behaviour of an agent steers.
     fn steered_vehicle(&self, row: usize, seconds: f32) -> Vehicle {
-        self.agents.motor(row).vehicle(seconds)
+        self.agents.vehicle[row].unwrap_or_else(|| self.agents.motor(row).vehicle(seconds))
     }
 
     /// Whether two agents have the same motor, if it is a vehicle.

@@ -314,8 +314,8 @@ impl State {
         } else {
             standing.idle += seconds;
         }
-        let stopping = (agents.max_braking(row) * distance).sqrt().min(distance / RETURN_TIME.max(seconds));
-        agents.preferred_speed[row].min(stopping)
+        let time = agents.approach_time(row, RETURN_TIME.max(seconds), seconds);
+        agents.preferred_speed[row].min(agents.stopping_speed(row, distance, time))
     }
 }
 

@@ -16,12 +16,13 @@ impl World {
     ///
     /// ```
     /// use glam::Vec3;
+    /// use throng::agent::Guidance;
     /// use throng::steer::{SteeringReason, Target};
     /// use throng_steer::Seek;
     /// use throng::{Agent, TraceRequest, Group, Settings, World};
     /// let mut world = World::new(Settings::default())?;
     /// let seek = Seek { target: Target::Point(Vec3::X * 9.0) };
-    /// let group = world.add_group(Group { steering: Some(seek.into()), ..Group::default() })?;
+    /// let group = world.add_group(Group { guidance: Guidance::behaviour(seek), ..Group::default() })?;
     /// world.add_agent(Agent { group, number: Some(7), ..Agent::default() })?;
     /// world.request_traces(TraceRequest::All);
     /// world.step();

@@ -161,19 +161,20 @@ impl Vehicle {
         self.locomotion != Locomotion::Ground
     }
 
+    /// Returns the least time constant by which a distance can shrink without overshoot, in steps of `seconds` (> 0).
+    ///
+    /// The velocity follows the chosen velocity by the response, a part of the difference in each step, so distance and
+    /// velocity are a linear system. Its eigenvalues are real and positive from `seconds * (1 + q) / (1 - q)` on, where
+    /// `q` is the square root of the part that is left after a step. For short steps that is four times the response.
+    pub fn settling_time(&self, seconds: f32) -> f32 {
+        let follows = self.response + self.smoothing;
+        let left = if follows > 0.0 { libm::expf(-0.5 * seconds / follows) } else { 0.0 };
+        seconds * (1.0 + left) / (1.0 - left)
+    }
+
     /// Returns the greatest deceleration, m/s².
     pub fn max_braking(&self) -> f32 {
         self.max_force.min(self.forces.brake) / self.mass
-    }
-
-    /// Returns the bits of all parameters.
-    pub(crate) fn bits(self) -> ([[u32; 6]; 2], Locomotion, Integrator) {
-        let Self { mass, max_force, forces, max_speed, min_speed, max_turn_rate, .. } = self;
-        let Self { low_speed, response, smoothing, locomotion, integrator, .. } = self;
-        let Forces { thrust, brake, side, up } = forces;
-        let rest = [max_speed, min_speed, max_turn_rate.radians(), low_speed, response, smoothing];
-        let numbers = [[mass, max_force, thrust, brake, side, up], rest];
-        (numbers.map(|part| part.map(f32::to_bits)), locomotion, integrator)
     }
 
     /// Checks the parameters.

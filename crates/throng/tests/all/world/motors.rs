@@ -311,6 +311,36 @@ fn vehicles_differ_within_a_group() {
     assert!(fastest > 3.5, "{fastest}");
 }
 
+/// Vehicles stop at a point and in an area without overshoot, and do not turn round there.
+#[test]
+fn vehicles_stop_at_their_goals() {
+    let mut draw = Draw::new(31);
+    for case in 0..40 {
+        let vehicle = Vehicle {
+            max_speed: draw.between(1.0, 12.0) as f32,
+            max_force: draw.between(1.0, 8.0) as f32,
+            response: draw.one_of(&[0.0, 0.1, 0.25, 0.6]),
+            max_turn_rate: Angle::degrees(draw.between(30.0, 400.0)),
+            ..Vehicle::default()
+        };
+        let mut world = world(draw.one_of(&[0.02, 0.05, 0.1]), DVec2::ZERO);
+        let way = DVec2::from_angle(draw.between(0.0, TAU));
+        let group = world.add_group(Group::default()).unwrap();
+        let agent = walker(&mut world, DVec2::ZERO, way * 40.0).group(group).heading(way.to_angle() as f32);
+        let agent = Agent { preferred_speed: vehicle.max_speed, ..agent }.motor(vehicle);
+        let id = world.add_agent(agent).unwrap();
+        let (mut farthest, mut aside): (f64, f64) = (0.0, 1.0);
+        run_for(&mut world, 90.0, |world| {
+            let at = world.position(id).unwrap().truncate();
+            farthest = farthest.max(at.dot(way));
+            let heading = f64::from(world.relative_columns().heading[0]);
+            aside = aside.min(DVec2::from_angle(heading).dot(way));
+        });
+        assert_eq!(world.counts().arrived, 1, "case {case}: {vehicle:?}");
+        assert!(farthest < 40.1 && aside > 0.99, "case {case}: {farthest} m, {aside}, {vehicle:?}");
+    }
+}
+
 /// A car that turns slowly drives its journey through a gap in a wall, around pedestrians.
 #[test]
 fn a_car_drives_its_journey_among_pedestrians() {
