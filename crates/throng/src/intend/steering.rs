@@ -142,6 +142,12 @@ impl Plans<'_> {
         ground[at].extend(vertical_velocity.all.get(at).copied().unwrap_or(0.0))
     }
 
+    /// Makes the planned velocity of a row the preferred velocity.
+    fn prefer_planned(&mut self, row: usize) {
+        let at = row - self.first;
+        set(&mut self.preferred, at, self.velocity[at]);
+    }
+
     /// Sets the preferred velocity of an agent without a vehicle, and the direction that it is to face.
     fn aim(&mut self, row: usize, velocity: Vec3, facing: Option<Vec3>) {
         let at = row - self.first;
@@ -288,6 +294,10 @@ impl<'a> Behaving<'a> {
                 None => leads_there(),
             };
             self.plan(row, steering, seconds, plans);
+            if own.is_none() {
+                // the exact velocity, where a displacement is rounded to the resolution of positions: it decays to rest
+                plans.prefer_planned(row);
+            }
         } else {
             let facing = own.and_then(|own| own.facing);
             plans.aim(row, governed.with_z(0.0), facing);
