@@ -46,14 +46,6 @@ described! {
     ToGoal = "to_goal",
     /// The direction of a path to a target through space, clear of obstacles: guides a swarm (Wang et al. 2014).
     ThroughSpace = "through_space",
-    /// The sum of fields.
-    Sum = "sum",
-    /// The weighted mean of fields; directions and speeds are averaged separately.
-    Blend = "blend",
-    /// Different fields at different times.
-    Keyframes = "keyframes",
-    /// A field that is deflected around obstacles.
-    AroundWalls = "around_walls",
     /// A field sampled on a grid: fast to evaluate, however expensive the field is.
     Sampled = "sampled",
 }
@@ -62,16 +54,6 @@ described! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct Named(pub String);
-
-/// The sum of fields.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct Sum(pub Vec<FlowPart>);
-
-/// The weighted mean of fields; directions and speeds are averaged separately.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct Blend(pub Vec<FlowPart>);
 
 parameters! {
     /// A field through anchors: the given anchors and those of strokes and stamps, without the erased ones.
@@ -285,40 +267,6 @@ parameters! {
         min: Position,
         /// The corner of the searched space with the greatest coordinates.
         max: Position,
-    }
-
-    /// A part of a sum or blend of fields.
-    FlowPart {
-        /// The field.
-        of: Flow,
-        /// Weight of the field. Without it, 1. Limit: finite; in a blend >= 0.
-        weight: Option<f64>,
-        /// A map that multiplies the weight. Without it, the weight is the same everywhere.
-        map: Option<Map>,
-    }
-
-    /// Fields at given times, interpolated between them.
-    Keyframes {
-        /// The fields and their times.
-        frames: Vec<Keyframe>,
-        /// Seconds after which the sequence repeats. Without it, the last field stays.
-        period: Option<f64>,
-    }
-
-    /// A field at a time.
-    Keyframe {
-        /// The time, seconds.
-        at: f64,
-        /// The field.
-        of: Flow,
-    }
-
-    /// A field that is deflected around obstacles: near them its component into them is removed.
-    AroundWalls {
-        /// The field.
-        of: Box<Flow>,
-        /// Distance from which on it is deflected, metres. Without it, 1. Limit: > 0.
-        width: Option<f64>,
     }
 
     /// A field on a grid, as it is at the start.

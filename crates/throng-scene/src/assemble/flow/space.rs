@@ -1,10 +1,11 @@
 //! Fields that lead through space.
 
-use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check, check_some};
 use crate::file::Problem;
+use crate::registry::{BuildField, FieldContext};
 use crate::scene::flow::ThroughSpace;
 use std::sync::Arc;
+use throng::field::Field;
 use throng_field::{Smoothing, SwarmGuide, Tube, VoxelSettings, Voxels};
 
 /// Default distance that counts as arrival, metres.
@@ -13,7 +14,7 @@ const TOLERANCE: f64 = 0.1;
 const SPEED: f64 = 1.0;
 
 impl BuildField for ThroughSpace {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let positive = [("speed", self.speed), ("tube", self.tube), ("cell", self.cell)];
         positive.into_iter().try_for_each(|(key, number)| check_some(&at.path.key(key), number, Limit::Positive))?;
         let others = [
@@ -43,12 +44,12 @@ impl BuildField for ThroughSpace {
         let space = Arc::new(Voxels::of(&walls, scan).map_err(refused)?);
         let tolerance = self.tolerance.unwrap_or(TOLERANCE) as f32;
         let guide = SwarmGuide::new(space, at.position("to", self.to)?, tolerance, speed as f32).map_err(refused)?;
-        let Some(from) = self.from else { return Ok(BuiltField::of(guide)) };
+        let Some(from) = self.from else { return Ok(Arc::new(guide)) };
         let standard = Smoothing::default();
         let smoothing = Smoothing { distance: or(self.distance, standard.distance), ..standard };
         let spine = guide.spine(at.position("from", from)?, smoothing).map_err(refused)?;
         let standard = Tube::default();
         let tube = Tube { radius: or(self.tube, standard.radius), ..standard };
-        Ok(BuiltField::of(guide.along(spine, tube).map_err(refused)?))
+        Ok(Arc::new(guide.along(spine, tube).map_err(refused)?))
     }
 }
