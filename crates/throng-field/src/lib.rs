@@ -49,6 +49,7 @@ pub use sampled::Sampled;
 
 use around::AroundAllWalls;
 use glam::DVec2;
+use guide::ThroughSpace;
 use keyframes::KeyframeSequence;
 use throng::Error;
 use throng::field::Field;
@@ -82,6 +83,7 @@ pub fn register(fields: &mut impl Fields) {
     fields.add::<Sum, Sum>();
     fields.add::<Blend, Blend>();
     fields.add::<KeyframeSequence, Keyframes>();
+    fields.add::<ThroughSpace, SwarmGuide>();
     fields.add_for_place::<AroundAllWalls>();
 }
 

@@ -66,7 +66,7 @@ impl FieldSite<'_> {
         check_some(&path.key("reach"), said.reach, Limit::Positive)?;
         check(&path.key("carried"), said.carried.unwrap_or(0.0), Limit::Finite)?;
         // in the frame of the agent that carries the field
-        let frame = Self { origin: DVec2::ZERO, ..self.clone() };
+        let frame = Self { moves: true, ..self.clone() };
         let looks = said.looks.as_ref().map(|looks| frame.field(looks, &path.key("looks"))).transpose()?;
         Ok(Interaction {
             source,

@@ -11,7 +11,6 @@ mod paint;
 mod picture;
 mod sampled;
 mod sketch;
-mod space;
 mod table;
 
 use super::limits::{Limit, check, check_point};
@@ -21,7 +20,7 @@ use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::registry::{BuildField, FieldContext, FieldScene, Names};
 use crate::scene::flow::Named;
-use crate::scene::steer::{ObstacleNames, Position};
+use crate::scene::steer::Position;
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
@@ -29,7 +28,6 @@ use std::path;
 use std::sync::Arc;
 use throng::field::Field;
 use throng::space::Place;
-use throng::space::surface::Surface;
 use throng_field::Anchor;
 
 pub(super) use govern::note_silence;
@@ -63,8 +61,8 @@ pub(super) struct Flows<'a> {
 #[derive(Clone)]
 pub(super) struct FieldSite<'a> {
     flows: &'a Flows<'a>,
-    /// The origin of its coordinates.
-    origin: DVec2,
+    /// Whether it moves with agents. Its coordinates are then theirs, else relative to the world's origin.
+    moves: bool,
     /// The number of fields, from the first on, that it can refer to.
     known: usize,
     /// The name of its owner, for people.
@@ -84,18 +82,18 @@ impl Flows<'_> {
                 &said.name,
                 fields[..i].iter().map(|other| &other.name),
             )?;
-            self.named(i, self.origin)
+            self.named(i, false)
         };
         let made = (0..fields.len()).map(one).collect::<Result<_, _>>()?;
         Ok(self.made.get_or_init(|| made))
     }
 
-    /// Builds a field of the scene, with its places relative to an origin.
-    fn named(&self, i: usize, origin: DVec2) -> Result<BuiltField, Problem> {
+    /// Builds a field of the scene, in the coordinates of agents if it moves with them.
+    fn named(&self, i: usize, moves: bool) -> Result<BuiltField, Problem> {
         let said = &self.scene.fields[i];
         let site = FieldSite {
             flows: self,
-            origin,
+            moves,
             known: i,
             of: format!("field `{}`", said.name),
             anchors: RefCell::default(),
@@ -114,7 +112,7 @@ impl Flows<'_> {
         let name = Group::name_at(&self.scene.groups[group].name, group);
         FieldSite {
             flows: self,
-            origin: self.origin,
+            moves: false,
             known: self.scene.fields.len(),
             of: format!("group `{name}`"),
             anchors: RefCell::default(),
@@ -129,18 +127,17 @@ impl FieldSite<'_> {
     }
 
     /// Checks that the field stays in place, as walls do.
-    fn check_stays(&self, at: &Path) -> Result<(), Problem> {
-        if self.origin == self.flows.origin {
-            return Ok(());
+    fn check_stays(&self, at: &Path, hint: &str) -> Result<(), Problem> {
+        match self.moves {
+            true => Err(Problem::new(at, Kind::Conflict, "a field that moves with agents has no walls").hint(hint)),
+            false => Ok(()),
         }
-        let problem = Problem::new(at, Kind::Conflict, "a field that moves with agents has no walls");
-        Err(problem.hint("leave out `walls` in fields of `around`"))
     }
 }
 
 impl FieldScene for FieldSite<'_> {
     fn origin(&self) -> DVec2 {
-        self.origin
+        if self.moves { DVec2::ZERO } else { self.flows.origin }
     }
 
     fn bounds(&self) -> [DVec2; 2] {
@@ -148,7 +145,7 @@ impl FieldScene for FieldSite<'_> {
     }
 
     fn ground(&self, at: &Path) -> Result<&Place, Problem> {
-        self.check_stays(at)?;
+        self.check_stays(at, "name another field in `around`")?;
         Ok(self.flows.place)
     }
 
@@ -162,8 +159,8 @@ impl FieldScene for FieldSite<'_> {
         if let Some(i) = known.iter().position(|field| field.name == name) {
             // all references share one field
             let BuiltField { field, anchors } = match self.flows.made.get() {
-                Some(made) if self.origin == self.flows.origin => made[i].clone(),
-                _ => self.flows.named(i, self.origin)?,
+                Some(made) if !self.moves => made[i].clone(),
+                _ => self.flows.named(i, self.moves)?,
             };
             self.add_anchors(&anchors);
             return Ok(field);
@@ -225,12 +222,6 @@ impl FieldContext<'_> {
         }
         let message = format!("it goes from ({}, {}) to ({}, {})", min[0], min[1], max[0], max[1]);
         Err(Problem::new(&self.path.key("max"), Kind::OutOfRange, message).hint("max is right of min and above it"))
-    }
-
-    /// Returns surfaces by name.
-    fn walls(&self, names: &ObstacleNames) -> Result<Vec<Arc<dyn Surface>>, Problem> {
-        let sides = self.scene.obstacles(names, &self.path.key("walls"))?;
-        Ok(sides.0.into_iter().map(|side| side.surface).collect())
     }
 
     /// Converts an error of the library.

@@ -27,7 +27,7 @@ impl Names for FieldSite<'_> {
     }
 
     fn obstacles(&self, names: &ObstacleNames, at: &Path) -> Result<Barriers, Problem> {
-        self.check_stays(at)?;
+        self.check_stays(at, "leave out `walls` in fields of `around`")?;
         self.flows.around.sides(names, at, "leave out `walls` for no walls")
     }
 
