@@ -453,11 +453,11 @@ fn a_path_through_space_leads_to_its_target() {
 fn fields_that_move_have_no_walls() {
     // wherever the origin of the world is
     for (flow, place) in
-        [("around_walls.of.uniform = [1, 0]", "[9, 4]"), ("to_goal.to = [{ point.at = [1, 0] }]", "[0, 0]")]
+        [("around_walls.of.uniform = [1, 0]", "[9, 4]"), ("to_goal.to = [{ point.at = [1, 0] }]", "[-3, 0]")]
     {
         let text = format!(
             "[[field]]\nname = \"f\"\nflow.{flow}\n\
-             [[group]]\nplace.point = [0, 0]\nfield.around = [{{ source = \"star\", of.named = \"f\" }}]\n\
+             [[group]]\nplace.point = [3, 0]\nfield.around = [{{ source = \"star\", of.named = \"f\" }}]\n\
              [[group]]\nname = \"star\"\nplace.point = {place}\n"
         );
         let error = text.parse::<Scene>().unwrap().build().map(drop).unwrap_err();
