@@ -1,11 +1,13 @@
 //! Fields that lead round walls.
 
+use super::ForPlace;
 use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::field::Field;
-use throng::space::{NearWalls, Walls};
+use throng::field::{FactorMap, Field};
+use throng::parameters::parameters;
+use throng::space::{NearWalls, Place, Walls};
 
 /// Nearest points of walls closer than this, metres, count as one point.
 const SAME: f64 = 1e-6;
@@ -97,6 +99,29 @@ impl Field for AroundWalls {
         for (velocity, index) in out.iter_mut().zip(from..) {
             *velocity = self.corrected(first + DVec2::X * (index as f64 * step), *velocity, &mut near);
         }
+    }
+
+    fn cover(&self) -> Option<Arc<dyn FactorMap>> {
+        self.field.cover()
+    }
+}
+
+/// A field that is deflected around obstacles.
+///
+/// Near them its component into them is removed. The obstacles are all obstacles and edges of the ground of a scene.
+#[parameters(name = "around_walls")]
+pub(super) struct AroundAllWalls {
+    /// The field.
+    #[parameter(required)]
+    of: Arc<dyn Field>,
+    /// Distance from which on it is deflected, metres.
+    #[parameter(default = 1.0, unit = "m", above = 0)]
+    width: f64,
+}
+
+impl ForPlace for AroundAllWalls {
+    fn for_place(self, place: &Place, origin: DVec2) -> Result<impl Field + 'static, Error> {
+        AroundWalls::new(self.of, Walls::new(&place.areas, place.obstacles(), origin), self.width)
     }
 }
 

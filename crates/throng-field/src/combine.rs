@@ -1,11 +1,10 @@
 //! Fields composed of other fields.
 
-use super::Map;
 use glam::{Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::field::Field;
+use throng::field::{FactorMap, Field};
 use throng::parameters::parameters;
 
 /// The same velocity everywhere, m/s.
@@ -36,7 +35,7 @@ pub struct FieldPart {
     /// Weight of the field. Limit: finite; of a [`Blend`] >= 0.
     pub weight: f32,
     /// Factor of the weight at each place. None: 1 everywhere.
-    pub map: Option<Arc<Map>>,
+    pub map: Option<Arc<dyn FactorMap>>,
 }
 
 impl FieldPart {
@@ -56,7 +55,55 @@ impl fmt::Debug for FieldPart {
     }
 }
 
-/// The sum of fields: for example a walk on a moving walkway, or guidance plus turbulence.
+/// A part of a sum.
+#[parameters]
+pub(super) struct SumPart {
+    /// The field.
+    #[parameter(required)]
+    of: Arc<dyn Field>,
+    /// Weight of the field.
+    #[parameter(default = 1.0)]
+    weight: f32,
+    /// A map that multiplies the weight. Without it, the weight is the same everywhere.
+    map: Option<Arc<dyn FactorMap>>,
+}
+
+/// A part of a blend.
+#[parameters]
+pub(super) struct BlendPart {
+    /// The field.
+    #[parameter(required)]
+    of: Arc<dyn Field>,
+    /// Weight of the field.
+    #[parameter(default = 1.0, least = 0)]
+    weight: f32,
+    /// A map that multiplies the weight. Without it, the weight is the same everywhere.
+    map: Option<Arc<dyn FactorMap>>,
+}
+
+/// The parts of a sum, as files write them.
+#[parameters]
+pub(super) struct SumParts(Vec<SumPart>);
+
+/// The parts of a blend, as files write them.
+#[parameters]
+pub(super) struct BlendParts(Vec<BlendPart>);
+
+impl From<SumParts> for Vec<FieldPart> {
+    fn from(SumParts(parts): SumParts) -> Self {
+        parts.into_iter().map(|SumPart { of, weight, map }| FieldPart { field: of, weight, map }).collect()
+    }
+}
+
+impl From<BlendParts> for Vec<FieldPart> {
+    fn from(BlendParts(parts): BlendParts) -> Self {
+        parts.into_iter().map(|BlendPart { of, weight, map }| FieldPart { field: of, weight, map }).collect()
+    }
+}
+
+/// The sum of fields.
+///
+/// For example a walk on a moving walkway, or guidance plus turbulence.
 ///
 /// ```
 /// use glam::Vec3;
@@ -66,10 +113,9 @@ impl fmt::Debug for FieldPart {
 /// assert_eq!(sum.velocity(Vec3::Y * 4.0, 0.0), Vec3::new(2.0, -2.0, 0.0));
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
-pub struct Sum {
-    parts: Vec<FieldPart>,
-}
+pub struct Sum(#[parameter(from = SumParts)] Vec<FieldPart>);
 
 impl Sum {
     /// Creates the sum of these parts.
@@ -78,20 +124,19 @@ impl Sum {
     /// A weight that is not finite.
     pub fn new(parts: Vec<FieldPart>) -> Result<Self, Error> {
         parts.iter().try_for_each(|part| Error::unless_finite("weight of a field", f64::from(part.weight)))?;
-        Ok(Self { parts })
+        Ok(Self(parts))
     }
 }
 
 impl Field for Sum {
     fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
-        self.parts.iter().map(|part| part.field.velocity(place, time) * part.weight_at(place)).sum()
+        self.0.iter().map(|part| part.field.velocity(place, time) * part.weight_at(place)).sum()
     }
 }
 
-/// The weighted mean of fields, with directions and speeds averaged separately: two opposed fields do not cancel out. A
-/// field that is zero at a place has no weight there.
+/// The weighted mean of fields; directions and speeds are averaged separately.
 ///
-/// Directions are blended successively, in the order of the parts.
+/// Two opposed fields do not cancel out. A field that is zero at a place has no weight there. Directions are blended successively, in the order of the parts.
 ///
 /// ```
 /// use glam::Vec3;
@@ -101,10 +146,9 @@ impl Field for Sum {
 /// assert!(both.velocity(Vec3::ZERO, 0.0).distance(Vec3::new(1.0, 1.0, 0.0).normalize() * 1.5) < 1e-6);
 /// # Ok::<(), throng::Error>(())
 /// ```
+#[parameters]
 #[derive(Clone, Debug)]
-pub struct Blend {
-    parts: Vec<FieldPart>,
-}
+pub struct Blend(#[parameter(from = BlendParts)] Vec<FieldPart>);
 
 impl Blend {
     /// Creates the blend of these parts.
@@ -116,14 +160,14 @@ impl Blend {
         parts.iter().map(|part| part.weight).try_for_each(|weight| {
             Error::unless(is_weight(weight), "weight of a field", weight, "0 or more, and finite")
         })?;
-        Ok(Self { parts })
+        Ok(Self(parts))
     }
 }
 
 impl Field for Blend {
     fn velocity(&self, place: Vec3, time: f64) -> Vec3 {
         let (mut mean, mut sum) = (Vec3::ZERO, 0.0);
-        for part in &self.parts {
+        for part in &self.0 {
             let weight = part.weight_at(place).max(0.0);
             if weight == 0.0 {
                 continue;

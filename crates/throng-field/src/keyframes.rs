@@ -5,6 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
+use throng::parameters::parameters;
 
 /// Fields at some times, interpolated linearly in between. Before the first time and after the last, the first and the
 /// last field apply.
@@ -72,6 +73,38 @@ impl Keyframes {
             (None, _, _) => return (&*first.1, &*first.1, 0.0),
         };
         (&*before.1, &**next.1, ((time - before.0) / (next.0 - before.0)) as f32)
+    }
+}
+
+/// Different fields at different times.
+///
+/// Keyframes as files write them.
+#[parameters(name = "keyframes")]
+pub(super) struct KeyframeSequence {
+    /// The fields and their times.
+    #[parameter(required)]
+    frames: Vec<TimedField>,
+    /// Seconds after which the sequence repeats. Without it, the last field stays.
+    #[parameter(unit = "s")]
+    period: Option<f64>,
+}
+
+/// A field at a time.
+#[parameters]
+pub(super) struct TimedField {
+    /// The time, seconds.
+    #[parameter(required, unit = "s")]
+    at: f64,
+    /// The field.
+    #[parameter(required)]
+    of: Arc<dyn Field>,
+}
+
+impl TryFrom<KeyframeSequence> for Keyframes {
+    type Error = Error;
+
+    fn try_from(KeyframeSequence { frames, period }: KeyframeSequence) -> Result<Self, Error> {
+        Self::new(frames.into_iter().map(|TimedField { at, of }| (at, of)).collect(), period)
     }
 }
 

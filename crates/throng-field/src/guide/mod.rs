@@ -1,9 +1,11 @@
 //! The routes of swarms through space: to a target, or along a smooth curve to it.
 
+mod description;
 mod spine;
 mod voxels;
 mod way;
 
+pub(super) use description::ThroughSpace;
 pub use spine::{Smoothing, Spine};
 pub use voxels::{VoxelSettings, Voxels};
 

@@ -25,5 +25,4 @@ pub use limits::MAX_COORDINATE;
 pub use plan::{Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use world::{Built, BuiltGroup};
 
-pub(crate) use flow::{BuildField, BuiltField, FieldContext};
 pub(crate) use ground::{has_room, solid_shape};

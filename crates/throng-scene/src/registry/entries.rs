@@ -45,10 +45,14 @@ impl<M> Entries<M> {
         self.0.iter().map(|entry| &*entry.name)
     }
 
+    /// Returns an entry by its name.
+    pub fn get(&self, name: &str) -> Option<&Entry<M>> {
+        self.0.iter().find(|entry| entry.name == name)
+    }
+
     /// Returns an entry by its name, or the error at this path with the names that exist.
     pub fn find(&self, name: &str, at: &Path) -> Result<&Entry<M>, Problem> {
-        let found = self.0.iter().find(|entry| entry.name == name);
-        found.ok_or_else(|| {
+        self.get(name).ok_or_else(|| {
             let known: Vec<String> = self.names().map(str::to_owned).collect();
             Problem { is_key: true, ..placed(unknown_variant(name, &known), at) }
         })

@@ -6,13 +6,14 @@ use crate::caught::caught;
 use crate::error::{Error, Kind};
 use crate::file::{FileValue, Path, Problem, explain, unknown_key, unknown_variant};
 use crate::scene::Point;
+use crate::scene::flow::Map;
 use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
 use glam::{Vec2, Vec3};
 use serde::de::DeserializeOwned;
 use serde_path_to_error::Segment;
 use std::borrow::Cow;
 use std::sync::Arc;
-use throng::field::Field;
+use throng::field::{FactorMap, Field};
 use throng::parameters::{self, Given, Parameter, Parameters};
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
@@ -224,6 +225,10 @@ impl Given for FileGiven<'_> {
 
     fn field(&self) -> Result<Arc<dyn Field>, Problem> {
         self.named(|names, flow: Flow, at| names.field(&flow, at))
+    }
+
+    fn map(&self) -> Result<Arc<dyn FactorMap>, Problem> {
+        self.named(|names, map: Map, at| names.map(&map, at))
     }
 
     fn behaviour(&self) -> Result<BoxedBehaviour, Problem> {

@@ -3,10 +3,11 @@
 use super::{Flow, Steer};
 use crate::file::{Path, Problem};
 use crate::scene::SceneNames;
+use crate::scene::flow::Map;
 use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
 use glam::Vec3;
 use std::sync::Arc;
-use throng::field::Field;
+use throng::field::{FactorMap, Field};
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
@@ -25,6 +26,7 @@ pub(crate) trait Names {
     fn path(&self, name: &str, at: &Path) -> Result<Arc<Pathway>, Problem>;
     fn figure(&self, name: &str, at: &Path) -> Result<usize, Problem>;
     fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem>;
+    fn map(&self, map: &Map, at: &Path) -> Result<Arc<dyn FactorMap>, Problem>;
     fn behaviour(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem>;
     /// Returns the names that a behaviour of a plug-in can ask for.
     fn names(&self, at: &Path) -> Result<&SceneNames<'_>, Problem>;

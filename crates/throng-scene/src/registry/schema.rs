@@ -2,6 +2,7 @@
 
 use super::{Flow, Steer};
 use crate::scene::Point;
+use crate::scene::flow;
 use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
 use schemars::{Schema, SchemaGenerator};
 use serde_json::{Map, Value as Json, json};
@@ -136,6 +137,7 @@ fn of_kind(kind: Kind, generator: &mut SchemaGenerator) -> Json {
         Kind::Groups => generator.subschema_for::<GroupFilter>().to_value(),
         Kind::Obstacles => generator.subschema_for::<ObstacleNames>().to_value(),
         Kind::Field => generator.subschema_for::<Flow>().to_value(),
+        Kind::Map => generator.subschema_for::<flow::Map>().to_value(),
         Kind::Behaviour => generator.subschema_for::<Steer>().to_value(),
     }
 }

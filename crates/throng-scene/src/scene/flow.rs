@@ -1,6 +1,6 @@
 //! Vector fields: a velocity at every place, which guides crowds and swarms.
 
-use super::steer::{ObstacleNames, Position};
+use super::steer::Position;
 use super::{Number, Point, PointGoal, Region};
 use crate::registry::{Fields, Flow, described};
 use schemars::JsonSchema;
@@ -44,16 +44,6 @@ described! {
     Table = "table",
     /// The direction of the cheapest path to a goal, from everywhere.
     ToGoal = "to_goal",
-    /// The direction of a path to a target through space, clear of obstacles: guides a swarm (Wang et al. 2014).
-    ThroughSpace = "through_space",
-    /// The sum of fields.
-    Sum = "sum",
-    /// The weighted mean of fields; directions and speeds are averaged separately.
-    Blend = "blend",
-    /// Different fields at different times.
-    Keyframes = "keyframes",
-    /// A field that is deflected around obstacles.
-    AroundWalls = "around_walls",
     /// A field sampled on a grid: fast to evaluate, however expensive the field is.
     Sampled = "sampled",
 }
@@ -62,16 +52,6 @@ described! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(inline)]
 pub struct Named(pub String);
-
-/// The sum of fields.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct Sum(pub Vec<FlowPart>);
-
-/// The weighted mean of fields; directions and speeds are averaged separately.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub struct Blend(pub Vec<FlowPart>);
 
 parameters! {
     /// A field through anchors: the given anchors and those of strokes and stamps, without the erased ones.
@@ -257,68 +237,6 @@ parameters! {
         every: Option<f64>,
         /// Weight of the latest measurement in the running mean. Without it, 0.5. Limit: > 0, at most 1.
         part: Option<f64>,
-    }
-
-    /// The direction of a path to a target through space.
-    ThroughSpace {
-        /// The target.
-        to: Position,
-        /// Distance from the target that counts as arrival, metres. Without it, 0.1. Limit: >= 0.
-        tolerance: Option<f64>,
-        /// Speed, m/s. Without it, 1. Limit: > 0.
-        speed: Option<f64>,
-        /// Start of the swarm: then the field follows one smooth path from there, and leads onto it from elsewhere.
-        from: Option<Position>,
-        /// Distance from that path within which the field leads along it, metres. Without it, 1. Limit: > 0.
-        tube: Option<f64>,
-        /// Distance of that path from obstacles where there is room, metres. Without it, 0.5. Limit: >= 0.
-        distance: Option<f64>,
-        /// The obstacles: names of surfaces and of obstacles, `"obstacles"`, or `"everything"`. Without it, nothing.
-        walls: Option<ObstacleNames>,
-        /// Radius of the bodies, metres. Without it, 0.05. Limit: >= 0.
-        radius: Option<f64>,
-        /// As for a path to a goal. Without it, 0.05. Limit: >= 0.
-        clearance: Option<f64>,
-        /// Width of the cubes of the search grid, metres. Without it, 0.25. Limit: > 0.
-        cell: Option<f64>,
-        /// The corner of the searched space with the least coordinates.
-        min: Position,
-        /// The corner of the searched space with the greatest coordinates.
-        max: Position,
-    }
-
-    /// A part of a sum or blend of fields.
-    FlowPart {
-        /// The field.
-        of: Flow,
-        /// Weight of the field. Without it, 1. Limit: finite; in a blend >= 0.
-        weight: Option<f64>,
-        /// A map that multiplies the weight. Without it, the weight is the same everywhere.
-        map: Option<Map>,
-    }
-
-    /// Fields at given times, interpolated between them.
-    Keyframes {
-        /// The fields and their times.
-        frames: Vec<Keyframe>,
-        /// Seconds after which the sequence repeats. Without it, the last field stays.
-        period: Option<f64>,
-    }
-
-    /// A field at a time.
-    Keyframe {
-        /// The time, seconds.
-        at: f64,
-        /// The field.
-        of: Flow,
-    }
-
-    /// A field that is deflected around obstacles: near them its component into them is removed.
-    AroundWalls {
-        /// The field.
-        of: Box<Flow>,
-        /// Distance from which on it is deflected, metres. Without it, 1. Limit: > 0.
-        width: Option<f64>,
     }
 
     /// A field on a grid, as it is at the start.

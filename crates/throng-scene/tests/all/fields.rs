@@ -332,3 +332,167 @@ fn what_is_worth_knowing_is_noted() {
     let up = says("flow.uniform = [0, 0, 1]");
     assert_eq!(up.built.fields[0].field.velocity(Vec3::ONE, 0.0), Vec3::Z);
 }
+
+impl Says {
+    /// Returns the velocity in space at a time.
+    fn in_space(&self, place: Vec3, time: f64) -> Vec3 {
+        let place = place - self.origin.as_vec2().extend(0.0);
+        self.built.fields[0].field.velocity(place, time)
+    }
+
+    /// Returns how much the field counts at a place; `None` if it counts everywhere.
+    fn cover(&self, x: f64, y: f64) -> Option<f32> {
+        self.built.fields[0].field.cover().map(|cover| cover.at(DVec2::new(x, y) - self.origin))
+    }
+}
+
+#[test]
+fn directions_and_speeds_are_blended_separately() {
+    let says = says("flow.blend = [{ of.uniform = [2, 0], weight = 3 }, { of.uniform = [0, 1] }]");
+    // three quarters of the first: a quarter of a right angle from it
+    let angle = std::f32::consts::FRAC_PI_2 / 4.0;
+    assert!(says.at(7.0, -3.0).distance(Vec2::from_angle(angle) * 1.75) < 1e-5, "{}", says.at(7.0, -3.0));
+}
+
+#[test]
+fn keyframes_are_interpolated_and_come_again() {
+    let frames = "frames = [{ at = 2, of.uniform = [1, 0] }, { at = 6, of.uniform = [0, 3, 1] }]";
+    let at = |field: &str, time: f64| says(field).in_space(Vec3::new(4.0, 5.0, 6.0), time);
+    let (first, last) = (Vec3::X, Vec3::new(0.0, 3.0, 1.0));
+    for (time, expected) in [(0.0, first), (3.0, 0.75 * first + 0.25 * last), (6.0, last), (90.0, last)] {
+        assert!(at(&format!("flow.keyframes.{frames}"), time).distance(expected) < 1e-6, "at {time} s");
+    }
+    // with a period of 10 s, 9 s are half of the way from 6 s to the first field at 12 s
+    for (time, expected) in [(9.0, 0.5 * (first + last)), (13.0, 0.75 * first + 0.25 * last)] {
+        let field = format!("flow.keyframes = {{ period = 10, {frames} }}");
+        assert!(at(&field, time).distance(expected) < 1e-6, "at {time} s");
+    }
+}
+
+#[test]
+fn a_field_flows_around_the_walls_of_the_scene() {
+    let walls = |ground: &str| says(&format!("flow.around_walls = {{ of.uniform = [1.5, 0], width = 2 }}\n{ground}"));
+    let says = walls("[[obstacle]]\nshape.circle = { center = [30, 10], radius = 3 }");
+    // at the wall the field has no component into it, and its speed is that of the field
+    for angle in [2.0f64, 2.6, 3.5, 4.2] {
+        let (place, out) = (DVec2::new(30.0, 10.0) + 3.0 * DVec2::from_angle(angle), DVec2::from_angle(angle));
+        let velocity = says.at(place.x, place.y);
+        assert!(velocity.dot(out.as_vec2()) > -1e-3, "{velocity} at {angle}");
+        assert!((velocity.length() - 1.5).abs() < 1e-4, "{velocity} at {angle}");
+    }
+    assert_eq!(says.at(24.9, 10.5), Vec2::X * 1.5, "2 m from the wall it is as it was");
+    let says = walls("[walkable.rectangle]\ncenter = [0, 0]\nsize = [40, 20]");
+    assert!(says.at(19.999, 1.0).x < 1e-2, "the edge of the ground is a wall: {}", says.at(19.999, 1.0));
+}
+
+#[test]
+fn a_field_has_the_anchors_of_the_sketches_in_it() {
+    let sketch = |x: i32| format!("sketch.anchors = [{{ at = [{x}, 0], velocity = [1, 0] }}]");
+    let places = |flow: &str| -> Vec<f64> {
+        let says = says(flow);
+        says.built.fields[0].anchors.iter().map(|anchor| anchor.place.x + says.origin.x).collect()
+    };
+    let (a, b, c) = (sketch(3), sketch(8), sketch(5));
+    let sum =
+        format!("flow.sum = [{{ of.{a} }}, {{ of.around_walls = {{ of.{b} }} }}, {{ of.sampled = {{ of.{c} }} }}]");
+    assert_eq!(places(&sum), [3.0, 8.0, 5.0]);
+    assert_eq!(places(&format!("flow.keyframes.frames = [{{ at = 0, of.{b} }}, {{ at = 1, of.{a} }}]")), [8.0, 3.0]);
+    let named = format!("flow.{a}\n[[field]]\nname = \"g\"\nflow.blend = [{{ of.named = \"f\" }}, {{ of.{b} }}]");
+    let scene = says(&named);
+    assert_eq!(scene.built.fields[1].anchors.len(), 2, "those of a field that it names too");
+}
+
+#[test]
+fn paint_covers_what_is_made_of_it() {
+    let paint = "paint = { min = [-9, -9], max = [9, 9], strokes = [{ points = [[-5, 0], [5, 0]], radius = 2, strength = 0.5, hardness = 1 }] }";
+    for flow in [
+        format!("flow.{paint}"),
+        format!("flow.around_walls = {{ of.{paint} }}"),
+        format!("flow.sampled = {{ min = [-9, -9], max = [9, 9], of.{paint} }}"),
+        format!("flow.paint = {{ min = [-9, -9], max = [9, 9], strokes = [], on.{paint} }}"),
+    ] {
+        let says = says(&flow);
+        assert_eq!((says.cover(1.0, 0.0), says.cover(1.0, 7.0)), (Some(0.5), Some(0.0)), "{flow}");
+        assert!(says.at(1.0, 0.0).distance(Vec2::X * 1.3) < 1e-5, "{flow}");
+    }
+    assert_eq!(says(&format!("flow.sum = [{{ of.{paint} }}]")).cover(1.0, 0.0), None);
+}
+
+#[test]
+fn a_path_through_space_leads_to_its_target() {
+    let box_of_space = "min = [0, 0, 0], max = [12, 8, 6], cell = 0.5";
+    let target = Vec3::new(10.0, 4.0, 3.0);
+    let free = says(&format!("flow.through_space = {{ to = [10, 4, 3], speed = 2, tolerance = 0.5, {box_of_space} }}"));
+    for place in [Vec3::new(1.3, 1.7, 0.9), Vec3::new(6.2, 7.1, 5.1), Vec3::new(11.2, 2.0, 4.0)] {
+        let (velocity, direct) = (free.in_space(place, 0.0), (target - place).normalize());
+        assert!(
+            (velocity.length() - 2.0).abs() < 1e-4 && velocity.normalize().dot(direct) > 0.97,
+            "{velocity} at {place}"
+        );
+    }
+    assert_eq!(free.in_space(target + Vec3::X * 0.4, 0.0), Vec3::ZERO, "within the tolerance it has arrived");
+    // a pillar stands in the way: an agent that follows the field goes round it, and not along the straight line
+    let pillar = "\n[[obstacle]]\nname = \"pillar\"\nshape.circle = { center = [6, 4], radius = 1.5 }";
+    for from in ["", "from = [2, 4.3, 3],"] {
+        let field = format!(
+            "flow.through_space = {{ to = [10, 4, 3], {from} walls = [\"pillar\"], radius = 0.2, {box_of_space} }}"
+        );
+        let around = says(&(field + pillar));
+        let (mut place, mut steps) = (Vec3::new(2.0, 4.3, 3.0), 0);
+        while place.distance(target) > 0.2 && steps < 4000 {
+            place += around.in_space(place, 0.0) * 0.01;
+            steps += 1;
+            let off = place.truncate().distance(Vec2::new(6.0, 4.0)) - 1.5;
+            assert!(off > 0.2, "{off} from the pillar at {place}");
+        }
+        assert!((800..1200).contains(&steps), "{steps} steps of 1 cm for 8 m");
+    }
+}
+
+#[test]
+fn fields_that_move_have_no_walls() {
+    // wherever the origin of the world is
+    for (flow, place) in
+        [("around_walls.of.uniform = [1, 0]", "[9, 4]"), ("to_goal.to = [{ point.at = [1, 0] }]", "[-3, 0]")]
+    {
+        let text = format!(
+            "[[field]]\nname = \"f\"\nflow.{flow}\n\
+             [[group]]\nplace.point = [3, 0]\nfield.around = [{{ source = \"star\", of.named = \"f\" }}]\n\
+             [[group]]\nname = \"star\"\nplace.point = {place}\n"
+        );
+        let error = text.parse::<Scene>().unwrap().build().map(drop).unwrap_err();
+        assert!(error.to_string().contains("a field that moves with agents has no walls"), "{error}");
+        assert_eq!((error.kind, error.at.map(|(line, _)| line)), (Kind::Conflict, Some(3)));
+    }
+}
+
+#[test]
+fn parameters_of_combinations_are_refused_at_their_keys() {
+    for (field, expected) in [
+        (
+            "flow.blend = [{ of.uniform = [1, 0] }, { of.uniform = [1, 0], weight = -1 }]",
+            "flow.blend[1].weight is -1, but must be 0 or more",
+        ),
+        (
+            "flow.sum = [{ of.uniform = [1, 0], weight = inf }]",
+            "flow.sum[0].weight is inf, but must be a finite number",
+        ),
+        ("flow.sum = [{ weight = 2 }]", "the key `of` is missing here"),
+        ("flow.sum = [{ of.uniform = [1, 0], wieght = 2 }]", "did you mean `weight`?"),
+        (
+            "flow.around_walls = { of.uniform = [1, 0], width = 0 }",
+            "flow.around_walls.width is 0, but must be more than 0",
+        ),
+        (
+            "flow.keyframes.frames = [{ at = nan, of.uniform = [1, 0] }]",
+            "frames[0].at is NaN, but must be a finite number",
+        ),
+        (
+            "flow.through_space = { to = [1, 1, 1], min = [0, 0], max = [2, 2, 2], speed = 1e4 }",
+            "flow.through_space.speed is 10000, but must be more than 0 and at most 1000",
+        ),
+    ] {
+        let text = refused(field).to_string();
+        assert!(text.contains(expected) && text.contains("scene.toml:3"), "{field}\n{text}");
+    }
+}

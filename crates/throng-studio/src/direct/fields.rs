@@ -3,7 +3,7 @@
 use super::parts::{Change, Look, OutlineKind, Parts, Removal};
 use super::shapes::{Owner, circle, corners};
 use glam::DVec2;
-use throng_scene::flow::{AroundWalls, Blend, Keyframes, Paint, Sampled, Sketch, Sum};
+use throng_scene::flow::{Paint, Sketch};
 use throng_scene::{Flow, Scene};
 
 /// The time that the arrow of a velocity spans, seconds: its length is velocity times `AHEAD`.
@@ -12,16 +12,16 @@ pub const AHEAD: f64 = 1.5;
 /// Adds the handles of anchors, strokes and stamps.
 pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (k, field) in scene.fields.iter().enumerate() {
-        flow_parts(parts, &format!("field.{k}.flow"), &field.flow);
+        flow_parts(scene, parts, &format!("field.{k}.flow"), &field.flow);
     }
     for (g, group) in scene.groups.iter().enumerate() {
         if let Some(flow) = group.field.as_ref().and_then(|field| field.of.as_ref()) {
-            flow_parts(parts, &format!("group.{g}.field.of"), flow);
+            flow_parts(scene, parts, &format!("group.{g}.field.of"), flow);
         }
     }
 }
 
-fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
+fn flow_parts(scene: &Scene, parts: &mut Parts, path: &str, flow: &Flow) {
     let owner = |path: &str| Owner { kind: OutlineKind::Field, removal: Some(Removal::Path(path.to_owned())) };
     if let Some(sketch) = flow.read::<Sketch>() {
         for (k, anchor) in sketch.anchors.iter().flatten().enumerate() {
@@ -46,19 +46,9 @@ fn flow_parts(parts: &mut Parts, path: &str, flow: &Flow) {
             let path = format!("{path}.paint.strokes.{k}");
             corners(parts, &format!("{path}.points"), &stroke.points, false, &owner(&path));
         }
-        paint.on.iter().for_each(|flow| flow_parts(parts, &format!("{path}.paint.on"), flow));
-    } else if let Some(walls) = flow.read::<AroundWalls>() {
-        flow_parts(parts, &format!("{path}.around_walls.of"), &walls.of);
-    } else if let Some(sampled) = flow.read::<Sampled>() {
-        flow_parts(parts, &format!("{path}.sampled.of"), &sampled.of);
-    } else if let Some(keys) = flow.read::<Keyframes>() {
-        for (k, frame) in keys.frames.iter().enumerate() {
-            flow_parts(parts, &format!("{path}.keyframes.frames.{k}.of"), &frame.of);
-        }
-    } else if let Some(several) = flow.read().map(|Sum(of)| of).or_else(|| flow.read().map(|Blend(of)| of)) {
-        for (k, part) in several.iter().enumerate() {
-            flow_parts(parts, &format!("{path}.{}.{k}.of", flow.name), &part.of);
-        }
+    }
+    for (below, part) in scene.plugins.fields.parts(flow) {
+        flow_parts(scene, parts, &format!("{path}.{below}"), &part);
     }
 }
 

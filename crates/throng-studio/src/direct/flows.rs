@@ -6,7 +6,7 @@ use super::parts::{length, point, points};
 use crate::document::Edit;
 use glam::DVec2;
 use throng_draw::WorldBox;
-use throng_scene::flow::{AroundWalls, Named, Paint, Sampled, Sketch};
+use throng_scene::flow::{Named, Paint, Sketch};
 use throng_scene::{Described, Flow, Scene};
 use toml_edit::InlineTable;
 
@@ -179,11 +179,6 @@ fn within<D: Described>(scene: &Scene, path: String, flow: &Flow) -> Option<(Str
         let k = scene.fields.iter().position(|field| field.name == name)?;
         return within(scene, format!("field.{k}.flow"), &scene.fields[k].flow);
     }
-    if let Some(paint) = flow.read::<Paint>() {
-        return within(scene, path + ".paint.on", paint.on.as_deref()?);
-    }
-    if let Some(walls) = flow.read::<AroundWalls>() {
-        return within(scene, path + ".around_walls.of", &walls.of);
-    }
-    within(scene, path + ".sampled.of", &flow.read::<Sampled>()?.of)
+    let parts = scene.plugins.fields.parts(flow);
+    parts.iter().find_map(|(below, part)| within(scene, format!("{path}.{below}"), part))
 }

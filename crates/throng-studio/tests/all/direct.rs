@@ -263,6 +263,27 @@ fn a_way_is_painted_over_the_field_that_is_there() {
 }
 
 #[test]
+fn a_sketch_in_another_field_has_handles_and_takes_anchors() {
+    let sketch = "sketch.anchors = [{ at = [3, 2], velocity = [1, 0] }]";
+    for (flow, of) in [
+        (format!("sum = [{{ of.uniform = [1, 0] }}, {{ of.{sketch} }}]"), "sum.1.of"),
+        (format!("keyframes.frames = [{{ at = 0, of.{sketch} }}]"), "keyframes.frames.0.of"),
+        (format!("around_walls.of.sampled.of.{sketch}"), "around_walls.of.sampled.of"),
+        (format!("paint = {{ min = [0, 0], max = [9, 9], strokes = [], on.{sketch} }}"), "paint.on"),
+    ] {
+        let text = format!("[[group]]\nplace.point = [0, 0]\nfield.of.{flow}\n");
+        let mut hand = Hand::new(Document::new("a", text));
+        let parts = throng_studio::direct::parts::Parts::of(hand.scene());
+        let changes = parts.handles.iter().flat_map(|handle| &handle.changes).map(|change| format!("{change:?}"));
+        let path = format!("group.0.field.of.{of}.sketch.anchors.0.at");
+        assert_eq!(changes.filter(|change| change.contains(&path)).count(), 1, "{path}");
+        hand.drag(Tool::Anchor, &[[0.0, -6.0], [2.0, -6.0]]).unwrap();
+        assert_eq!(hand.text().matches("velocity").count(), 2, "{}", hand.text());
+        assert!(hand.scene().fields.is_empty() && hand.scene().build().is_ok(), "{}", hand.text());
+    }
+}
+
+#[test]
 fn every_handle_of_the_gallery_moves_what_it_is_of() {
     for name in gallery::names() {
         let document = Document::gallery(name).unwrap();

@@ -48,6 +48,13 @@ pub trait Field: Send + Sync {
     fn adaptive(&self) -> Option<&dyn Adaptive> {
         None
     }
+
+    /// Returns how much the field counts at each place, if not the same everywhere: a painted field counts only in part
+    /// where the paint is thin. Scenes multiply the share of the field in the guidance of a group by it
+    /// ([`Governed::map`]).
+    fn cover(&self) -> Option<Arc<dyn FactorMap>> {
+        None
+    }
 }
 
 impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
@@ -67,5 +74,9 @@ impl Field for Arc<dyn Field> {
 
     fn adaptive(&self) -> Option<&dyn Adaptive> {
         (**self).adaptive()
+    }
+
+    fn cover(&self) -> Option<Arc<dyn FactorMap>> {
+        (**self).cover()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Names, Parameter, Table, Value};
 use crate::Error;
-use crate::field::Field;
+use crate::field::{FactorMap, Field};
 use crate::space::Pathway;
 use crate::space::surface::{Barrier, Surface};
 use crate::steer::{Barriers, BoxedBehaviour, GroupFilter, Target};
@@ -63,6 +63,8 @@ pub trait Given: Sized {
     fn path(&self) -> Result<Arc<Pathway>, Self::Error>;
     /// Reads a vector field.
     fn field(&self) -> Result<Arc<dyn Field>, Self::Error>;
+    /// Reads a factor at every place.
+    fn map(&self) -> Result<Arc<dyn FactorMap>, Self::Error>;
     /// Reads a behaviour.
     fn behaviour(&self) -> Result<BoxedBehaviour, Self::Error>;
     /// Reads the name of a figure of the rules, and returns its position.

@@ -46,6 +46,8 @@ pub enum Kind {
     Path,
     /// A vector field.
     Field,
+    /// A factor at every place.
+    Map,
     /// A behaviour.
     Behaviour,
     /// A figure of the rules.

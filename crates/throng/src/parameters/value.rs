@@ -2,7 +2,7 @@
 
 use super::{Angle, Given, Kind, Written, shortest};
 use crate::Error;
-use crate::field::Field;
+use crate::field::{FactorMap, Field};
 use crate::space::Pathway;
 use crate::space::surface::{Barrier, Surface};
 use crate::steer::{Barriers, BoxedBehaviour, GroupFilter, Target};
@@ -247,6 +247,7 @@ read_by! {
     Surface, Barrier<Arc<dyn Surface>>: surface;
     Path, Arc<Pathway>: path;
     Field, Arc<dyn Field>: field;
+    Map, Arc<dyn FactorMap>: map;
     Behaviour, BoxedBehaviour: behaviour;
 }
 

@@ -1,13 +1,14 @@
 //! Fields that lead to goals.
 
 use super::sketch::SPEED;
-use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check, check_some};
 use crate::file::Problem;
 use crate::geometry::{DVec2, points, rectangle};
+use crate::registry::{BuildField, FieldContext};
 use crate::scene::Region;
 use crate::scene::flow::{Destination, Jams, ToGoal};
 use std::sync::Arc;
+use throng::field::Field;
 use throng_field::{RoundJams, Terrain, TerrainSettings};
 
 /// Default margin around the scene that paths may use, metres.
@@ -16,14 +17,14 @@ const MARGIN: f64 = 2.0;
 const CELLS: f64 = 1e6;
 
 impl BuildField for ToGoal {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let Self { speed, radius, clearance, cell, .. } = self;
         check_some(&at.path.key("cell"), *cell, Limit::Positive)?;
         check_some(&at.path.key("radius"), *radius, Limit::NotNegative)?;
         check_some(&at.path.key("clearance"), *clearance, Limit::NotNegative)?;
         let speed = speed.unwrap_or(SPEED);
         check(&at.path.key("speed"), speed, Limit::UpTo(1000.0))?;
-        let [low, high] = at.flows.bounds;
+        let [low, high] = at.scene.bounds();
         let [low, high] = [low - MARGIN, high + MARGIN].map(|corner| corner.to_array());
         let [low, high] = at.corners(self.min.unwrap_or(low), self.max.unwrap_or(high))?;
         let standard = TerrainSettings::default();
@@ -36,7 +37,7 @@ impl BuildField for ToGoal {
             clearance: clearance.map_or(standard.clearance, |clearance| clearance as f32),
             ..standard
         };
-        let terrain = Terrain::of_place(at.flows.place, at.origin, survey);
+        let terrain = Terrain::of_place(at.scene.ground(&at.path)?, at.scene.origin(), survey);
         let mut terrain = terrain.map_err(|error| at.refused(&error))?;
         if let Some(cost) = &self.cost {
             let map = at.key("cost").map(cost)?;
@@ -46,7 +47,7 @@ impl BuildField for ToGoal {
         let to: Vec<_> = to.collect::<Result<_, _>>()?;
         let flow = throng_field::ToGoal::new(Arc::new(terrain), to, speed as f32);
         let flow = flow.map_err(|error| at.key("to").refused(&error))?;
-        let Some(jams) = &self.jams else { return Ok(BuiltField::of(flow)) };
+        let Some(jams) = &self.jams else { return Ok(Arc::new(flow)) };
         let Jams { weary, radius, every, part } = jams;
         let jams = at.key("jams");
         for (key, number) in [("weary", weary), ("radius", radius), ("every", every)] {
@@ -61,13 +62,13 @@ impl BuildField for ToGoal {
             part: part.map_or(standard.part, |part| part as f32),
             ..standard
         };
-        Ok(BuiltField::of(made))
+        Ok(Arc::new(made))
     }
 }
 
 impl FieldContext<'_> {
     fn destination(&self, said: &Destination) -> Result<throng_field::Destination, Problem> {
-        let corners = |corners: Vec<DVec2>| corners.into_iter().map(|corner| corner - self.origin).collect();
+        let corners = |corners: Vec<DVec2>| corners.into_iter().map(|corner| corner - self.scene.origin()).collect();
         Ok(match said {
             Destination::Point(point) => {
                 let at = self.key("point").place("at", point.at)?;
@@ -77,7 +78,7 @@ impl FieldContext<'_> {
                 super::super::check::check_region(&self.path.key("area"), region)?;
                 match region {
                     Region::Disc(disc) => {
-                        let center = DVec2::from_array(disc.center) - self.origin;
+                        let center = DVec2::from_array(disc.center) - self.scene.origin();
                         throng_field::Destination::Disc { center, radius: disc.radius }
                     }
                     Region::Rectangle(said) => throng_field::Destination::Area { corners: corners(rectangle(said)) },

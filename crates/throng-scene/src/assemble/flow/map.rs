@@ -1,11 +1,11 @@
 //! Painted maps of numbers.
 
-use super::FieldContext;
 use super::paint::{CELL, brush};
 use super::picture::{Pixels, read};
 use crate::assemble::limits::{Limit, check};
 use crate::error::Kind;
 use crate::file::Problem;
+use crate::registry::FieldContext;
 use crate::scene::flow;
 use std::sync::Arc;
 use throng_field::Map;

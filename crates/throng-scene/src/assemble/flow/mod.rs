@@ -1,17 +1,16 @@
 //! Builds fields from the vector fields of a scene.
 //!
-//! Fields that need more than their parameters have descriptions ([`crate::scene::flow`]), each with its `impl BuildField`.
+//! Fields that need more than their parameters have descriptions ([`crate::scene::flow`]), each with its [`BuildField`].
 //! The library checks the numbers.
 
-mod combine;
 mod goal;
 mod govern;
 mod map;
 mod names;
 mod paint;
 mod picture;
+mod sampled;
 mod sketch;
-mod space;
 mod table;
 
 use super::limits::{Limit, check, check_point};
@@ -19,35 +18,26 @@ use super::steer::{Around, refused};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
-use crate::registry::Flow;
+use crate::registry::{BuildField, FieldContext, FieldScene, Names};
 use crate::scene::flow::Named;
-use crate::scene::steer::{ObstacleNames, Position};
+use crate::scene::steer::Position;
 use crate::scene::{Group, Point, Scene};
 use glam::Vec3;
 use std::cell::{OnceCell, RefCell};
+use std::path;
 use std::sync::Arc;
 use throng::field::Field;
 use throng::space::Place;
-use throng::space::surface::Surface;
-use throng::steer::Barriers;
-use throng_field::{Anchor, Map};
+use throng_field::Anchor;
 
 pub(super) use govern::note_silence;
 
-/// A field that was made.
+/// A field of the scene that was made.
 #[derive(Clone)]
-pub(crate) struct BuiltField {
+pub(super) struct BuiltField {
     pub field: Arc<dyn Field>,
-    /// The anchors of a sketch, metres from its origin; empty for other fields.
+    /// The anchors of the sketches of which it is made, metres from its origin.
     pub anchors: Vec<Anchor>,
-    /// How much a painted field covers, which multiplies its weight.
-    pub cover: Option<Arc<Map>>,
-}
-
-impl BuiltField {
-    pub fn of(field: impl Field + 'static) -> Self {
-        Self { field: Arc::new(field), anchors: vec![], cover: None }
-    }
 }
 
 /// The input for building fields.
@@ -67,23 +57,18 @@ pub(super) struct Flows<'a> {
     pub made: OnceCell<Vec<BuiltField>>,
 }
 
-/// The context in which a field is built.
+/// The scene, as a field in it sees it.
 #[derive(Clone)]
-pub(crate) struct FieldContext<'a> {
+pub(super) struct FieldSite<'a> {
     flows: &'a Flows<'a>,
-    /// The path to the field in the scene.
-    path: Path,
-    /// The origin of its coordinates.
-    origin: DVec2,
+    /// Whether it moves with agents. Its coordinates are then theirs, else relative to the world's origin.
+    moves: bool,
     /// The number of fields, from the first on, that it can refer to.
     known: usize,
     /// The name of its owner, for people.
     of: String,
-}
-
-/// A description from which a field is built.
-pub(crate) trait BuildField {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem>;
+    /// The anchors of the sketches of which it is made.
+    anchors: RefCell<Vec<Anchor>>,
 }
 
 impl Flows<'_> {
@@ -97,71 +82,88 @@ impl Flows<'_> {
                 &said.name,
                 fields[..i].iter().map(|other| &other.name),
             )?;
-            self.named(i, self.origin)
+            self.named(i, false)
         };
         let made = (0..fields.len()).map(one).collect::<Result<_, _>>()?;
         Ok(self.made.get_or_init(|| made))
     }
 
-    /// Builds a field of the scene, with its places relative to an origin.
-    fn named(&self, i: usize, origin: DVec2) -> Result<BuiltField, Problem> {
+    /// Builds a field of the scene, in the coordinates of agents if it moves with them.
+    fn named(&self, i: usize, moves: bool) -> Result<BuiltField, Problem> {
         let said = &self.scene.fields[i];
-        let at = FieldContext {
+        let site = FieldSite {
             flows: self,
-            path: Path::of("field").index(i).key("flow"),
-            origin,
+            moves,
             known: i,
             of: format!("field `{}`", said.name),
+            anchors: RefCell::default(),
         };
-        at.make(&said.flow).map_err(|problem| match problem.message.starts_with("field `") {
+        let made = site.field(&said.flow, &Path::of("field").index(i).key("flow"));
+        let field = made.map_err(|problem| match problem.message.starts_with("field `") {
             true => problem,
             false => Problem { message: format!("field `{}`: {}", said.name, problem.message), ..problem },
-        })
+        })?;
+        Ok(BuiltField { field, anchors: site.anchors.into_inner() })
     }
 
-    /// Builds a field of a group, by its position, with its places relative to the world's origin.
-    pub fn make(&self, flow: &Flow, path: Path, group: usize) -> Result<BuiltField, Problem> {
-        self.at(path, group).make(flow)
-    }
-
-    /// Returns the context of a group, which can refer to all fields of the scene.
-    fn at(&self, path: Path, group: usize) -> FieldContext<'_> {
+    /// Returns the scene as a field of a group sees it, by the group's position: all fields of the scene, and places
+    /// relative to the world's origin.
+    pub fn of_group(&self, group: usize) -> FieldSite<'_> {
         let name = Group::name_at(&self.scene.groups[group].name, group);
-        FieldContext {
+        FieldSite {
             flows: self,
-            path,
-            origin: self.origin,
+            moves: false,
             known: self.scene.fields.len(),
             of: format!("group `{name}`"),
+            anchors: RefCell::default(),
         }
     }
 }
 
-impl FieldContext<'_> {
-    fn make(&self, flow: &Flow) -> Result<BuiltField, Problem> {
-        self.flows.scene.plugins.fields.make(flow, self)
+impl FieldSite<'_> {
+    /// Returns the context of a field at a path.
+    fn context(&self, at: &Path) -> FieldContext<'_> {
+        FieldContext { scene: self, path: at.clone() }
     }
 
-    /// Returns the path to the field in the scene.
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// Checks that the field stays in place, as walls do.
+    fn check_stays(&self, at: &Path, hint: &str) -> Result<(), Problem> {
+        match self.moves {
+            true => Err(Problem::new(at, Kind::Conflict, "a field that moves with agents has no walls").hint(hint)),
+            false => Ok(()),
+        }
+    }
+}
+
+impl FieldScene for FieldSite<'_> {
+    fn origin(&self) -> DVec2 {
+        if self.moves { DVec2::ZERO } else { self.flows.origin }
     }
 
-    /// Returns the origin of the coordinates of the field.
-    pub fn origin(&self) -> DVec2 {
-        self.origin
+    fn bounds(&self) -> [DVec2; 2] {
+        self.flows.bounds
     }
 
-    /// Returns a field of the scene by its name.
-    fn known(&self, name: &str) -> Result<BuiltField, Problem> {
+    fn ground(&self, at: &Path) -> Result<&Place, Problem> {
+        self.check_stays(at, "name another field in `around`")?;
+        Ok(self.flows.place)
+    }
+
+    fn folder(&self) -> &path::Path {
+        &self.flows.scene.origin.folder
+    }
+
+    fn known(&self, name: &str, at: &Path) -> Result<Arc<dyn Field>, Problem> {
         let fields = &self.flows.scene.fields;
         let known = &fields[..self.known];
         if let Some(i) = known.iter().position(|field| field.name == name) {
             // all references share one field
-            return match self.flows.made.get() {
-                Some(made) if self.origin == self.flows.origin => Ok(made[i].clone()),
-                _ => self.flows.named(i, self.origin),
+            let BuiltField { field, anchors } = match self.flows.made.get() {
+                Some(made) if !self.moves => made[i].clone(),
+                _ => self.flows.named(i, self.moves)?,
             };
+            self.add_anchors(&anchors);
+            return Ok(field);
         }
         let message = format!("there is no field `{name}` above");
         let below = fields[self.known..].iter().any(|field| field.name == name);
@@ -173,19 +175,23 @@ impl FieldContext<'_> {
                 format!("there are: {}", names.join(", "))
             }
         };
-        Err(Problem::new(&self.path, Kind::UnknownKey, message).hint(hint))
+        Err(Problem::new(at, Kind::UnknownKey, message).hint(hint))
     }
 
-    /// Returns the context of a key.
-    pub fn key(&self, key: &str) -> Self {
-        Self { path: self.path.key(key), ..self.clone() }
+    fn add_anchors(&self, anchors: &[Anchor]) {
+        self.anchors.borrow_mut().extend_from_slice(anchors);
     }
 
-    /// Returns the context of an entry of a list.
-    fn index(&self, index: usize) -> Self {
-        Self { path: self.path.index(index), ..self.clone() }
+    fn note(&self, what: &str) {
+        let note = format!("{}: {what}", self.of);
+        let mut notes = self.flows.notes.borrow_mut();
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
     }
+}
 
+impl FieldContext<'_> {
     /// Returns a place, relative to the origin.
     fn place(&self, key: &str, point: Point) -> Result<DVec2, Problem> {
         self.place_at(&self.path.key(key), point)
@@ -193,7 +199,7 @@ impl FieldContext<'_> {
 
     fn place_at(&self, path: &Path, point: Point) -> Result<DVec2, Problem> {
         check_point(path, &point)?;
-        Ok(DVec2::from_array(point) - self.origin)
+        Ok(DVec2::from_array(point) - self.scene.origin())
     }
 
     /// Returns a place in space, relative to the origin.
@@ -218,38 +224,19 @@ impl FieldContext<'_> {
         Err(Problem::new(&self.path.key("max"), Kind::OutOfRange, message).hint("max is right of min and above it"))
     }
 
-    /// Returns surfaces and obstacles by name.
-    fn sides(&self, names: &ObstacleNames, path: &Path) -> Result<Barriers, Problem> {
-        if self.origin != self.flows.origin {
-            let problem = Problem::new(path, Kind::Conflict, "a field that moves with agents has no walls");
-            return Err(problem.hint("leave out `walls` in fields of `around`"));
-        }
-        self.flows.around.sides(names, path, "leave out `walls` for no walls")
-    }
-
-    /// Returns surfaces by name.
-    fn walls(&self, names: &ObstacleNames) -> Result<Vec<Arc<dyn Surface>>, Problem> {
-        let sides = self.sides(names, &self.path.key("walls"))?;
-        Ok(sides.0.into_iter().map(|side| side.surface).collect())
-    }
-
     /// Converts an error of the library.
     fn refused(&self, error: &throng::Error) -> Problem {
         refused(&self.path, error)
     }
 
-    /// Adds a note, with the name of the field's owner.
+    /// Adds a note about the field.
     fn note(&self, what: impl std::fmt::Display) {
-        let note = format!("{}: {what}", self.of);
-        let mut notes = self.flows.notes.borrow_mut();
-        if !notes.contains(&note) {
-            notes.push(note);
-        }
+        self.scene.note(&what.to_string());
     }
 }
 
 impl BuildField for Named {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
-        at.known(&self.0)
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
+        at.scene.known(&self.0, &at.path)
     }
 }

@@ -1,32 +1,34 @@
 //! What the names in a scene stand for, for its fields.
 
-use super::FieldContext;
+use super::FieldSite;
 use crate::assemble::limits::{Limit, check};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::registry::{Flow, Names, Steer};
 use crate::scene::SceneNames;
+use crate::scene::flow::Map;
 use crate::scene::steer::{GroupFilter, ObstacleNames, Position, Target};
 use glam::Vec3;
 use std::sync::Arc;
-use throng::field::Field;
+use throng::field::{FactorMap, Field};
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
 use throng_steer::GroupFacts;
 
-impl Names for FieldContext<'_> {
+impl Names for FieldSite<'_> {
     fn group(&self, at: &Path) -> Result<GroupFacts, Problem> {
         Err(agents(at))
     }
 
     fn place(&self, Position([x, y, z]): Position, at: &Path) -> Result<Vec3, Problem> {
         check(&at.index(2), z, Limit::Finite)?;
-        Ok(self.place_at(at, [x, y])?.as_vec2().extend(z as f32))
+        Ok(self.context(at).place_at(at, [x, y])?.as_vec2().extend(z as f32))
     }
 
     fn obstacles(&self, names: &ObstacleNames, at: &Path) -> Result<Barriers, Problem> {
-        self.sides(names, at)
+        self.check_stays(at, "leave out `walls` in fields of `around`")?;
+        self.flows.around.sides(names, at, "leave out `walls` for no walls")
     }
 
     fn surface(&self, name: &str, at: &Path) -> Result<Barrier<Arc<dyn Surface>>, Problem> {
@@ -38,7 +40,11 @@ impl Names for FieldContext<'_> {
     }
 
     fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem> {
-        Ok(Self { path: at.clone(), ..self.clone() }.make(flow)?.field)
+        self.flows.scene.plugins.fields.make(flow, &self.context(at))
+    }
+
+    fn map(&self, map: &Map, at: &Path) -> Result<Arc<dyn FactorMap>, Problem> {
+        Ok(self.context(at).map(map)?)
     }
 
     fn target(&self, _: &Target, at: &Path) -> Result<steer::Target, Problem> {

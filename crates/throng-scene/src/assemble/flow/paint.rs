@@ -1,25 +1,25 @@
 //! Painted fields.
 
+use super::sampled::covered;
 use super::sketch::SPEED;
-use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check};
 use crate::file::Problem;
+use crate::registry::{BuildField, FieldContext, Flow};
 use crate::scene::flow::Paint;
 use glam::Vec3;
 use std::sync::Arc;
-use throng_field::{Brush, Map, Sampled, Uniform};
+use throng::field::Field;
+use throng_field::{Brush, Covered, Map, Sampled, Uniform};
 
 /// Default width of the cells, metres.
 pub(super) const CELL: f64 = 0.5;
 
 impl BuildField for Paint {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let corners = at.corners(self.min, self.max)?;
         let base = self.on.as_ref().map(|flow| at.key("on").make(flow)).transpose()?;
-        let whole = base.is_some();
-        let base = base.unwrap_or_else(|| BuiltField::of(Uniform(Vec3::ZERO)));
         let cell = self.cell.unwrap_or(CELL);
-        let mut field = at.sampled(&*base.field, corners, Some(cell))?;
+        let mut field = at.sampled(base.as_deref().unwrap_or(&Uniform(Vec3::ZERO)), corners, Some(cell))?;
         let mut cover = Map::over(corners[0], corners[1], cell).map_err(|error| at.refused(&error))?;
         for (i, stroke) in self.strokes.iter().enumerate() {
             let at = at.key("strokes").index(i);
@@ -31,15 +31,19 @@ impl BuildField for Paint {
             let covered = cover.paint(&brush, &points, if erases { 0.0 } else { 1.0 });
             painted.and(covered).map_err(|error| at.refused(&error))?;
         }
-        if whole {
-            return Ok(BuiltField { field: Arc::new(field), ..base });
+        if let Some(base) = base {
+            return Ok(covered(field, &*base));
         }
         // partly covered cells guide with a lower weight, not with a lower speed
         let full =
             field.velocities().iter().zip(cover.values()).map(|(&v, &cover)| if cover > 0.0 { v / cover } else { v });
         let field = Sampled::new(field.low(), field.cell(), field.columns(), full.collect());
         let field = Arc::new(field.map_err(|error| at.refused(&error))?);
-        Ok(BuiltField { field, anchors: vec![], cover: Some(Arc::new(cover)) })
+        Ok(Arc::new(Covered { field, cover: Arc::new(cover) }))
+    }
+
+    fn parts(&self) -> Vec<(&'static str, &Flow)> {
+        self.on.iter().map(|on| ("on", &**on)).collect()
     }
 }
 

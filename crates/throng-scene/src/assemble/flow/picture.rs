@@ -1,15 +1,17 @@
 //! Fields and maps from the pixels of pictures.
 
 use super::sketch::SPEED;
-use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check};
 use crate::error::{Error, Kind};
 use crate::file::{Problem, read_bytes};
 use crate::geometry::DVec2;
+use crate::registry::{BuildField, FieldContext};
 use crate::scene::flow::{Picture, PixelEncoding};
 use glam::Vec2;
 use std::f32::consts::TAU;
 use std::io::Cursor;
+use std::sync::Arc;
+use throng::field::Field;
 use throng_field::Sampled;
 
 /// Maximum number of pixels of a picture.
@@ -74,7 +76,7 @@ impl Image {
 /// Reads a PNG file; its name is relative to the scene file.
 pub(super) fn read(at: &FieldContext, name: &str) -> Result<Image, Problem> {
     let path = at.path.key("file");
-    let file = at.flows.scene.origin.folder.join(name);
+    let file = at.scene.folder().join(name);
     let shown = file.display().to_string();
     let problem = |error: Error| {
         let problem = Problem::new(&path, error.kind, error.message);
@@ -114,7 +116,7 @@ pub(super) fn read(at: &FieldContext, name: &str) -> Result<Image, Problem> {
 }
 
 impl BuildField for Picture {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let corners = at.corners(self.min, self.max)?;
         let speed = self.speed.unwrap_or(SPEED);
         check(&at.path.key("speed"), speed, Limit::UpTo(1000.0))?;
@@ -148,6 +150,6 @@ impl BuildField for Picture {
             }
         };
         let Pixels { low, cell, columns, values } = picture.over(at, corners, velocity)?;
-        Ok(BuiltField::of(Sampled::new(low, cell, columns, values).map_err(|error| at.refused(&error))?))
+        Ok(Arc::new(Sampled::new(low, cell, columns, values).map_err(|error| at.refused(&error))?))
     }
 }

@@ -1,10 +1,10 @@
 //! Fields through anchors.
 
-use super::{BuildField, BuiltField, FieldContext};
 use crate::assemble::limits::{Limit, check, check_some};
 use crate::error::Kind;
 use crate::file::Problem;
 use crate::geometry::DVec2;
+use crate::registry::{BuildField, FieldContext};
 use crate::scene::flow::{AnchorInSpace, Kernel, Sketch, SketchInSpace, StampKind};
 use glam::DVec3;
 use std::sync::Arc;
@@ -25,7 +25,7 @@ const ASIDE: f64 = 0.1234;
 const MOST_NOTES: usize = 3;
 
 impl BuildField for Sketch {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let anchors = self.all(at)?;
         let fastest = anchors.iter().map(|anchor| anchor.velocity.length()).fold(0.0, f64::max);
         let numbers = (&self.kernel, self.smoothing, self.fade, self.max_speed);
@@ -51,12 +51,13 @@ impl BuildField for Sketch {
         }
         let field = at.sampled(&made, corners, Some(cell))?;
         note_traps(at, &field, fastest);
-        Ok(BuiltField { field: Arc::new(field), anchors, cover: None })
+        at.scene.add_anchors(&anchors);
+        Ok(Arc::new(field))
     }
 }
 
 impl BuildField for SketchInSpace {
-    fn make(&self, at: &FieldContext) -> Result<BuiltField, Problem> {
+    fn make(&self, at: &FieldContext) -> Result<Arc<dyn Field>, Problem> {
         let one = |(i, anchor): (usize, &AnchorInSpace)| {
             let at = at.key("anchors").index(i);
             let velocity = DVec3::from_array(anchor.velocity.0);
@@ -68,7 +69,7 @@ impl BuildField for SketchInSpace {
         let sketch = sketch((&self.kernel, self.smoothing, self.fade, self.max_speed), fastest);
         let made = AnchorsInSpace::new(&anchors, sketch).map_err(|error| at.refused(&error))?;
         at.note_anchors(made.notes());
-        Ok(BuiltField::of(made))
+        Ok(Arc::new(made))
     }
 }
 
@@ -99,7 +100,7 @@ fn note_traps(at: &FieldContext, field: &Sampled, fastest: f64) {
     };
     let traps: Vec<_> = points.iter().filter(|point| point.kind.traps() && matters(point.place)).collect();
     for trap in traps.iter().take(MOST_NOTES) {
-        let place = trap.place + at.origin;
+        let place = trap.place + at.scene.origin();
         let kind = if trap.kind == Critical::Sink { "leads to" } else { "goes round and round" };
         at.note(format_args!("it {kind} ({:.1}, {:.1}): agents that follow it do not get out", place.x, place.y));
     }
@@ -161,16 +162,16 @@ impl Sketch {
 }
 
 /// Default width of the cells of grids, metres.
-const CELL: f64 = 0.5;
+pub(super) const CELL: f64 = 0.5;
 /// Maximum number of cells of grids without a given width.
-const CELLS: f64 = 4e6;
+pub(super) const CELLS: f64 = 4e6;
 /// Maximum of cells times anchors without a given width: takes a second or two, if the anchors need double precision.
 const TERMS: f64 = 4e7;
 /// Maximum of cells times anchors with a given width.
 const MOST_TERMS: f64 = 4e9;
 
 /// Returns the width of cells, at least `CELL`, at which a box has at most `most` cells.
-fn width([low, high]: [DVec2; 2], most: f64) -> f64 {
+pub(super) fn width([low, high]: [DVec2; 2], most: f64) -> f64 {
     let size = (high - low).max(DVec2::splat(CELL));
     CELL.max((size.element_product() / most).sqrt())
 }
@@ -196,20 +197,5 @@ impl FieldContext<'_> {
                 note => format!("{note:?}"),
             });
         }
-    }
-
-    /// Samples a field on a grid over a box, with the given or a sufficient resolution.
-    pub(super) fn sampled(
-        &self,
-        field: &dyn Field,
-        [low, high]: [DVec2; 2],
-        cell: Option<f64>,
-    ) -> Result<Sampled, Problem> {
-        if let Some(cell) = cell {
-            check(&self.path.key("cell"), cell, Limit::Positive)?;
-        }
-        let size = (high - low).max(DVec2::splat(CELL));
-        let cell = cell.unwrap_or_else(|| width([low, high], CELLS));
-        Sampled::of(field, low, low + size, cell, 0.0).map_err(|error| self.refused(&error))
     }
 }

@@ -9,12 +9,13 @@ use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
 use crate::registry::{Flow, Names, Steer};
 use crate::scene::SceneNames;
+use crate::scene::flow::Map;
 use crate::scene::steer::{GroupFilter, Member, ObstacleNames, Position, Target};
 use glam::Vec3;
 use std::ops::Range;
 use std::sync::Arc;
 use throng::GroupId;
-use throng::field::Field;
+use throng::field::{FactorMap, Field};
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Surface};
 use throng::steer::{self, Barriers, BoxedBehaviour};
@@ -73,7 +74,11 @@ impl Names for BehaviourContext<'_> {
     }
 
     fn field(&self, flow: &Flow, at: &Path) -> Result<Arc<dyn Field>, Problem> {
-        Ok(self.flows.make(flow, at.clone(), self.group)?.field)
+        self.flows.of_group(self.group).field(flow, at)
+    }
+
+    fn map(&self, map: &Map, at: &Path) -> Result<Arc<dyn FactorMap>, Problem> {
+        self.flows.of_group(self.group).map(map, at)
     }
 
     fn behaviour(&self, steer: &Steer, at: &Path) -> Result<BoxedBehaviour, Problem> {
