@@ -23,6 +23,7 @@ pub fn row(schema: &Schema, key: &Key<'_>) -> [String; 5] {
     let default = match &key.value["default"] {
         _ if key.is_required => "required".into(),
         serde_json::Value::Null => String::new(),
+        serde_json::Value::Object(table) if table.is_empty() => String::new(),
         default => format!("`{}`", toml(default)),
     };
     let unit = key.value["unit"].as_str().unwrap_or_default();
