@@ -136,7 +136,8 @@ impl Field for Sum {
 
 /// The weighted mean of fields; directions and speeds are averaged separately.
 ///
-/// Two opposed fields do not cancel out. A field that is zero at a place has no weight there. Directions are blended successively, in the order of the parts.
+/// Two opposed fields do not cancel out. A field that is zero at a place has no weight there. Directions are blended
+/// successively, in the order of the parts.
 ///
 /// ```
 /// use glam::Vec3;

@@ -37,6 +37,11 @@ impl<'a> AgentDraw<'a> {
         }
     }
 
+    /// Returns a number of the k-th agent, if the scene gives it.
+    fn optional(&self, k: usize, purpose: Purpose, number: &Option<Number>) -> Option<f32> {
+        number.map(|number| self.number(k, purpose, &number) as f32)
+    }
+
     /// Returns the size of the k-th agent.
     pub fn size(&self, k: usize) -> Size {
         Size::of(&self.group().body, |purpose, number| self.number(k, purpose, number))
@@ -67,7 +72,7 @@ impl<'a> AgentDraw<'a> {
             return vehicle.into();
         }
         let (group, standard) = (self.group(), Holonomic::default());
-        let drawn = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let drawn = |purpose, number| self.optional(k, purpose, number);
         let max_acceleration = drawn(Purpose::Acceleration, &group.acceleration).unwrap_or(standard.max_acceleration);
         let max_turn_rate = drawn(Purpose::TurnRate, &group.turn_rate).map_or(standard.max_turn_rate, f32::to_radians);
         let tracking_error = match group.moved_by() {
@@ -86,7 +91,7 @@ impl<'a> AgentDraw<'a> {
         let group = self.group();
         let (preferred, max) = self.speeds(k);
         let standard = Agent::default();
-        let optional = |purpose, number: &Option<Number>| number.map(|number| self.number(k, purpose, &number) as f32);
+        let optional = |purpose, number| self.optional(k, purpose, number);
         let heading = optional(Purpose::Heading, &group.heading).map(f32::to_radians);
         let start_speed = optional(Purpose::StartSpeed, &group.start_speed).unwrap_or(0.0);
         let ahead = heading.map_or(Vec2::ZERO, |heading| {

@@ -173,7 +173,7 @@ impl Columns {
     }
 
     pub(crate) fn push(&mut self, agent: &Agent, origin: DVec2, slot: u32, number: u32, heading: f32, now: f64) {
-        let limits = Limits::of(agent.motor);
+        let limits = agent.motor.limits();
         self.slot.push(slot);
         self.number.push(number);
         self.position.push((agent.position.truncate() - origin).as_vec2());
@@ -241,7 +241,7 @@ impl Columns {
 
     /// Sets the motor of an agent.
     pub(crate) fn set_motor(&mut self, row: usize, motor: Motor) {
-        let limits = Limits::of(motor);
+        let limits = motor.limits();
         if limits.vehicle.is_some() && self.vehicle[row].is_none() {
             self.attitude.set(row, Attitude::heading(self.heading[row]));
         }
@@ -266,34 +266,5 @@ impl Columns {
     /// Whether `row` avoids `other`.
     pub(crate) fn avoids(&self, row: usize, other: usize) -> bool {
         self.avoids[row] & self.layers[other] != 0
-    }
-}
-
-/// The columns of a motor.
-struct Limits {
-    vehicle: Option<Vehicle>,
-    max_speed: f32,
-    max_acceleration: f32,
-    max_turn_rate: f32,
-    tracking_error: f32,
-}
-
-impl Limits {
-    fn of(motor: Motor) -> Self {
-        match motor {
-            Motor::Holonomic(Holonomic { max_speed, max_acceleration, max_turn_rate }) => {
-                Self { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error: 0.0 }
-            }
-            Motor::TwoWheels(TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error }) => {
-                Self { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error }
-            }
-            Motor::Vehicle(vehicle) => Self {
-                vehicle: Some(vehicle),
-                max_speed: vehicle.max_speed,
-                max_acceleration: f32::INFINITY,
-                max_turn_rate: vehicle.max_turn_rate.radians(),
-                tracking_error: 0.0,
-            },
-        }
     }
 }

@@ -18,6 +18,8 @@ pub(super) struct Flocks {
     pub birds: Birds,
     /// Forces of the birds of a flock, in the order of the lattice; zero for other agents.
     pub forces: Vec<Vec3>,
+    /// The vehicle of all agents of each group that searches for all neighbours; `None` if they differ or have none.
+    vehicles: Vec<Option<Vehicle>>,
     scratch: Vec<FlockingScratch>,
     /// Rows of the pairs to be measured, each pair once.
     close_pairs: Vec<(u32, u32)>,
@@ -49,14 +51,19 @@ impl Flocks {
             return;
         }
         self.note_birds(state, seen.lattice);
-        let Self { birds, forces, scratch, close_pairs } = self;
+        let Self { birds, forces, vehicles, scratch, close_pairs } = self;
+        let groups = || state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
+        let looks_at_all = |group: &Group, in_use: bool| in_use && group.neighbours == Group::ALL_NEIGHBOURS;
+        vehicles.clear();
+        vehicles.extend(groups().map(|(index, (group, &in_use))| {
+            looks_at_all(group, in_use).then(|| state.vehicle_of_all(index)).flatten()
+        }));
         forces.resize(state.agents.len(), Vec3::ZERO);
         let flocking = Behaving::new(state, seen, index, (birds, &[]));
         parallel::ranges_with(&mut forces[..], scratch, |scratch, places, forces| {
-            for index in (0..state.local_groups.len()).filter(|&index| state.groups_with_agents[index]) {
-                if state.local_groups[index].neighbours == Group::ALL_NEIGHBOURS {
-                    flocking.flock_of_group(index, places.clone(), scratch, forces, (seen.close, seconds, now));
-                }
+            for (index, _) in groups().filter(|(_, (group, in_use))| looks_at_all(group, **in_use)) {
+                let of = (index, vehicles[index].as_ref());
+                flocking.flock_of_group(of, places.clone(), scratch, forces, (seen.close, seconds, now));
             }
         });
         let order = seen.lattice.order();
@@ -97,7 +104,7 @@ impl Behaving<'_> {
     /// Computes the forces of the birds of flocks, for the agents of a group in a range of the lattice's order.
     fn flock_of_group(
         &self,
-        index: usize,
+        (index, vehicle): (usize, Option<&Vehicle>),
         places: Range<usize>,
         FlockingScratch { runs, close_pairs, neighbours }: &mut FlockingScratch,
         forces: &mut [Vec3],
@@ -113,8 +120,7 @@ impl Behaving<'_> {
             steering.unwrap_or_default().force
         };
         let level = self.state.instructions.level().filter(|_| self.state.agents.all_avoid());
-        let vehicle = self.state.vehicle_of_all(index);
-        if let (Some(level), Some(steering), Some(vehicle)) = (level, steering, &vehicle) {
+        if let (Some(level), Some(steering), Some(vehicle)) = (level, steering, vehicle) {
             let mut batch = FlockBatch {
                 level,
                 vehicle,

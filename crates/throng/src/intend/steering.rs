@@ -142,6 +142,16 @@ impl Plans<'_> {
         ground[at].extend(vertical_velocity.all.get(at).copied().unwrap_or(0.0))
     }
 
+    /// Sets the planned motion of a vehicle with this steering, from its present motion.
+    pub fn plan(&mut self, row: usize, steering: Steering, (vehicle, before): (&Vehicle, Motion), seconds: f32) {
+        let mut motion = before;
+        vehicle.step(&mut motion, steering, seconds);
+        let at = row - self.first;
+        set(&mut self.preferred, at, (motion.position - before.position) / seconds);
+        (self.velocity[at], self.attitude[at]) = (motion.velocity, motion.into());
+        self.faces[at] = steering.facing.is_some();
+    }
+
     /// Makes the planned velocity of a row the preferred velocity.
     fn prefer_planned(&mut self, row: usize) {
         let at = row - self.first;
@@ -279,28 +289,32 @@ impl<'a> Behaving<'a> {
     ) {
         let Frame { around, sources, seconds, now } = frame;
         let behaviour = group.guidance.behaviour.as_ref().filter(|_| self.state.agents.commanded[row].is_none());
-        let (vehicle, motion) = (self.state.steered_vehicle(row, seconds), self.state.motion(row));
         let own = behaviour.map(|behaviour| self.steering(group, behaviour, row, (seconds, now), plans, neighbours));
-        let aim = own.map_or(plans.preferred(row), |own| {
+        let (vehicle, motion) = (self.state.steered_vehicle(row, seconds), self.state.motion(row));
+        let leads_to = |velocity: Vec3| vehicle.force_towards(&motion, velocity, seconds).into();
+        let aim = |own: Steering| {
             let aim = vehicle.velocity_of(&motion, own.force, seconds).clamp_length_max(vehicle.max_speed);
             if aim.is_finite() { aim } else { motion.velocity }
-        });
-        let governed = if own.is_some() { sources.governed(around, row, aim, now) } else { aim };
-        if self.state.has_vehicle(row) {
-            let leads_there = || vehicle.force_towards(&motion, governed, seconds).into();
-            let steering = match own {
-                Some(own) if governed == aim => own,
-                Some(Steering { facing, .. }) => Steering { facing, ..leads_there() },
-                None => leads_there(),
-            };
-            self.plan(row, steering, seconds, plans);
-            if own.is_none() {
-                // the exact velocity, where a displacement is rounded to the resolution of positions: it decays to rest
-                plans.prefer_planned(row);
+        };
+        let governed = |aim: Vec3| sources.governed(around, row, aim, now);
+        if !self.state.has_vehicle(row) {
+            let velocity = own.map_or(plans.preferred(row), |own| governed(aim(own)));
+            plans.aim(row, velocity.with_z(0.0), own.and_then(|own| own.facing));
+            return;
+        }
+        let steering = match own {
+            None => leads_to(plans.preferred(row)),
+            Some(own) if group.guidance.field.is_none() => own,
+            Some(own) => {
+                let aim = aim(own);
+                let governed = governed(aim);
+                if governed == aim { own } else { Steering { facing: own.facing, ..leads_to(governed) } }
             }
-        } else {
-            let facing = own.and_then(|own| own.facing);
-            plans.aim(row, governed.with_z(0.0), facing);
+        };
+        plans.plan(row, steering, (&vehicle, motion), seconds);
+        if own.is_none() {
+            // the exact velocity, where a displacement is rounded to the resolution of positions: it decays to rest
+            plans.prefer_planned(row);
         }
     }
 
@@ -320,17 +334,6 @@ impl<'a> Behaving<'a> {
         let view = self.view(row, seconds, now, neighbours);
         let memory = plans.memory(row, behaviour.words());
         behaviour.steer(&view, memory, &mut TraceRecorder::default()).unwrap_or_default()
-    }
-
-    /// Sets the planned motion of a vehicle with this steering.
-    pub(super) fn plan(&self, row: usize, steering: Steering, seconds: f32, plans: &mut Plans<'_>) {
-        let before = self.state.motion(row);
-        let mut motion = before;
-        self.state.steered_vehicle(row, seconds).step(&mut motion, steering, seconds);
-        let at = row - plans.first;
-        set(&mut plans.preferred, at, (motion.position - before.position) / seconds);
-        (plans.velocity[at], plans.attitude[at]) = (motion.velocity, motion.into());
-        plans.faces[at] = steering.facing.is_some();
     }
 
     /// Returns the steering of an agent in the sub-step that ends at `now`, and the recorded reasons.
@@ -396,7 +399,7 @@ impl State {
     }
 
     /// Whether a vehicle moves an agent.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn has_vehicle(&self, row: usize) -> bool {
         self.agents.vehicle[row].is_some() && self.agents.script[row].is_none()
     }

@@ -97,7 +97,7 @@ impl BatchAgents for RowsToSteer<'_, '_> {
         let steering = steer(&view, plans.memory(row, of.behaviour.words())).unwrap_or_default();
         if steering.facing.is_some() {
             self.faced |= 1 << index;
-            behaving.plan(row, steering, of.frame.seconds, plans);
+            plans.plan(row, steering, (&view.vehicle, view.motion), of.frame.seconds);
         } else {
             set3(self.forces, index, steering.force);
         }

@@ -91,13 +91,28 @@ impl From<Vehicle> for Motor {
 }
 
 impl Motor {
+    /// Returns the limits in the form in which the world stores them.
+    pub(crate) fn limits(&self) -> MotorLimits {
+        match *self {
+            Self::Holonomic(Holonomic { max_speed, max_acceleration, max_turn_rate }) => {
+                MotorLimits { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error: 0.0 }
+            }
+            Self::TwoWheels(TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error }) => {
+                MotorLimits { vehicle: None, max_speed, max_acceleration, max_turn_rate, tracking_error }
+            }
+            Self::Vehicle(vehicle) => MotorLimits {
+                vehicle: Some(vehicle),
+                max_speed: vehicle.max_speed,
+                max_acceleration: f32::INFINITY,
+                max_turn_rate: vehicle.max_turn_rate.radians(),
+                tracking_error: 0.0,
+            },
+        }
+    }
+
     /// Returns the maximum speed, m/s.
     pub fn max_speed(&self) -> f32 {
-        match self {
-            Self::Holonomic(Holonomic { max_speed, .. })
-            | Self::TwoWheels(TwoWheels { max_speed, .. })
-            | Self::Vehicle(Vehicle { max_speed, .. }) => *max_speed,
-        }
+        self.limits().max_speed
     }
 
     /// Sets the maximum speed, m/s.
@@ -112,13 +127,10 @@ impl Motor {
     /// Returns the vehicle that behaviours steer in a step of `seconds` (> 0): the motor itself, or a vehicle with its
     /// limits. A motor without a limit of acceleration can reverse its velocity in the step.
     pub fn vehicle(&self, seconds: f32) -> Vehicle {
-        let (max_speed, max_acceleration, max_turn_rate) = match *self {
-            Self::Vehicle(vehicle) => return vehicle,
-            Self::Holonomic(Holonomic { max_speed, max_acceleration, max_turn_rate })
-            | Self::TwoWheels(TwoWheels { max_speed, max_acceleration, max_turn_rate, .. }) => {
-                (max_speed, max_acceleration, max_turn_rate)
-            }
-        };
+        let MotorLimits { vehicle, max_speed, max_acceleration, max_turn_rate, .. } = self.limits();
+        if let Some(vehicle) = vehicle {
+            return vehicle;
+        }
         let max_force = max_acceleration.min(2.0 * max_speed / seconds);
         Vehicle { max_speed, max_force, max_turn_rate: Angle::from_radians(max_turn_rate), ..Vehicle::default() }
     }
@@ -128,20 +140,27 @@ impl Motor {
     /// # Errors
     /// [`Error::Limit`] names the parameter that is out of range.
     pub fn check(&self) -> Result<(), Error> {
-        let (max_speed, max_acceleration, max_turn_rate) = match *self {
-            Self::Holonomic(Holonomic { max_speed, max_acceleration, max_turn_rate }) => {
-                (max_speed, max_acceleration, max_turn_rate)
-            }
-            Self::TwoWheels(TwoWheels { max_speed, max_acceleration, max_turn_rate, tracking_error: error }) => {
+        match *self {
+            Self::Holonomic(_) => {}
+            Self::TwoWheels(TwoWheels { max_turn_rate, tracking_error: error, .. }) => {
                 Error::unless(error > 0.0 && error <= 10.0, "tracking error", error, "more than 0 and at most 10 m")?;
                 let limit = "finite where there is a tracking error";
                 Error::unless(max_turn_rate.is_finite(), "max turn rate", max_turn_rate, limit)?;
-                (max_speed, max_acceleration, max_turn_rate)
             }
             Self::Vehicle(vehicle) => return vehicle.check(),
-        };
+        }
+        let MotorLimits { max_speed, max_acceleration, max_turn_rate, .. } = self.limits();
         Error::unless((0.0..=1e3).contains(&max_speed), "max speed", max_speed, "from 0 to 1000 m/s")?;
         Error::unless(max_acceleration > 0.0, "max acceleration", max_acceleration, "greater than 0")?;
         Error::unless(max_turn_rate > 0.0, "max turn rate", max_turn_rate, "greater than 0")
     }
+}
+
+/// The limits of a motor, of any kind. A vehicle limits its acceleration itself.
+pub(crate) struct MotorLimits {
+    pub vehicle: Option<Vehicle>,
+    pub max_speed: f32,
+    pub max_acceleration: f32,
+    pub max_turn_rate: f32,
+    pub tracking_error: f32,
 }

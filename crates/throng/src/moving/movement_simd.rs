@@ -1,5 +1,6 @@
-//! Motion with SIMD, one agent in each element: agents on the ground without behaviours or vehicles. The bits are the same as those of
-//! the [scalar path](super::movement), which turns agents with a limit on turning and bodies that are not discs.
+//! Motion with SIMD, one agent in each element: agents on the ground without behaviours or vehicles. The bits are the
+//! same as those of the [scalar path](super::movement), which turns agents with a limit on turning and bodies that are
+//! not discs.
 
 use super::movement::{Move, turn_walker};
 use crate::agent::{Column, Columns, SEEN, Status};
@@ -28,8 +29,8 @@ struct Moving<'a> {
 }
 
 impl State {
-    /// Returns the SIMD level for motion if all agents can use it: they stay on the ground without behaviours or vehicles, and the guard
-    /// has chosen the headings of bodies that are not discs.
+    /// Returns the SIMD level for motion if all agents can use it: they stay on the ground without behaviours or
+    /// vehicles, and the guard has chosen the headings of bodies that are not discs.
     pub(crate) fn lanes_to_move(&self) -> Option<Level> {
         let plain = !self.in_space_now() && !self.any_plans() && !self.any_looks_about();
         let headed = self.agents.core.uniform() == Some(Vec2::ZERO) || self.is_guarded();

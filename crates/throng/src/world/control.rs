@@ -77,9 +77,9 @@ impl World {
         Ok(())
     }
 
-    /// Gives an agent a preferred velocity, m/s, in place of the one from its goal, field or behaviour. `None` returns the
-    /// control to the engine. The local model and the guard keep the agent safe as before, and its motor limits the motion: a
-    /// vehicle steers towards the velocity.
+    /// Gives an agent a preferred velocity, m/s, in place of the one from its goal, field or behaviour. `None` returns
+    /// the control to the engine. The local model and the guard keep the agent safe as before, and its motor limits the
+    /// motion: a vehicle steers towards the velocity.
     ///
     /// ```
     /// use glam::Vec3;

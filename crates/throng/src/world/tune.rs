@@ -77,9 +77,9 @@ impl World {
     }
 
     /// Changes the properties of agents, including agents that are scheduled to enter. `into` gets the number of each
-    /// agent and its present properties, and changes its body, motor, preferred speed, priority, share of the field, or layers. Other
-    /// changes are ignored: an agent stays where it is, in its group, on its path. Bodies that come to overlap part as
-    /// in an [overlapping start](crate::guard).
+    /// agent and its present properties, and changes its body, motor, preferred speed, priority, share of the field, or
+    /// layers. Other changes are ignored: an agent stays where it is, in its group, on its path. Bodies that come to
+    /// overlap part as in an [overlapping start](crate::guard).
     ///
     /// ```
     /// use throng::{Agent, Settings, World};

@@ -74,8 +74,8 @@ pub struct Forces {
     pub up: f32,
 }
 
-/// A vehicle: the motor of a point mass with a direction. What is not given is as for a pedestrian of mass 1, for which forces equal
-/// accelerations.
+/// A vehicle: the motor of a point mass with a direction. What is not given is as for a pedestrian of mass 1, for which
+/// forces equal accelerations.
 ///
 /// ```
 /// use glam::Vec3;
