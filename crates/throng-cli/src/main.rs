@@ -21,7 +21,6 @@ mod measure;
 mod models;
 mod options;
 mod out;
-mod page;
 mod progress;
 mod recorded;
 mod replay;

@@ -4,7 +4,8 @@
 //! folder of PNG files, or any other video that an installed ffmpeg writes. A [`Sheet`] shows several recordings side
 //! by side, and a [`Contact`] sheet shows a still of each of many recordings. [`Painter`] paints single moments into
 //! memory, in the look that [`Style`] describes. [`Figure`] draws why one agent chooses its velocity. [`sink`] holds
-//! the kinds of output for pictures of any origin. [`record`] writes all files of a run while it proceeds.
+//! the kinds of output for pictures of any origin. [`record`] writes all files of a run while it proceeds. [`page`] has the parts of web
+//! pages, with a player of recordings.
 
 mod annotate;
 mod camera;
@@ -20,6 +21,7 @@ mod image;
 mod insect;
 mod legend;
 mod look;
+pub mod page;
 mod painter;
 mod picture;
 mod place;

@@ -3,7 +3,7 @@
 use super::results::{ValidateResults, Validated, ValidationRow};
 use super::table::{HEADS, rows, verdict};
 use crate::failure::Failure;
-use crate::page::{Dots, Height, Plot, document, escape, swatch};
+use throng_draw::page::{Dots, Height, Plot, document, escape, swatch};
 use std::fmt::Write;
 use std::time::Duration;
 use throng_record::validate::points;

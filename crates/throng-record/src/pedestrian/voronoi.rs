@@ -22,6 +22,23 @@ pub struct Ground {
     pub cut_off: Option<f64>,
 }
 
+/// Greatest extent of cells where the walkable ground is unknown, metres.
+const CUT_OFF: f64 = 1.0;
+
+impl Ground {
+    /// Returns the ground of these walkable areas. Without areas, cells extend at most 1 m unless `cut_off` says
+    /// otherwise.
+    ///
+    /// ```
+    /// use throng_record::pedestrian::Ground;
+    /// assert_eq!(Ground::new(vec![], None).cut_off, Some(1.0));
+    /// assert_eq!(Ground::new(vec![], Some(2.0)).cut_off, Some(2.0));
+    /// ```
+    pub fn new(walkable: Vec<Walkable>, cut_off: Option<f64>) -> Self {
+        Self { cut_off: cut_off.or(walkable.is_empty().then_some(CUT_OFF)), walkable }
+    }
+}
+
 /// Corners of the cut-off polygon, as in PedPy.
 pub const CORNERS: u32 = 12;
 

@@ -1,6 +1,7 @@
 //! Stage 3, avoidance: local models choose velocities, and the limits of the bodies apply.
 
 use super::batch::AvoidanceShared;
+use super::crowd::CrowdScratch;
 use super::{
     AvoidanceInput, AvoidanceNeighbour, LocalModel, NearDisc, NearEdge, Outline, SimdInput, Workspace, margin,
 };
@@ -69,6 +70,7 @@ pub(crate) struct Avoid {
     chosen: Velocities,
     /// Chosen velocities in the order of the grid.
     by_place: Velocities,
+    crowd: CrowdScratch,
 }
 
 /// What the chosen velocity of an agent depends on.
@@ -101,7 +103,7 @@ impl Avoid {
         if !limited {
             self.shared.find(state, preferred, seconds);
         }
-        let Self { scratch, shared, relaxed, chosen, by_place } = self;
+        let Self { scratch, shared, relaxed, chosen, by_place, crowd } = self;
         let around = Surroundings { state, near: seen.near, shown };
         let avoiding = Avoiding { state, grid: seen.grid, around, preferred, shared, relaxed };
         if limited {
@@ -118,6 +120,7 @@ impl Avoid {
         parallel::ranges(chosen.rows(), |rows, chosen| {
             sleep.each(rows, chosen, |rows, chosen| by_place.copy(&seen.near.places()[rows], chosen));
         });
+        avoiding.choose_together(crowd, chosen);
         &self.chosen
     }
 
@@ -189,13 +192,19 @@ impl Avoiding<'_> {
     }
 
     /// Removes the vertical velocity of an agent that is on the ground and does not prefer to rise.
-    fn stays_down(&self, row: usize, chosen: Vec3) -> Vec3 {
+    pub(super) fn stays_down(&self, row: usize, chosen: Vec3) -> Vec3 {
         let stays = self.state.agents.altitude[row] == 0.0 && self.preferred.vertical_velocity(row) <= 0.0;
         if stays { chosen.with_z(0.0) } else { chosen }
     }
 
     /// Returns the input of the local model of an agent.
     pub fn view<'a>(&self, row: usize, seconds: f32, sight: &'a mut Visibility) -> AvoidanceInput<'a> {
+        self.see(row, seconds, sight);
+        self.view_of(row, seconds, sight)
+    }
+
+    /// Finds the walls and neighbours that an agent takes into account.
+    pub(super) fn see(&self, row: usize, seconds: f32, sight: &mut Visibility) {
         let agents = &self.state.agents;
         self.state.see_walls(row, sight);
         let margin = margin(seconds);
@@ -209,7 +218,6 @@ impl Avoiding<'_> {
         if !agents.is_disc(row) {
             see_with_core(&agents.core_of(row), &mut sight.edges, &mut sight.discs);
         }
-        self.view_of(row, seconds, sight)
     }
 
     /// Returns the input of the local model of an agent, with these walls and neighbours.
@@ -313,7 +321,7 @@ impl State {
     }
 
     /// Limits a chosen velocity to what the body can do.
-    fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
+    pub(super) fn limited_velocity(&self, row: usize, chosen: Vec3, seconds: f32) -> Vec3 {
         let agents = &self.agents;
         let limits = Limits {
             speed: agents.max_speed[row],

@@ -224,13 +224,16 @@ impl Avoiding<'_> {
                 let same =
                     if shared.alike { all } else { rows_where(rows, |row| self.model_of(row) == model) & waiting };
                 waiting &= !same;
-                left |= if model.is_some() {
+                let of_first = state.model(first as usize);
+                left |= if model.is_none() {
+                    same
+                } else if of_first.together().is_some() {
+                    0
+                } else {
                     let mut batch =
                         AvoidanceBatch { avoiding: self, start, rows, left: same, scratch, chosen: chosen.0 };
-                    state.model(first as usize).velocities(&mut batch);
+                    of_first.velocities(&mut batch);
                     batch.left
-                } else {
-                    same
                 };
             }
             for lane in ones(left) {
@@ -241,7 +244,7 @@ impl Avoiding<'_> {
     }
 
     /// Returns the first group with the model of an agent; `None` if the agent needs no model.
-    fn model_of(&self, row: u32) -> Option<u32> {
+    pub(super) fn model_of(&self, row: u32) -> Option<u32> {
         let row = row as usize;
         self.state.needs_model(row).then(|| self.shared.models[self.state.agents.group[row].index()])
     }

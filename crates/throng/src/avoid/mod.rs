@@ -12,6 +12,7 @@ mod batch_simd;
 mod clearpath;
 mod closest_outside;
 mod collision_free_speed;
+mod crowd;
 mod descent;
 mod explain;
 mod forbidden;
@@ -47,6 +48,7 @@ pub use batch::AvoidanceBatch;
 pub use clearpath::ClearPath;
 pub use closest_outside::closest_outside;
 pub use collision_free_speed::CollisionFreeSpeed;
+pub use crowd::{Crowd, CrowdModel};
 pub use explain::{AvoidanceReason, Cause};
 use forbidden::BoundaryPiece;
 pub use forbidden::Forbidden;
@@ -267,6 +269,12 @@ pub trait LocalModel: Any + std::fmt::Debug + Send + Sync {
     /// [`velocity_in_space`](Self::velocity_in_space), which is the same.
     fn velocities(&self, batch: &mut AvoidanceBatch<'_>) {
         let _ = batch;
+    }
+
+    /// Returns the model as one that chooses for all of its agents together, if it does. The other ways of choosing are
+    /// then not used in a step.
+    fn together(&self) -> Option<&dyn CrowdModel> {
+        None
     }
 
     /// Whether another model gives the same velocities for the same input. A batch may then hold agents of both.

@@ -1,6 +1,6 @@
 //! The plots of figures over time on the page.
 
-use crate::page::{Height, Plot, TIME};
+use throng_draw::page::{Height, Plot, TIME};
 use std::borrow::Cow;
 use throng_record::series::{Series, SeriesPoint};
 

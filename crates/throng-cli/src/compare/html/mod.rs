@@ -9,7 +9,7 @@ use super::race::{ComparePlan, ModelRun};
 use super::table::{ComparisonRow, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
-use crate::page::{Player, Scenery, document, escape, fill, swatch};
+use throng_draw::page::{Player, Scenery, document, escape, fill, swatch};
 use throng_draw::{Style, WorldBox, palette, points_to_go};
 use throng_record::series::Series;
 use throng_record::{Frame, moment};

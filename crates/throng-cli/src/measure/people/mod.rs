@@ -11,16 +11,13 @@ use super::args::MeasureArgs;
 use crate::failure::Failure;
 use crate::files::is;
 use crate::out::note;
-use crate::page::Player;
+use throng_draw::page::Player;
 use std::path::Path;
 use throng_record::pedestrian::{self, Figures, Ground, Question};
 use throng_record::{Sample, Table, Trajectories};
 
 pub use json::{json, object};
 pub use plots::KEY;
-
-/// How far Voronoi cells reach without known ground, metres.
-const CUT_OFF: f64 = 1.0;
 
 /// The people of a recording and their figures.
 pub struct People {
@@ -70,8 +67,7 @@ pub fn of(
         }
         None => tracks.setting.walkable.clone(),
     };
-    let cut_off = asked.cut_off.or(walkable.is_empty().then_some(CUT_OFF));
-    let ground = Ground { walkable, cut_off };
+    let ground = Ground::new(walkable, asked.cut_off);
     let question = Question { interval: asked.interval, areas: asked.area.clone(), lines: asked.line.clone(), ground };
     let people = pedestrian::People::of(tracks, &counts);
     let page = args.output.iter().any(|path| is(path, "html") || is(path, "htm"));

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::page::{Player, Scenery};
+use throng_draw::page::{Player, Scenery};
 use crate::tracks::limit;
 use glam::DVec2;
 use std::collections::BTreeMap;

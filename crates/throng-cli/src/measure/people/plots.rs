@@ -3,7 +3,7 @@
 use super::People;
 use super::moments::numbered;
 use crate::measure::page::escape_lines;
-use crate::page::{Height, Player, Plot, TIME, escape, swatch};
+use throng_draw::page::{Height, Player, Plot, TIME, escape, swatch};
 use throng_record::pedestrian::{Inside, Instant, count};
 
 /// The maximum number of points of a line over time.

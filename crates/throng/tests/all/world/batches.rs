@@ -1,12 +1,14 @@
 //! Models and behaviours from outside that decide for several agents together: the same bits as one agent at a time.
 
 use crate::world::common::{Draw, journey_to, with_settings};
-use crate::world::determinism::bits;
+use crate::world::determinism::{bits, with_threads};
 use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use throng::avoid::{AvoidanceBatch, AvoidanceInput, LocalModel, NoAvoidance, Orca, Orca3d, Workspace};
+use throng::avoid::{
+    AvoidanceBatch, AvoidanceInput, Crowd, CrowdModel, LocalModel, NoAvoidance, Orca, Orca3d, Workspace,
+};
 use throng::motion::{Locomotion, Steering, Vehicle};
 use throng::perceive::SimdLevel;
 use throng::steer::{
@@ -81,8 +83,64 @@ fn crowd(model: Arc<dyn LocalModel>, others: Arc<dyn LocalModel>, seed: u64, cou
     world
 }
 
+/// Chooses as ORCA does, for all agents together.
+#[derive(Debug, Default)]
+struct OrcaTogether {
+    orca: Orca,
+    /// The number of times that it chose.
+    calls: AtomicUsize,
+}
+
+impl CrowdModel for OrcaTogether {
+    fn choose(&self, crowd: &mut Crowd<'_>) {
+        self.calls.fetch_add(1, Ordering::Relaxed);
+        let mut workspace = Workspace::default();
+        for k in 0..crowd.len() {
+            assert!(k == 0 || crowd.number(k - 1) < crowd.number(k));
+            let input = crowd.input(k);
+            assert_eq!(crowd.neighbour_numbers(k).len(), input.neighbours.len());
+            let velocity = self.orca.velocity_in_space(&input, &mut workspace);
+            crowd.set(k, velocity);
+        }
+    }
+}
+
+impl LocalModel for OrcaTogether {
+    fn velocity(&self, _: &AvoidanceInput<'_>, _: &mut Workspace) -> Vec2 {
+        panic!("it chooses for all agents together");
+    }
+
+    fn together(&self) -> Option<&dyn CrowdModel> {
+        Some(self)
+    }
+
+    fn wall_range(&self, radius: f32, max_speed: f32) -> f32 {
+        self.orca.wall_range(radius, max_speed)
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(30))]
+
+    #[test]
+    fn a_model_that_chooses_for_all_agents_together_gets_what_one_agent_gets(
+        seed: u64, count in 1usize..150, (long, mixed, same) in any::<(bool, bool, bool)>(), threads in 1usize..4,
+    ) {
+        let together = || Arc::new(OrcaTogether::default());
+        let ours = together();
+        let others = |ours: &Arc<OrcaTogether>| -> Arc<dyn LocalModel> {
+            if same { ours.clone() } else if mixed { together() } else { Arc::new(Orca::default()) }
+        };
+        let run = |model: Arc<dyn LocalModel>, others| {
+            let mut world = crowd(model, others, seed, count, long);
+            with_threads(threads, || (0..15).for_each(|_| world.step()));
+            bits(&world)
+        };
+        prop_assert_eq!(run(ours.clone(), others(&ours)), run(Arc::new(Orca::default()), Arc::new(Orca::default())));
+        // small crowds may have no agent with the model
+        let calls = ours.calls.load(Ordering::Relaxed);
+        prop_assert!(calls == 15 || calls == 0 && count < 20, "{calls} calls in 15 sub-steps");
+    }
 
     #[test]
     fn a_model_that_chooses_with_simd_chooses_the_same(

@@ -5,13 +5,13 @@
 //! the data exceeds the limit of the page, every other frame is dropped, repeatedly. Of very many agents only every
 //! n-th agent is kept.
 
+use crate::WorldBox;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use glam::DVec2;
 use serde_json::{Value, json};
 use std::f32::consts::TAU;
 use throng::Status;
-use throng_draw::WorldBox;
 use throng_record::{Body, Frame};
 
 /// The maximum number of words on a page: 12 MB of text.

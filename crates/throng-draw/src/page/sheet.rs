@@ -2,8 +2,8 @@
 
 use super::Plot;
 use super::plot::{CORNER, ROOM, SIZE};
+use crate::{Anchor, Color, Error, Figure, Primitive, Stroke, Theme, palette};
 use glam::Vec2;
-use throng_draw::{Anchor, Color, Error, Figure, Primitive, Stroke, Theme, palette};
 
 /// The margin around the picture and between plots, and the height above each plot for its title.
 const MARGIN: f32 = 24.0;

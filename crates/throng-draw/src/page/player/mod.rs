@@ -4,10 +4,10 @@ mod place;
 mod tracks;
 
 use super::fill;
+use crate::{WorldBox, columns};
 use glam::DVec2;
 use place::place;
 use serde_json::json;
-use throng_draw::{WorldBox, columns};
 use throng_record::{Frame, Setting};
 use tracks::PlayerTracks;
 

@@ -1,0 +1,216 @@
+//! Runs: recorded frames, and what can be made from them.
+
+use crate::arrow;
+use crate::error::FileError;
+use crate::world::World;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+use std::path::{Path, PathBuf};
+use throng_draw::page::{Player, Scenery, document, escape};
+use throng_draw::record::{Files, Plan, Recorder};
+use throng_draw::{Still, Style, WorldBox, palette, points_to_go};
+use throng_record::{Choice, Format, Frame, Output, Setting, moment};
+use throng_scene::Scene as Described;
+
+/// What a world did, at a fixed rate.
+#[pyclass(frozen, module = "throng_sim._throng")]
+pub struct Recording {
+    pub setting: Setting,
+    pub frames: Vec<Frame>,
+    scene: Described,
+    bounds: [glam::DVec2; 2],
+    /// Seconds between two frames.
+    every: f64,
+}
+
+#[pymethods]
+impl Recording {
+    /// Runs a world until its scene is over, or until `until` seconds, and records it at `rate` frames a second.
+    #[staticmethod]
+    #[pyo3(signature = (world, rate=10.0, until=None))]
+    fn of(py: Python<'_>, world: &World, rate: f64, until: Option<f64>) -> PyResult<Self> {
+        let mut inner = world.lock(py)?;
+        let step = inner.world.settings().step;
+        if !(rate > 0.0 && rate.is_finite()) {
+            return Err(PyValueError::new_err(format!("the rate is {rate}, but must be more than 0 frames a second")));
+        }
+        let every = (1.0 / rate / step).round().max(1.0);
+        let setting = moment::setting(&inner.world, &inner.built, &inner.scene.title);
+        let capture = |world: &throng::World| {
+            let mut frame = Frame::default();
+            moment::capture(world, &mut frame);
+            frame
+        };
+        let mut frames = vec![capture(&inner.world)];
+        let first = inner.world.steps();
+        let ends = |inner: &crate::world::Inner| match until {
+            Some(until) => inner.world.time() + 0.5 * step >= until,
+            None => inner.scene.time.over(&inner.world),
+        };
+        inner.go(py, u64::MAX, ends, |inner| {
+            if (inner.world.steps() - first).is_multiple_of(every as u64) {
+                frames.push(capture(&inner.world));
+            }
+        })?;
+        if frames.last().is_none_or(|last| last.time < inner.world.time()) {
+            frames.push(capture(&inner.world));
+        }
+        let bounds = inner.built.bounds;
+        Ok(Self { setting, frames, scene: inner.scene.clone(), bounds, every: every * step })
+    }
+
+    fn __len__(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Seconds from one frame to the next.
+    #[getter]
+    fn every(&self) -> f64 {
+        self.every
+    }
+
+    /// The times of the frames, seconds.
+    fn times(&self) -> Vec<f64> {
+        self.frames.iter().map(|frame| frame.time).collect()
+    }
+
+    /// The names of the groups.
+    #[getter]
+    fn group_names(&self) -> Vec<String> {
+        (0..self.setting.groups.len() as u32).map(|k| self.setting.group_name(k).into_owned()).collect()
+    }
+
+    /// Lower left and upper right corner of the scene, metres.
+    #[getter]
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        self.bounds.map(|corner| corner.to_array())
+    }
+
+    /// Corners of the walkable areas and of their holes, metres.
+    fn walkable(&self) -> Vec<Vec<Vec<[f64; 2]>>> {
+        let ring = |corners: &[glam::DVec2]| corners.iter().map(|corner| corner.to_array()).collect::<Vec<_>>();
+        let area = |area: &throng::Walkable| {
+            std::iter::once(ring(&area.outer)).chain(area.holes.iter().map(|hole| ring(hole))).collect()
+        };
+        self.setting.walkable.iter().map(area).collect()
+    }
+
+    /// The trajectories in the Arrow C stream interface.
+    #[pyo3(signature = (requested_schema=None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // the interface allows to ignore the request; the consumer then casts
+        let _ = requested_schema;
+        arrow::stream(py, &self.frames, &self.setting)
+    }
+
+    /// Returns a web page that plays the recording, without a network.
+    fn player(&self) -> PyResult<String> {
+        let Some(first) = self.frames.first() else { return Ok(String::new()) };
+        let style = Style::said(&self.scene);
+        let [min, max] = self.bounds;
+        let all = WorldBox::of(&self.setting, first).unwrap_or(WorldBox { min, max });
+        let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
+        let numbers = self.frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number as usize + 1);
+        let scenery = Scenery {
+            view: style.view.unwrap_or(all),
+            all,
+            colors: (0..self.setting.groups.len()).map(color).collect(),
+            trails: style.trails,
+            points: points_to_go(&self.setting, first).collect(),
+            marked: vec![],
+            counted: vec![],
+            agents: first.total,
+            gone: "arrived",
+            start: first.time,
+            setting: self.setting.clone(),
+        };
+        let mut player = Player::new(scenery, 1, numbers.max().unwrap_or(0), self.every);
+        for frame in &self.frames {
+            let moments = ((frame.time - first.time) / self.every).round();
+            player.push(moments as u64, [(0, frame)]);
+        }
+        if let Some(last) = self.frames.last() {
+            player.end(0, last);
+        }
+        let title = escape(&self.setting.title);
+        Ok(document(&title, &player.section(std::slice::from_ref(&title), ""), &player.script()))
+    }
+
+    /// Writes files of the kinds that `throng run` writes.
+    #[pyo3(signature = (paths, rate=25.0, speed_up=1.0, size=None, moment=None))]
+    fn save(
+        &self,
+        py: Python<'_>,
+        paths: Vec<PathBuf>,
+        rate: f64,
+        speed_up: f64,
+        size: Option<(u32, u32)>,
+        moment: Option<f64>,
+    ) -> PyResult<()> {
+        for (name, number) in [("rate", rate), ("speed_up", speed_up)] {
+            if !(number > 0.0 && number.is_finite()) {
+                return Err(PyValueError::new_err(format!("{name} is {number}, but must be more than 0")));
+            }
+        }
+        py.detach(|| self.write(&paths, (rate, speed_up), size, moment))
+    }
+}
+
+impl Recording {
+    fn write(
+        &self,
+        paths: &[PathBuf],
+        (rate, speed_up): (f64, f64),
+        size: Option<(u32, u32)>,
+        moment: Option<f64>,
+    ) -> PyResult<()> {
+        let said = Style::said(&self.scene);
+        let (width, height) = size.unwrap_or((said.width, said.height));
+        let style = Style { width, height, ..said };
+        let choice = Choice::default();
+        let still = Still::Time(moment.unwrap_or_else(|| self.scene.moment().min(self.end())));
+        let plan = Plan {
+            setting: &self.setting,
+            sheet: None,
+            style: &style,
+            rate,
+            speed_up,
+            still,
+            from: 0.0,
+            choice: &choice,
+            stop: || false,
+        };
+        let failed = |path: &Path, error: &dyn std::fmt::Display| {
+            FileError::new_err(format!("cannot write {}: {error}", path.display()))
+        };
+        paths.iter().for_each(Output::remove_leftovers);
+        let kinds = paths.iter().filter(|path| !path.is_dir()).filter_map(Format::of);
+        choice.check(&self.setting, kinds).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let begin = |path: &PathBuf| Recorder::create(path, &plan).map_err(|error| failed(path, &error));
+        let begun = paths.iter().map(begin).collect::<PyResult<_>>()?;
+        let mut files = Files::new(begun, plan.pace(), &choice);
+        let all = || paths.first().map_or(Path::new(""), PathBuf::as_path);
+        for frame in &self.frames {
+            let pushed = files.push(frame.time, self.every, |to| to.clone_from(frame));
+            pushed.map_err(|error| failed(all(), &error))?;
+        }
+        let Some(last) = self.frames.last() else { return Ok(()) };
+        files.finish(last.time, |to| to.clone_from(last)).map_err(|error| failed(all(), &error))
+    }
+
+    /// The time of the last frame.
+    fn end(&self) -> f64 {
+        self.frames.last().map_or(0.0, |frame| frame.time)
+    }
+}
+
+/// Returns the first colours of the project, for groups and lines.
+#[pyfunction(name = "palette")]
+pub fn colors(count: usize) -> Vec<String> {
+    (0..count).map(|k| palette(k).hex()).collect()
+}

@@ -1,0 +1,48 @@
+//! The threads on which steps run.
+
+use pyo3::PyResult;
+use pyo3::exceptions::PyRuntimeError;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// Threads that belong to a process. After a fork the child starts its own: it has none of its parent's.
+pub struct Threads {
+    count: usize,
+    process: u32,
+    pool: Option<ThreadPool>,
+}
+
+impl Threads {
+    /// Prepares this number of threads; 0 stands for the number of cores. They start when they are first used.
+    pub fn new(count: usize) -> Self {
+        Self { count, process: 0, pool: None }
+    }
+
+    /// Returns the number of threads that was asked for.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Calls `work` on the threads.
+    ///
+    /// # Errors
+    /// The threads cannot be started.
+    pub fn run<T: Send>(&mut self, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+        let process = std::process::id();
+        if self.process != process {
+            // the threads of the parent do not exist here: to end them would wait for ever
+            std::mem::forget(self.pool.take());
+            self.process = process;
+        }
+        if self.pool.is_none() {
+            let built = ThreadPoolBuilder::new().num_threads(self.count).build();
+            let count = self.count;
+            self.pool = Some(built.map_err(|error| {
+                PyRuntimeError::new_err(format!("cannot start {count} threads: {error}; give fewer threads"))
+            })?);
+        }
+        match &self.pool {
+            Some(pool) => Ok(pool.install(work)),
+            None => unreachable!("the threads were started above"),
+        }
+    }
+}
