@@ -191,3 +191,34 @@ def test_what_is_not_a_model() -> None:
         tg.model()(3)
     with pytest.raises(ValueError, match="sees is -1"):
         tg.model(sees=-1)(lambda view: view.preferred)
+
+
+def test_a_behaviour_is_asked_before_each_step() -> None:
+    asked = []
+
+    def away(world: tg.World) -> np.ndarray:
+        asked.append(world.time)
+        return 1.2 * world.positions / np.linalg.norm(world.positions, axis=1, keepdims=True)
+
+    world = ring().build(behavior=away)
+    world.step(100)
+    assert asked == pytest.approx(np.arange(100) * world.dt)
+    radius = np.linalg.norm(world.positions, axis=1)
+    assert radius == pytest.approx(np.full(20, 8 + 1.2 * world.time), abs=0.2)
+    # the same in a run, in a clone, and by hand
+    run = ring().run(behavior=away, until=world.time, record=1000)
+    assert run.hash == world.hash() and len(run) == 101
+    twin, hand = world.clone(), world.clone()
+    hand.behavior = None
+    world.run(until=world.time + 1)
+    twin.step(25)
+    for _ in range(25):
+        hand.preferred[:] = away(hand)
+        hand.step()
+    assert world.hash() == twin.hash() == hand.hash()
+    with pytest.raises(ValueError, match=r"the behaviour `bad` returned an array of shape \(3,\); return one of shape \(20, 2\)"):
+
+        def bad(world: tg.World) -> list[float]:
+            return [1, 2, 3]
+
+        ring().build(behavior=bad).step()

@@ -44,7 +44,13 @@ class Run:
     @classmethod
     def of(cls, world: World, *, record: float = 10.0, until: float | None = None) -> Run:
         """Runs a world until its scene is over, or until `until` seconds; records `record` frames a second."""
-        return cls(_throng.Recording.of(world._world, record, until), world)
+        recording = _throng.Recording(world._world, record)
+        if world.behavior is None:
+            recording.go_on(world._world, until)
+        while world.behavior is not None and not world._world.is_at_end(until):
+            world._obey()
+            recording.go_on(world._world, until, 1)
+        return cls(recording, world)
 
     @property
     def times(self) -> npt.NDArray[np.float64]:
@@ -102,7 +108,7 @@ class Run:
 
     def _repr_html_(self) -> str:
         (left, bottom), (right, top) = self.bounds
-        height = round(min(max(170 + 760 * (top - bottom) / max(right - left, 1e-9), 320), 900))
+        height = round(min(max(290 + 760 * (top - bottom) / max(right - left, 1e-9), 440), 1000))
         page = html.escape(self.html(), quote=True)
         return f'<iframe srcdoc="{page}" style="width: 100%; height: {height}px; border: 0"></iframe>'
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -206,10 +206,25 @@ class Scene:
         """Returns the scene with another seed."""
         return self._of(self._scene.with_seed(seed), self.notes)
 
-    def build(self, *, seed: int | None = None, threads: int = 1, model: str | Model | None = None) -> World:
+    def build(
+        self,
+        *,
+        seed: int | None = None,
+        threads: int = 1,
+        model: str | Model | None = None,
+        behavior: Callable[[World], Any] | None = None,
+    ) -> World:
         """Builds the world. It gets the same bits for any number of `threads`; 0: one for each core.
 
-        `model` replaces the local models of all groups: a name, or a function made with `throng_sim.model`.
+        `model` replaces the local models of all groups: a name, or a function made with `throng_sim.model`. `behavior`
+        is a behaviour in Python, see `World.behavior`.
+
+        >>> def upwards(world):
+        ...     return [(0, 1)] * len(world)
+        >>> world = Scene("circle").build(behavior=upwards)
+        >>> world.step(50)
+        >>> bool(world.velocities[:, 1].mean() > 1)
+        True
         """
         from ._world import World
 
@@ -220,6 +235,7 @@ class Scene:
         world = World._of(scene._scene.build(threads), scene)
         if python is not None:
             world.set_model(python)
+        world.behavior = behavior
         return world
 
     def run(
@@ -228,13 +244,14 @@ class Scene:
         seed: int | None = None,
         threads: int = 1,
         model: str | Model | None = None,
+        behavior: Callable[[World], Any] | None = None,
         record: float = 10.0,
         until: float | None = None,
     ) -> Run:
         """Runs the scene to its end, or until `until` seconds, and records `record` frames a second."""
         from ._run import Run
 
-        return Run.of(self.build(seed=seed, threads=threads, model=model), record=record, until=until)
+        return Run.of(self.build(seed=seed, threads=threads, model=model, behavior=behavior), record=record, until=until)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the scene file."""

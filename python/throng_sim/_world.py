@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -70,6 +70,9 @@ class World:
 
     _world: Any
     _scene: Scene
+    behavior: Callable[[World], npt.ArrayLike] | None
+    """A behaviour in Python for all agents: before each step it gets the world and returns the velocities that the agents
+    prefer, m/s, (n, 2); NaN: the agent decides itself. None: all agents decide themselves."""
 
     def __init__(self) -> None:
         raise TypeError("a world is made by `Scene.build()`")
@@ -77,7 +80,7 @@ class World:
     @classmethod
     def _of(cls, world: Any, scene: Scene) -> World:
         made = cls.__new__(cls)
-        made._world, made._scene = world, scene
+        made._world, made._scene, made.behavior = world, scene, None
         return made
 
     @property
@@ -189,7 +192,7 @@ class World:
     @property
     def finished(self) -> bool:
         """Whether the scene is over."""
-        return self._world.finished
+        return self._world.is_at_end()
 
     @property
     def threads(self) -> int:
@@ -208,7 +211,7 @@ class World:
 
     @property
     def events(self) -> list[Event]:
-        """What happened in the last call of `step` or `run`."""
+        """What happened in the last call of `step` or `run`; with a `behavior`, in the last step."""
         return [Event(*row) for row in self._world.event_rows()]
 
     def __len__(self) -> int:
@@ -221,12 +224,32 @@ class World:
         """Makes `n` steps. Other Python threads run meanwhile. Ctrl-C ends it after a whole step."""
         if n < 0:
             raise ValueError(f"n is {n}, but must be at least 0 steps")
-        self._world.step(n)
+        if self.behavior is None:
+            self._world.step(n)
+            return
+        for _ in range(n):
+            self._obey()
+            self._world.step(1)
 
     def run(self, until: float | None = None) -> Summary:
         """Makes steps until the scene is over, or until `until` seconds. Returns the summary."""
-        self._world.advance(until)
+        if self.behavior is None:
+            self._world.advance(until)
+        while self.behavior is not None and not self._world.is_at_end(until):
+            self.step()
         return self.summary
+
+    def _obey(self) -> None:
+        """Sets the preferred velocities of the behaviour."""
+        assert self.behavior is not None
+        wanted = np.asarray(self.behavior(self), dtype=np.float64)
+        if wanted.shape != (len(self), 2):
+            name = getattr(self.behavior, "__name__", "of this world")
+            raise ValueError(
+                f"the behaviour `{name}` returned an array of shape {wanted.shape}; return one of shape ({len(self)}, 2),"
+                " a velocity in m/s for each agent"
+            )
+        self.preferred[:] = wanted
 
     def add(
         self,
@@ -300,7 +323,9 @@ class World:
 
     def clone(self) -> World:
         """Returns an equal world, which goes its own way."""
-        return self._of(self._world.clone(), self._scene)
+        twin = self._of(self._world.clone(), self._scene)
+        twin.behavior = self.behavior
+        return twin
 
     __copy__ = clone
 

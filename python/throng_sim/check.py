@@ -166,7 +166,7 @@ def linear_program(mine: Function) -> Verdict:
             }
         ),
     ]
-    while len(cases) < 400:
+    while len(cases) < 200:
         count = int(rng.integers(1, 7))
         angle = rng.uniform(0, 2 * np.pi, count)
         normals = np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -955,8 +955,13 @@ def _mistake_hint(
 ) -> str:
     """Returns the hint of the mistake with whose answers nearly all of these agree, wrong and right ones."""
     best, most = "", 0
+    some = wrong[:: max(1, len(wrong) // 20)]
     for mistake in mistakes:
-        answers = [_call(mistake.answer, case) for case in cases]
+        # most mistakes differ at once
+        answers = {k: _call(mistake.answer, cases[k]) for k in some}
+        if sum(answer is None or same(returned[k], answer) for k, answer in answers.items()) < 0.8 * len(some):
+            continue
+        answers = {k: _call(mistake.answer, case) for k, case in enumerate(cases)}
         # without an answer, the mistake says nothing about the input
         known = {k for k in range(len(cases)) if answers[k] is not None}
         agrees = {k for k in known if same(returned[k], answers[k])}

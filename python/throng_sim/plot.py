@@ -49,6 +49,7 @@ def world(of: World, ax: Any = None, *, ids: bool = False) -> Any:
             width, width, np.zeros(len(of)), units="xy", offsets=of.positions, offset_transform=ax.transData, facecolors=colors
         )
     )
+    _walls(of, ax)
     tips = of.positions + of.radii[:, None] * np.stack([np.cos(of.headings), np.sin(of.headings)], axis=1)
     ax.add_collection(LineCollection(np.stack([of.positions, tips], axis=1), colors="#222222", linewidths=0.8))
     if ids:
@@ -65,7 +66,14 @@ def _ground(run: Run, ax: Any) -> None:
 
     for area in run._recording.walkable():
         rings = [Path(np.array([*ring, ring[0]]), closed=True) for ring in area]
-        ax.add_patch(PathPatch(Path.make_compound_path(*rings), facecolor="#f4f4f2", edgecolor="#888888", zorder=0))
+        ax.add_patch(PathPatch(Path.make_compound_path(*rings), facecolor="#f4f4f2", edgecolor="none", zorder=0))
+    _walls(run.world, ax)
+
+
+def _walls(of: World, ax: Any) -> None:
+    from matplotlib.collections import LineCollection
+
+    ax.add_collection(LineCollection(list(of.walls().reshape(-1, 2, 2)), colors="#777777", linewidths=1.0, zorder=1))
 
 
 def trajectories(run: Run, ax: Any = None, *, since: float = 0.0, until: float = np.inf) -> Any:

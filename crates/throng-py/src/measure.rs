@@ -75,7 +75,7 @@ impl Recording {
         };
         let within = |time: f64| time >= since - 1e-9 && time <= until + 1e-9;
         let mut rows: Vec<(u32, f64, DVec2, f32)> = vec![];
-        for frame in self.frames.iter().filter(|frame| within(frame.time)) {
+        for frame in self.frames().iter().filter(|frame| within(frame.time)) {
             let bodies = frame.bodies.iter().filter(|body| chosen.is_none_or(|chosen| body.group == chosen));
             rows.extend(bodies.map(|body| (body.number, frame.time, body.position, body.radius)));
         }

@@ -2,11 +2,12 @@
 
 use crate::arrow;
 use crate::error::FileError;
-use crate::world::World;
+use crate::world::{Inner, World};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use throng_draw::page::{Player, Scenery, document, escape};
 use throng_draw::record::{Files, Plan, Recorder};
 use throng_draw::{Still, Style, WorldBox, palette, points_to_go};
@@ -17,51 +18,66 @@ use throng_scene::Scene as Described;
 #[pyclass(frozen, module = "throng_sim._throng")]
 pub struct Recording {
     pub setting: Setting,
-    pub frames: Vec<Frame>,
+    frames: Mutex<Vec<Frame>>,
     scene: Described,
     bounds: [glam::DVec2; 2],
     /// Seconds between two frames.
     every: f64,
+    /// Steps of the world at the first frame, and steps between two frames.
+    first: u64,
+    steps: u64,
+}
+
+fn capture(world: &throng::World) -> Frame {
+    let mut frame = Frame::default();
+    moment::capture(world, &mut frame);
+    frame
 }
 
 #[pymethods]
 impl Recording {
-    /// Runs a world until its scene is over, or until `until` seconds, and records it at `rate` frames a second.
-    #[staticmethod]
-    #[pyo3(signature = (world, rate=10.0, until=None))]
-    fn of(py: Python<'_>, world: &World, rate: f64, until: Option<f64>) -> PyResult<Self> {
-        let mut inner = world.lock(py)?;
-        let step = inner.world.settings().step;
+    /// Begins a recording of a world at `rate` frames a second, with its present state.
+    #[new]
+    #[pyo3(signature = (world, rate=10.0))]
+    fn new(py: Python<'_>, world: &World, rate: f64) -> PyResult<Self> {
         if !(rate > 0.0 && rate.is_finite()) {
             return Err(PyValueError::new_err(format!("the rate is {rate}, but must be more than 0 frames a second")));
         }
+        let inner = world.lock(py)?;
+        let step = inner.world.settings().step;
         let every = (1.0 / rate / step).round().max(1.0);
-        let setting = moment::setting(&inner.world, &inner.built, &inner.scene.title);
-        let capture = |world: &throng::World| {
-            let mut frame = Frame::default();
-            moment::capture(world, &mut frame);
-            frame
-        };
-        let mut frames = vec![capture(&inner.world)];
-        let first = inner.world.steps();
-        let ends = |inner: &crate::world::Inner| match until {
-            Some(until) => inner.world.time() + 0.5 * step >= until,
-            None => inner.scene.time.over(&inner.world),
-        };
-        inner.go(py, u64::MAX, ends, |inner| {
-            if (inner.world.steps() - first).is_multiple_of(every as u64) {
-                frames.push(capture(&inner.world));
+        Ok(Self {
+            setting: moment::setting(&inner.world, &inner.built, &inner.scene.title),
+            frames: Mutex::new(vec![capture(&inner.world)]),
+            scene: inner.scene.clone(),
+            bounds: inner.built.bounds,
+            every: every * step,
+            first: inner.world.steps(),
+            steps: every as u64,
+        })
+    }
+
+    /// Runs the world until its scene is over, or until `until` seconds, but makes at most `most` steps. Returns whether
+    /// it is at the end.
+    #[pyo3(signature = (world, until=None, most=u64::MAX))]
+    fn go_on(&self, py: Python<'_>, world: &World, until: Option<f64>, most: u64) -> PyResult<bool> {
+        let mut inner = world.lock(py)?;
+        let ends = |inner: &Inner| inner.is_at_end(until);
+        inner.go(py, most, ends, |inner| {
+            if (inner.world.steps() - self.first).is_multiple_of(self.steps) {
+                self.frames().push(capture(&inner.world));
             }
         })?;
-        if frames.last().is_none_or(|last| last.time < inner.world.time()) {
-            frames.push(capture(&inner.world));
+        let is_over = ends(&inner);
+        if is_over && self.frames().last().is_none_or(|last| last.time < inner.world.time()) {
+            let last = capture(&inner.world);
+            self.frames().push(last);
         }
-        let bounds = inner.built.bounds;
-        Ok(Self { setting, frames, scene: inner.scene.clone(), bounds, every: every * step })
+        Ok(is_over)
     }
 
     fn __len__(&self) -> usize {
-        self.frames.len()
+        self.frames().len()
     }
 
     /// Seconds from one frame to the next.
@@ -72,7 +88,7 @@ impl Recording {
 
     /// The times of the frames, seconds.
     fn times(&self) -> Vec<f64> {
-        self.frames.iter().map(|frame| frame.time).collect()
+        self.frames().iter().map(|frame| frame.time).collect()
     }
 
     /// The names of the groups.
@@ -105,17 +121,18 @@ impl Recording {
     ) -> PyResult<Bound<'py, PyCapsule>> {
         // the interface allows to ignore the request; the consumer then casts
         let _ = requested_schema;
-        arrow::stream(py, &self.frames, &self.setting)
+        arrow::stream(py, &self.frames(), &self.setting)
     }
 
     /// Returns a web page that plays the recording, without a network.
     fn player(&self) -> PyResult<String> {
-        let Some(first) = self.frames.first() else { return Ok(String::new()) };
+        let frames = self.frames();
+        let Some(first) = frames.first() else { return Ok(String::new()) };
         let style = Style::said(&self.scene);
         let [min, max] = self.bounds;
         let all = WorldBox::of(&self.setting, first).unwrap_or(WorldBox { min, max });
         let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
-        let numbers = self.frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number as usize + 1);
+        let numbers = frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number as usize + 1);
         let scenery = Scenery {
             view: style.view.unwrap_or(all),
             all,
@@ -130,11 +147,11 @@ impl Recording {
             setting: self.setting.clone(),
         };
         let mut player = Player::new(scenery, 1, numbers.max().unwrap_or(0), self.every);
-        for frame in &self.frames {
+        for frame in frames.iter() {
             let moments = ((frame.time - first.time) / self.every).round();
             player.push(moments as u64, [(0, frame)]);
         }
-        if let Some(last) = self.frames.last() {
+        if let Some(last) = frames.last() {
             player.end(0, last);
         }
         let title = escape(&self.setting.title);
@@ -195,17 +212,23 @@ impl Recording {
         let begun = paths.iter().map(begin).collect::<PyResult<_>>()?;
         let mut files = Files::new(begun, plan.pace(), &choice);
         let all = || paths.first().map_or(Path::new(""), PathBuf::as_path);
-        for frame in &self.frames {
+        let frames = self.frames();
+        for frame in frames.iter() {
             let pushed = files.push(frame.time, self.every, |to| to.clone_from(frame));
             pushed.map_err(|error| failed(all(), &error))?;
         }
-        let Some(last) = self.frames.last() else { return Ok(()) };
+        let Some(last) = frames.last() else { return Ok(()) };
         files.finish(last.time, |to| to.clone_from(last)).map_err(|error| failed(all(), &error))
+    }
+
+    /// Returns the frames so far.
+    pub fn frames(&self) -> MutexGuard<'_, Vec<Frame>> {
+        self.frames.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The time of the last frame.
     fn end(&self) -> f64 {
-        self.frames.last().map_or(0.0, |frame| frame.time)
+        self.frames().last().map_or(0.0, |frame| frame.time)
     }
 }
 

@@ -200,6 +200,14 @@ impl Inner {
         result
     }
 
+    /// Whether the scene is over, or `until` seconds have passed.
+    pub fn is_at_end(&self, until: Option<f64>) -> bool {
+        match until {
+            Some(until) => self.world.time() + 0.5 * self.world.settings().step >= until,
+            None => self.scene.time.over(&self.world),
+        }
+    }
+
     /// Gives the world what the program wrote into arrays.
     fn obey(&mut self, py: Python<'_>) -> PyResult<()> {
         let Self { world, present, arrays, .. } = self;
@@ -416,13 +424,6 @@ impl World {
         Ok(self.lock(py)?.built.notes.clone())
     }
 
-    /// Whether the scene is over.
-    #[getter]
-    fn finished(&self, py: Python<'_>) -> PyResult<bool> {
-        let inner = self.lock(py)?;
-        Ok(inner.scene.time.over(&inner.world))
-    }
-
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
         Ok(self.lock(py)?.present.ids.len())
     }
@@ -436,15 +437,13 @@ impl World {
     /// Makes steps until the scene is over, or until `until` seconds.
     #[pyo3(signature = (until=None))]
     fn advance(&self, py: Python<'_>, until: Option<f64>) -> PyResult<()> {
-        self.lock(py)?.go(
-            py,
-            u64::MAX,
-            |inner| match until {
-                Some(until) => inner.world.time() + 0.5 * inner.world.settings().step >= until,
-                None => inner.scene.time.over(&inner.world),
-            },
-            |_| (),
-        )
+        self.lock(py)?.go(py, u64::MAX, |inner| inner.is_at_end(until), |_| ())
+    }
+
+    /// Whether `advance` would make no step.
+    #[pyo3(signature = (until=None))]
+    fn is_at_end(&self, py: Python<'_>, until: Option<f64>) -> PyResult<bool> {
+        Ok(self.lock(py)?.is_at_end(until))
     }
 
     /// What happened in the last call that made steps.
