@@ -317,7 +317,7 @@ fn figures_of_rules_have_bounds_too() {
     std::fs::write(path.join("b.toml"), "[bounds]\n\"figures.gaols\" = { at_most = 1000 }\n").unwrap();
     let message = stderr(&call(path, "compare soccer -m orca --limit 2 --bounds b.toml").code(2));
     assert!(message.contains("b.toml:2:") && message.contains("there is no measure `figures.gaols`"), "{message}");
-    let known = message.split("figures.").nth(2).unwrap().split([',', '\n']).next().unwrap();
+    let known = message.rsplit("figures.").next().unwrap().split([',', '\n']).next().unwrap();
     std::fs::write(path.join("b.toml"), format!("[bounds]\n\"figures.{known}\" = {{ at_least = -1 }}\n")).unwrap();
     call(path, "compare soccer -m orca --limit 2 --bounds b.toml -q").success();
 }

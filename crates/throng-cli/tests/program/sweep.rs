@@ -302,7 +302,7 @@ fn mistakes_of_plans_appear_before_anything_runs() {
         "[\"door.toml\", \"crossign\"]",
         &["plan.toml:1:24:", "there is no scene `crossign`", "did you mean `crossing`?"],
     );
-    refuses("\"door.toml\"", "\"dor.toml\"", &["plan.toml:1:10: there is no file dor.toml", "did you mean door.toml?"]);
+    refuses("\"door.toml\"", "\"dor.toml\"", &["plan.toml:1:10: there is no file dor.toml", "door.toml?"]);
     refuses("scenes", "scene", &["plan.toml:1:1: there is no key `scene` here", "did you mean `scenes`?"]);
     refuses("\"3..5\"", "\"5..3\"", &["plan.toml:2:9:", "5 is more than 3"]);
     refuses("\"3..5\"", "[1, 1]", &["plan.toml:2:9:", "1 is given twice"]);

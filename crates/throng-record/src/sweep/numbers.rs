@@ -36,7 +36,7 @@ pub fn whole_numbers(what: &str, text: &str) -> Result<Vec<u64>, String> {
 }
 
 /// Returns a number that a list holds twice.
-pub(super) fn twice(numbers: &[u64]) -> Option<u64> {
+fn twice(numbers: &[u64]) -> Option<u64> {
     let mut sorted = numbers.to_vec();
     sorted.sort_unstable();
     sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])

@@ -172,14 +172,21 @@ impl Range {
             return Err(format!("has more than {most} values"));
         }
         let whole = self.from.is_i64() && matches!(&self.step, Step::By(by) if by.is_i64());
+        let decimals = decimals(from.abs().max(self.to.abs()));
         let value = |k: usize| {
-            // twelve digits: 0.6 + 3 * 0.1 is 0.9
             let value = from + k as f64 * by;
-            let value: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+            // 0.6 + 3 * 0.1 is 0.9, and never -0
+            let value = format!("{value:.decimals$}").parse().unwrap_or(value) + 0.0;
             PlanValue(if whole { Value::from(value as i64) } else { Value::from(value) })
         };
         Ok((0..=last as usize).map(value).collect())
     }
+}
+
+/// Returns the decimals of a number of this size with twelve digits.
+fn decimals(size: f64) -> usize {
+    let exponent = format!("{size:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    usize::try_from(11 - exponent.unwrap_or(0)).unwrap_or(0)
 }
 
 fn real(number: &Number) -> f64 {
