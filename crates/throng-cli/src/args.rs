@@ -13,6 +13,7 @@ use crate::recorded::args::{self as recorded, ConvertArgs, RenderArgs};
 use crate::replay::args::{self as replay, ReplayArgs};
 use crate::sheet::args::{self as sheet, SheetArgs};
 use crate::source::SceneArgs;
+use crate::sweep::args::{self as sweep, SweepArgs};
 use crate::validate::args::{self as validate, ValidateArgs};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -32,6 +33,7 @@ Examples:
   throng run circle                  run one; writes circle.mp4
   throng run plan.toml -o a.mp4 -o a.csv
   throng compare circle -o c.html    the local models side by side
+  throng sweep width.toml            many runs, their parameters and seeds by a plan: width.parquet
   throng check plan.toml             validate a scene and report what it does
   throng show doorway                a picture of the start, doorway.png
   throng sheet                       a still of each scene of the gallery, sheet.png
@@ -44,7 +46,7 @@ Examples:
   throng explain circle --agent 3    why agent 3 chooses its velocity, circle-agent-3.svg
   throng bench                       how long steps take on this machine
 
-Exit codes: 0 done; 1 the scene did not meet its [expect]; 2 an error; 130 interrupted.";
+Exit codes: 0 done; 1 the scene did not meet its [expect], or another check failed; 2 an error; 130 interrupted.";
 
 /// The subcommands.
 #[derive(Subcommand, Debug)]
@@ -58,6 +60,12 @@ pub enum Command {
     /// seeds; docs/compare.md defines the figures.
     #[command(after_help = COMPARE_SHORT, after_long_help = COMPARE)]
     Compare(Box<CompareArgs>),
+    /// Makes many runs with many values of parameters and many seeds, and writes one table of the results
+    ///
+    /// A plan names scenes, parameters and seeds; docs/sweeps.md describes it. Every run has one thread, and several run
+    /// at a time. An interrupted sweep goes on where it was.
+    #[command(after_help = sweep::SHORT, after_long_help = sweep::LONG)]
+    Sweep(SweepArgs),
     /// Measures how long steps take, stage by stage, in reference works and scenes
     #[command(after_help = bench::SHORT, after_long_help = bench::LONG)]
     Bench(Box<BenchArgs>),

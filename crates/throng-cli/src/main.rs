@@ -32,6 +32,7 @@ mod sheet;
 mod show;
 mod source;
 mod swarms;
+mod sweep;
 mod threads;
 mod tracks;
 mod validate;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(args, &mut out),
         Command::Bench(args) => bench::bench(args, &mut out),
         Command::Compare(args) => compare::compare(args, &mut out),
+        Command::Sweep(args) => sweep::sweep(args, &mut out),
         Command::List(args) => list::list(args, &mut out),
         Command::Check(args) => check::check(args, &mut out),
         Command::Show(args) => show::show(args, &mut out),

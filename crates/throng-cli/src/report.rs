@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 use throng::Summary;
+use throng_record::summary_cells;
 use throng_scene::Outcome;
 
 /// The summary of a run.
@@ -141,34 +142,10 @@ impl Report {
 /// Returns the figures of a run under the names that `throng run --help` describes; `stepping` is the time of the
 /// steps.
 pub fn figures(s: &Summary, stepping: Duration) -> Map<String, Value> {
-    // The mean is undefined if no agent has arrived.
-    let of_arrived = |value: f64| if s.arrived > 0 && value > 0.0 { number(value) } else { Value::Null };
-    let figures = json!({
-        "agents": s.agents,
-        "arrived": s.arrived,
-        "removed": s.removed,
-        "resting": s.resting,
-        "queueing": s.hindered.queueing,
-        "waiting_for_room": s.hindered.waiting_for_room,
-        "blocked": s.hindered.blocked,
-        "oscillating": s.hindered.oscillating,
-        "stranded": s.stranded,
-        "stuck": s.stuck,
-        "without_progress_30s": s.without_progress_30s,
-        "time": number(s.time),
-        "time_ratio": of_arrived(s.time_ratio),
-        "path_ratio": of_arrived(s.path_ratio),
-        "least_separation": number(s.least_separation),
-        "overlaps": s.overlaps,
-        "guard_share": number(s.guard_share),
-        "pushed_share": number(s.pushed_share),
-        "backwards_share": number(s.backwards_share),
-        "heading_change_deg_per_s": number(s.heading_change_deg_per_s),
-        "course_change_deg_per_s": number(s.course_change_deg_per_s),
-        "steps": s.steps,
-        "agent_steps_per_second": number(rate(s, stepping)),
-    });
-    figures.as_object().cloned().unwrap_or_default()
+    let mut figures: Map<String, Value> =
+        summary_cells(s).iter().map(|(name, cell)| ((*name).to_owned(), cell.json())).collect();
+    figures.insert("agent_steps_per_second".into(), number(rate(s, stepping)));
+    figures
 }
 
 /// Returns the moves of one agent by one sub-step per second of computing the steps.

@@ -8,6 +8,7 @@
 
 mod background;
 mod capture;
+mod cell;
 mod choice;
 pub mod color;
 mod consistency;
@@ -24,12 +25,15 @@ mod output;
 pub mod pedestrian;
 mod resample;
 pub mod series;
+mod summary_cells;
 pub mod swarm;
+pub mod sweep;
 mod table;
 mod trajectories;
 pub mod validate;
 
 pub use background::{BackgroundWriter, Pool};
+pub use cell::Cell;
 pub use choice::{Choice, ChoiceError};
 pub use flow::Flow;
 pub use formats::{Column, Format, FormatFlaw, Reading, Writer, csv};
@@ -37,5 +41,6 @@ pub use frame::{Body, Frame, Setting, Shell};
 pub use map::map;
 pub use moments::Moments;
 pub use output::{Hand, Output, OutputError};
+pub use summary_cells::summary_cells;
 pub use table::Table;
 pub use trajectories::{Sample, Trajectories, TrajectoriesError};

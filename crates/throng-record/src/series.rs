@@ -87,6 +87,13 @@ impl Series {
         &self.points
     }
 
+    /// Returns the mean of a figure over all frames at which it is known; NaN if there are none.
+    pub fn mean(&self, figure: impl Fn(&SeriesPoint) -> f64) -> f64 {
+        let mut mean = Mean::default();
+        self.points.iter().map(figure).filter(|value| value.is_finite()).for_each(|value| mean.add(value));
+        mean.value()
+    }
+
     /// Returns the three consecutive frames with the greatest swing, summed over all walking agents. Returns `None` if
     /// no velocity swung.
     pub fn peak(&self) -> Option<&[Frame; 3]> {

@@ -1,15 +1,18 @@
 //! Checks the expectations of a scene (`[expect]`).
 
 mod gauge;
+mod walking_speed;
 
 use self::gauge::Gauge;
+pub use self::walking_speed::WalkingSpeed;
+use self::walking_speed::nanometres;
 use crate::assemble::Built;
 use crate::geometry::DVec2;
 use crate::scene::{Arrived, Expect, FlowExpect};
 use serde::Serialize;
 use std::fmt;
+use throng::World;
 use throng::space::crosses_line;
-use throng::{Status, World};
 
 /// The expectations of a scene (`[expect]`), measured step by step during a run.
 ///
@@ -32,8 +35,7 @@ pub struct Expectations {
     expect: Expect,
     /// The time at which enough agents had arrived.
     reached: Option<f64>,
-    /// The sum, in nanometres a second, and the number of the speeds of walking agents.
-    speed: (i128, u64),
+    speed: WalkingSpeed,
     /// The last position of each agent, by its number; not finite before the agent entered.
     positions: Vec<DVec2>,
     flows: Vec<LineFlow>,
@@ -92,7 +94,7 @@ impl Expectations {
             gauges: Gauge::all(expect, world, built),
             expect: expect.clone(),
             reached: None,
-            speed: (0, 0),
+            speed: WalkingSpeed::default(),
             positions: Vec::new(),
         };
         watch.arrivals(world);
@@ -106,11 +108,7 @@ impl Expectations {
         self.crossings(world);
         self.gauges.iter_mut().for_each(|gauge| gauge.step(world));
         if self.expect.mean_speed.is_some() {
-            let agents = world.relative_columns();
-            for row in (0..agents.len()).filter(|&row| agents.status[row] == Status::Walking) {
-                self.speed.0 += nanometres(agents.speed(row));
-                self.speed.1 += 1;
-            }
+            self.speed.step(world);
         }
     }
 
@@ -172,7 +170,6 @@ impl Expectations {
             let arrived = summary.arrived;
             check("arrived".into(), Figure::Count(needed), Some(Figure::Count(arrived)), arrived >= needed);
         }
-        let mean_speed = self.speed.0 as f64 * 1e-9 / self.speed.1 as f64; // NaN without walking agents: no bound holds
         let agents = world.relative_columns();
         let speeds = (0..agents.len()).map(|row| nanometres(agents.speed(row)));
         let final_speed = speeds.sum::<i128>() as f64 * 1e-9 / agents.len().max(1) as f64;
@@ -181,7 +178,7 @@ impl Expectations {
             ("least_separation", expect.least_separation, summary.least_separation, at_least),
             ("least_wall_separation", expect.least_wall_separation, summary.least_wall_separation, at_least),
             ("heading_change", expect.heading_change, summary.heading_change_deg_per_s, at_most),
-            ("mean_speed", expect.mean_speed, mean_speed, at_least),
+            ("mean_speed", expect.mean_speed, self.speed.mean(), at_least),
             ("final_speed", expect.final_speed, final_speed, at_most),
         ];
         for (name, bound, found, holds) in bounds {
@@ -230,11 +227,6 @@ impl Expectations {
 /// Converts a count; one that is too large becomes the largest `usize`.
 fn saturating(count: u64) -> usize {
     usize::try_from(count).unwrap_or(usize::MAX)
-}
-
-/// Converts a length, or a speed, to whole nanometres: their sum does not depend on the order of the rows.
-fn nanometres(length: f32) -> i128 {
-    (f64::from(length) * 1e9).round() as i128
 }
 
 /// Whether a measured value is within a bound.

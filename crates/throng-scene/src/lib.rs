@@ -51,6 +51,7 @@
 //! | check the expectations of a scene | [`Expectations`], [`Outcome`] |
 //! | the scenes that come with the project | [`gallery`] |
 //! | import a floor plan, a JuPedSim scenario or a Menge project | [`import`] |
+//! | read other TOML files with the same messages | [`TomlFile`] |
 //! | the JSON schema of scene files | [`schema()`] |
 
 mod assemble;
@@ -69,7 +70,8 @@ mod scene;
 pub use assemble::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
 pub use caught::{caught, hush};
 pub use error::{Error, Kind, abridged};
-pub use expectations::{Expectation, Expectations, Figure, Outcome};
+pub use expectations::{Expectation, Expectations, Figure, Outcome, WalkingSpeed};
+pub use file::{TomlFile, TomlStep};
 pub use import::{Imported, open};
 pub use random::{Purpose, Random};
 pub use registry::{

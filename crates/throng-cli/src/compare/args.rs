@@ -15,6 +15,7 @@ Examples:
   throng compare circle
   throng compare circle --models vo,rvo,hrvo,orca --seeds 1..5 -o circle.html
   throng compare doorway --models orca,orca:time_horizon=4 -o doorway.mp4
+  throng compare lab.toml --models rvo,orca --seeds 1..5 --bounds lab.bounds.toml --junit grades.xml
 
 `throng compare --help` describes the outputs and the keys of --json.";
 
@@ -39,12 +40,19 @@ Keys of --json (one object on standard output):
                      us_per_agent_step  microseconds of processor time per move of one agent by one sub-step
                      interrupted        whether the run was interrupted
   wall_seconds     seconds the whole comparison took
+  grades           with --bounds: { bounds: the file, passed, models: [{ model, passed, runs: [{ seed, passed,
+                   checks: [{ measure, at_least, at_most, found, passed }] }] }] }; else null
   interrupted      whether the comparison was interrupted: figures cover the time until then, without runs not begun
   files            the files written
 
-The [expect] of the scene is not checked: models are compared because they differ.
+The [expect] of the scene is not checked: models are compared because they differ. --bounds grades them: every run of
+every model must be within the bounds of a TOML file (docs/compare.md lists the measures), such as
+  [bounds]
+  arrived_share = { at_least = 1 }
+  overlap_depth = { at_most = 0.01 }
+  time = { at_least = 10, at_most = 40 }
 
-Exit codes: 0 done; 2 an error; 130 interrupted.
+Exit codes: 0 done; 1 a run is outside the bounds; 2 an error; 130 interrupted.
 
 Examples:
   throng compare circle
@@ -52,6 +60,8 @@ Examples:
   throng compare circle --seeds 1..5 -o circle.html -o circle.mp4
   throng compare doorway --models orca,orca:time_horizon=4,orca:time_horizon=1:neighbours=5
       one model with several settings
+  throng compare lab.toml --models rvo,orca --seeds 1..5 --bounds lab.bounds.toml --junit grades.xml
+      grades: a run outside the bounds fails, by the exit code and in the report of tests
   throng compare station.wkt --exit 10,0,2,4 --people 500 --models rvo,orca -o station.csv";
 
 /// The arguments of `throng compare`.
@@ -80,6 +90,14 @@ pub struct CompareArgs {
     /// When the runs end.
     #[command(flatten)]
     pub end: EndArgs,
+
+    /// Grades the runs by the bounds of a TOML file: the exit code is 1 if a run is outside
+    #[arg(long, value_name = "FILE", help_heading = "Grades")]
+    pub bounds: Option<PathBuf>,
+
+    /// Writes the grades as JUnit XML: a test suite for each model, a test for each seed and bound
+    #[arg(long, value_name = "FILE", requires = "bounds", help_heading = "Grades")]
+    pub junit: Option<PathBuf>,
 
     /// Shows every run in the table, not only medians and ranges
     #[arg(long)]

@@ -1,5 +1,6 @@
 //! The figures of all runs, and their medians and ranges over the seeds.
 
+use super::grade::Grades;
 use super::race::{ComparePlan, RunOutcome};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
@@ -106,7 +107,7 @@ impl CompareResults {
     }
 
     /// Returns the results as one JSON object. `throng compare --help` describes its keys.
-    pub fn json(&self, files: &[PathBuf], wall: Duration) -> Value {
+    pub fn json(&self, files: &[PathBuf], grades: Option<&Grades>, wall: Duration) -> Value {
         let models = self.models.iter().map(|(model, runs)| {
             let over = |pick: fn(&Spread) -> f64| {
                 let keys = runs.iter().flat_map(|run| run.figures.keys()).filter(|key| *key != "interrupted");
@@ -130,6 +131,7 @@ impl CompareResults {
             "scene": self.scene,
             "seeds": self.seeds,
             "models": models.collect::<Vec<_>>(),
+            "grades": grades.map(Grades::json),
             "wall_seconds": wall.as_secs_f64(),
             "interrupted": self.interrupted,
             "files": files.iter().map(|path| path.to_string_lossy()).collect::<Vec<_>>(),

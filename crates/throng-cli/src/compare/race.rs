@@ -1,6 +1,7 @@
 //! The runs of all models and seeds. Runs of the first seed step together where an output needs their moments; all
 //! other runs start as threads become free.
 
+use super::bounds::figure_name;
 use super::variant;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -26,6 +27,8 @@ pub struct ComparePlan {
     pub models: Vec<Model>,
     /// The seeds; at least one.
     pub seeds: Vec<u64>,
+    /// Whether the figures over time of all runs are needed, and not only those that an output shows.
+    pub all_series: bool,
 }
 
 /// The run of one model with one seed.
@@ -55,8 +58,19 @@ pub struct RunOutcome {
     pub seed: u64,
     /// The figures by name: those of `throng run --json`, and some more.
     pub figures: Map<String, Value>,
-    /// The figures over time, where an output needs them.
+    /// The figures over time, where an output or a bound needs them.
     pub series: Series,
+    /// The least separation of two bodies in any sub-step.
+    pub least_separation: f64,
+    /// The least separation of a body and a wall in any sub-step.
+    pub least_wall_separation: f64,
+}
+
+impl RunOutcome {
+    /// Returns a figure by its name; NaN if it is unknown.
+    pub fn figure(&self, name: &str) -> f64 {
+        self.figures.get(name).and_then(Value::as_f64).unwrap_or(f64::NAN)
+    }
 }
 
 impl ModelRun {
@@ -89,12 +103,20 @@ impl ModelRun {
     }
 
     fn outcome(self) -> RunOutcome {
-        let mut figures = figures(&self.world.summary(), self.stepping);
+        let summary = self.world.summary();
+        let mut figures = figures(&summary, self.stepping);
         let rate = figures["agent_steps_per_second"].as_f64();
         figures.insert("us_per_agent_step".into(), json!(rate.map(|rate| 1e6 / rate)));
-        figures.extend(self.world.figures().map(|(name, value)| (format!("figures.{name}"), number(value))));
+        figures.extend(self.world.figures().map(|(name, value)| (figure_name(name), number(value))));
         figures.insert("interrupted".into(), json!(!self.over()));
-        RunOutcome { model: self.model, seed: self.seed, figures, series: self.series }
+        RunOutcome {
+            model: self.model,
+            seed: self.seed,
+            figures,
+            series: self.series,
+            least_separation: summary.least_separation,
+            least_wall_separation: summary.least_wall_separation,
+        }
     }
 }
 
@@ -156,14 +178,24 @@ impl<'a> Race<'a> {
         let others = (models..self.done.len()).map(|_| None);
         let tasks = leaders.chain(others).enumerate().collect();
         let race = &self;
+        let show = |run: &mut ModelRun| {
+            if race.plan.all_series {
+                run.show();
+            }
+        };
         let work = |(k, run): (usize, Option<ModelRun>)| {
             let mut run = match run {
                 Some(run) => run,
                 None if interrupt::asked() => return Ok(None),
-                None => ModelRun::build(race.plan, k % models, race.plan.seeds[k / models])?,
+                None => {
+                    let mut run = ModelRun::build(race.plan, k % models, race.plan.seeds[k / models])?;
+                    show(&mut run);
+                    run
+                }
             };
             while !run.over() && !interrupt::asked() {
                 run.step();
+                show(&mut run);
                 note(&race.done[k], &run);
                 race.show();
             }

@@ -44,6 +44,7 @@ fn every_command_has_help() {
         "",
         "run",
         "compare",
+        "sweep",
         "bench",
         "list",
         "check",

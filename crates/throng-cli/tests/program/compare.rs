@@ -229,3 +229,124 @@ fn errors_appear_before_anything_runs() {
     let many: Vec<String> = (1..=10).map(|k| format!("orca:time_horizon={k}")).collect();
     refuses(&format!("-m {} -o a.mp4", many.join(",")), &["10 models", "room for 9"]);
 }
+
+const BOUNDS: &str = "[bounds]\narrived_share = { at_least = 1 }\noverlap_depth = { at_most = 0.01 }\n\"time\" = { at_least = 1, at_most = 60 }\n";
+
+/// Two agents of a group that neither avoid each other nor are kept apart.
+const THROUGH: &str = "\
+[[group]]
+name = \"left\"
+place.point = [-3.0, 0.0]
+goal.point = [3.0, 0.0]
+look_ahead = false
+guard = false
+
+[[group]]
+name = \"right\"
+place.point = [3.0, 0.1]
+goal.point = [-3.0, 0.1]
+look_ahead = false
+guard = false
+";
+
+#[test]
+fn runs_are_graded_by_bounds() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("through.toml"), THROUGH).unwrap();
+    std::fs::write(path.join("b.toml"), BOUNDS).unwrap();
+    let command = "compare through.toml -m none,orca --seeds 1..2 --bounds b.toml --junit grades.xml";
+    let text = stdout(&call(path, command).code(1));
+    assert!(text.contains("bounds of b.toml\n  none FAILED: 0 of 2 runs within the bounds\n"), "{text}");
+    assert!(text.contains("    seed 2: overlap_depth is 0.") && text.contains(", not at most 0.01\n"), "{text}");
+    assert!(
+        text.contains("  orca passed: 2 of 2 runs within the bounds\n") && text.contains("wrote grades.xml"),
+        "{text}"
+    );
+    let xml = read(path, "grades.xml");
+    let counts = balanced(&xml.replace("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", ""));
+    assert_eq!((counts["testsuite"], counts["testcase"], counts["failure"]), (2, 12, 2), "{xml}");
+    assert!(xml.contains("<testsuites name=\"through\" tests=\"12\" failures=\"2\" errors=\"0\">"), "{xml}");
+    assert!(xml.contains("<testsuite name=\"none\" tests=\"6\" failures=\"2\""), "{xml}");
+    assert!(xml.contains("classname=\"through.none\" name=\"seed 1: overlap_depth at most 0.01\"><failure message=\"overlap_depth is 0."), "{xml}");
+    let all: Value = serde_json::from_str(&stdout(&call(path, &format!("{command} --json")).code(1))).unwrap();
+    let grades = &all["grades"];
+    assert_eq!((&grades["bounds"], &grades["passed"]), (&Value::from("b.toml"), &Value::from(false)));
+    let [none, orca] = [0, 1].map(|k| &grades["models"][k]);
+    assert_eq!((&none["passed"], &orca["passed"]), (&Value::from(false), &Value::from(true)));
+    let checks = none["runs"][0]["checks"].as_array().unwrap();
+    let names: Vec<_> = checks.iter().map(|check| check["measure"].as_str().unwrap()).collect();
+    assert_eq!(names, ["arrived_share", "overlap_depth", "time"]);
+    // the oracle: the figures of the run beside it
+    let run = &all["models"][0]["runs"][0];
+    let found = |k: usize| checks[k]["found"].as_f64().unwrap();
+    assert!((found(1) - (1.0 - run["least_separation"].as_f64().unwrap())).abs() < 1e-12, "{run}");
+    assert_eq!((Some(found(0)), Some(found(2))), (run["arrived"].as_f64().map(|n| n / 2.0), run["time"].as_f64()));
+    let passes: Vec<_> = checks.iter().map(|check| check["passed"].as_bool().unwrap()).collect();
+    assert_eq!(passes, [true, false, true]);
+}
+
+#[test]
+fn runs_within_the_bounds_succeed() {
+    let folder = folder();
+    let path = folder.path();
+    let bounds = format!(
+        "{BOUNDS}mean_swing = {{ at_most = 1 }}\nmean_speed = {{ at_least = 0.5 }}\nstuck = {{ at_most = 0 }}\n"
+    );
+    std::fs::write(path.join("b.toml"), bounds).unwrap();
+    call(path, "compare headon -m orca,rvo --seeds 1..3 --bounds b.toml -q").success();
+    let all = json(path, "compare headon -m orca --seeds 1..2 --bounds b.toml -o a.csv");
+    for run in all["grades"]["models"][0]["runs"].as_array().unwrap() {
+        let checks = run["checks"].as_array().unwrap();
+        let found =
+            |name: &str| checks.iter().find(|check| check["measure"] == name).unwrap()["found"].as_f64().unwrap();
+        // every seed has figures over time
+        assert!((0.5..2.0).contains(&found("mean_speed")) && (0.0..0.2).contains(&found("mean_swing")), "{run}");
+    }
+    assert!(json(path, "compare headon -m orca --limit 1")["grades"].is_null());
+    // without a report on standard output, a failure is told on standard error
+    std::fs::write(path.join("b.toml"), "[bounds]\ntime = { at_most = 0.5 }\n").unwrap();
+    let told = stderr(&call(path, "compare headon -m orca --bounds b.toml -q --limit 1").code(1));
+    assert!(told.contains("orca FAILED: 0 of 1 runs") && told.contains("time is 1, not at most 0.5"), "{told}");
+}
+
+#[test]
+fn figures_of_rules_have_bounds_too() {
+    let folder = folder();
+    let path = folder.path();
+    std::fs::write(path.join("b.toml"), "[bounds]\n\"figures.gaols\" = { at_most = 1000 }\n").unwrap();
+    let message = stderr(&call(path, "compare soccer -m orca --limit 2 --bounds b.toml").code(2));
+    assert!(message.contains("b.toml:2:") && message.contains("there is no measure `figures.gaols`"), "{message}");
+    let known = message.rsplit("figures.").next().unwrap().split([',', '\n']).next().unwrap();
+    std::fs::write(path.join("b.toml"), format!("[bounds]\n\"figures.{known}\" = {{ at_least = -1 }}\n")).unwrap();
+    call(path, "compare soccer -m orca --limit 2 --bounds b.toml -q").success();
+}
+
+#[test]
+fn mistakes_of_bounds_appear_before_anything_runs() {
+    for (bounds, wanted) in [
+        ("", "b.toml:1:1: the key `bounds` is missing here"),
+        ("[bounds]\n", "there are no bounds"),
+        ("[bounds]\ntmie = { at_most = 1 }\n", "b.toml:2:1: there is no measure `tmie`"),
+        ("[bounds]\ntime = {}\n", "b.toml:2:8: `time` has neither at_least nor at_most"),
+        ("[bounds]\ntime = { at_least = 2, at_most = 1 }\n", "b.toml:2:8: time is at least 2 and at most 1"),
+        ("[bounds]\ntime = { at_most = inf }\n", "b.toml:2:8: a bound of `time` is not finite"),
+        ("[bounds]\ntime = { most = 1 }\n", "b.toml:2:10: there is no key `most` here"),
+        ("[bounds]\ntime = 5\n", "b.toml:2:8:"),
+        ("[bounds\n", "this is not TOML"),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("b.toml"), bounds).unwrap();
+        let command = "compare circle -m orca --bounds b.toml --junit grades.xml -o a.csv";
+        let message = stderr(&call(folder.path(), command).code(2));
+        assert!(message.contains(wanted), "{wanted:?} is not in:\n{message}");
+        assert_eq!(names(folder.path()), ["b.toml"]);
+    }
+    let folder = folder();
+    let refuses = |arguments: &str, wanted: &str| {
+        let message = stderr(&call(folder.path(), &format!("compare circle {arguments}")).code(2));
+        assert!(message.contains(wanted), "{wanted:?} is not in:\n{message}");
+    };
+    refuses("--junit grades.xml", "--bounds <FILE>");
+    refuses("--bounds no.toml", "there is no file no.toml");
+}

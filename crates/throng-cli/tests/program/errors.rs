@@ -30,7 +30,7 @@ written under the name of an output that is not complete.
 | exit code | meaning |
 |---|---|
 | 0 | done; also when the reader of standard output has gone |
-| 1 | the scene ran and did not meet its `[expect]` |
+| 1 | the scene ran and did not meet its `[expect]`; a run of `compare` is outside the bounds; a run of a sweep could not be made |
 | 2 | an error: nothing ran, or a file could not be written |
 | 130 | interrupted with Ctrl-C; the files cover the time until then |
 ";
@@ -94,6 +94,39 @@ const CASES: &[Case] = &[
         what: "Not TOML",
         files: &[("scene.toml", "[[group]]\ncount == 3\n")],
         command: "throng run scene.toml",
+        code: 2,
+    },
+    Case {
+        what: "A plan with a key that its scene does not have",
+        files: &[("plan.toml", "scenes = \"headon\"\nseeds = \"1..10\"\n\n[[vary]]\nbody.raduis = [0.2, 0.25, 0.3]\n")],
+        command: "throng sweep plan.toml",
+        code: 2,
+    },
+    Case {
+        what: "A plan with lists of different lengths",
+        files: &[(
+            "plan.toml",
+            "scenes = \"headon\"\n\n[[vary]]\nbody.radius = [0.2, 0.25, 0.3]\nspeed.preferred = { from = 1.0, to = 1.5, by = 0.1 }\n",
+        )],
+        command: "throng sweep plan.toml",
+        code: 2,
+    },
+    Case {
+        what: "A plan with a run that cannot be made",
+        files: &[("plan.toml", "scenes = \"bottleneck\"\nlimit = 1\n\n[[vary]]\ncount = [10, 10000]\n")],
+        command: "throng sweep plan.toml",
+        code: 1,
+    },
+    Case {
+        what: "A table of runs that are not finished",
+        files: &[("plan.toml", "scenes = \"headon\"\nseeds = \"1..3\"\n")],
+        command: "throng sweep plan.toml --index 1 -q; throng sweep plan.toml --collect",
+        code: 2,
+    },
+    Case {
+        what: "Bounds of a measure that does not exist",
+        files: &[("bounds.toml", "[bounds]\noverlap = { at_most = 0.01 }\n")],
+        command: "throng compare headon --models orca --bounds bounds.toml",
         code: 2,
     },
     Case {

@@ -136,6 +136,81 @@ fn a_killed_run_keeps_what_it_wrote() {
     assert!(moments.iter().enumerate().all(even), "no moment is missing");
 }
 
+/// A plan of 24 runs.
+const SWEEP: &str = "scenes = \"bottleneck\"\nseeds = \"1..12\"\nlimit = 12\n[[vary]]\nspeed.preferred = [1.0, 1.4]\n";
+
+/// Returns the names, the contents and the times of the files of finished runs, if there are any.
+fn finished(folder: &Path) -> Vec<(String, Vec<u8>, std::time::SystemTime)> {
+    let entries = std::fs::read_dir(folder.join("plan.runs")).into_iter().flatten().flatten();
+    let file = |entry: std::fs::DirEntry| {
+        let name = entry.file_name().into_string().unwrap();
+        let time = entry.metadata().ok()?.modified().unwrap();
+        name.ends_with(".json").then(|| (name, std::fs::read(entry.path()).unwrap(), time))
+    };
+    let mut files: Vec<_> = entries.filter_map(file).collect();
+    files.sort();
+    files
+}
+
+/// Asserts that a sweep that was stopped goes on with the runs that are missing, to the same table as an undisturbed one.
+fn goes_on(folder: &Path) {
+    let before = finished(folder);
+    assert!((3..24).contains(&before.len()), "{}", before.len());
+    assert!(!folder.join("plan.parquet").exists());
+    let report = call(folder, "sweep plan.toml --json").success();
+    let report: Value = serde_json::from_slice(&report.get_output().stdout).unwrap();
+    let kept = before.len() as u64;
+    assert_eq!((report["made"].as_u64(), report["kept"].as_u64()), (Some(24 - kept), Some(kept)));
+    let after = finished(folder);
+    assert!(before.iter().all(|file| after.contains(file)), "finished runs are not made again");
+    assert_eq!(names(folder), ["plan.parquet", "plan.runs", "plan.toml"]);
+    let undisturbed = self::folder();
+    std::fs::write(undisturbed.path().join("plan.toml"), SWEEP).unwrap();
+    call(undisturbed.path(), "sweep plan.toml -q").success();
+    let table = |folder: &Path| std::fs::read(folder.join("plan.parquet")).unwrap();
+    assert!(table(folder) == table(undisturbed.path()));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_sweep_goes_on() {
+    let folder = folder();
+    std::fs::write(folder.path().join("plan.toml"), SWEEP).unwrap();
+    let child = Command::new(env!("CARGO_BIN_EXE_throng"))
+        .current_dir(folder.path())
+        .args(["sweep", "plan.toml", "-q", "--threads", "2"])
+        .spawn()
+        .unwrap();
+    let begin = Instant::now();
+    while finished(folder.path()).len() < 3 {
+        assert!(begin.elapsed() < Duration::from_secs(60), "no run is finished");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    kill(child);
+    // remains of files that were being written are removed once no process can still write them
+    for entry in
+        std::fs::read_dir(folder.path()).unwrap().chain(std::fs::read_dir(folder.path().join("plan.runs")).unwrap())
+    {
+        let path = entry.unwrap().path();
+        if path.file_name().unwrap().to_str().unwrap().starts_with(".throng-") {
+            let file = std::fs::File::options().append(true).open(path).unwrap();
+            file.set_modified(std::time::SystemTime::now() - Duration::from_mins(2)).unwrap();
+        }
+    }
+    goes_on(folder.path());
+}
+
+#[test]
+fn an_interrupted_sweep_goes_on() {
+    let folder = folder();
+    std::fs::write(folder.path().join("plan.toml"), SWEEP).unwrap();
+    let output = output(folder.path(), "sweep plan.toml", || finished(folder.path()).len() >= 3);
+    let message = String::from_utf8(output.stderr).unwrap();
+    let told = "of 24 runs are finished and kept in plan.runs: the same command makes the rest";
+    assert!(message.contains("interrupted; ") && message.contains(told), "{message}");
+    goes_on(folder.path());
+}
+
 fn holds(bytes: &[u8], part: &[u8]) -> bool {
     bytes.windows(part.len()).any(|window| window == part)
 }

@@ -18,4 +18,5 @@ mod replay;
 mod run;
 mod shared;
 mod sheet;
+mod sweep;
 mod validate;

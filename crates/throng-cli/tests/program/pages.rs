@@ -2,7 +2,7 @@
 //! lists every page once.
 //!
 //! A block of ```sh is run, all blocks of a page in one folder. A block that cannot run in a test is ```sh,no_run. A
-//! block of ```toml after a line that ends with "`NAME`:" is the file NAME of the folder.
+//! block of ```toml or ```toml,no_run after a line that ends with "`NAME`:" is the file NAME of the folder.
 
 use crate::shared::{anchor, call, folder, stdout};
 use std::fmt::Write;
@@ -26,6 +26,7 @@ const SKIPPED: &[(&str, usize, &str)] = &[
     ("replay.md", 1, "recordings that are not part of the project"),
     ("start.md", 1, "cargo"),
     ("studio.md", 1, "a window"),
+    ("sweeps.md", 2, "minutes"),
     ("trajectories.md", 1, "programs of other projects"),
     ("validation.md", 1, "minutes"),
 ];
@@ -170,7 +171,7 @@ fn run(page: &Page) -> Result<(), String> {
                 skipped += 1;
                 continue;
             }
-            _ if info == "toml" && before.ends_with("`:") => {}
+            "toml" | "toml,no_run" if before.ends_with("`:") => {}
             _ if OTHER.contains(&info) => continue,
             _ => return Err(format!("{at}: the language `{info}` is not one of sh; sh,no_run; {}", OTHER.join("; "))),
         }
@@ -179,7 +180,7 @@ fn run(page: &Page) -> Result<(), String> {
             write_files(place.path());
             place
         });
-        if info == "toml" {
+        if info.starts_with("toml") {
             let name = before.trim_end_matches("`:").rsplit('`').next().unwrap();
             std::fs::write(folder.path().join(name), text).unwrap();
             continue;

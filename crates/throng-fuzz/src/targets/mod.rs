@@ -84,6 +84,7 @@ pub const TARGETS: &[Target] = &[
         )
     },
     plain("scenes", "set", "txt", "changes: a gallery scene, then a line KEY=VALUE per change", scenes::set),
+    plain("scenes", "sweep", "toml", "plans of sweeps: read, and the first run made for some steps", scenes::sweep),
     plain("plans", "wkt", "wkt", "floor plans: well-known text", |bytes| places::plan("input.wkt", bytes)),
     plain("plans", "geojson", "geojson", "floor plans: GeoJSON", |bytes| places::plan("input.geojson", bytes)),
     Target {

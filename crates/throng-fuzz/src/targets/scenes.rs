@@ -3,7 +3,8 @@
 use super::scratch;
 use std::path::Path;
 use throng_record::Frame;
-use throng_scene::{Scene, gallery};
+use throng_record::sweep::{FileFingerprints, Fingerprint, Plan, collect, run_one};
+use throng_scene::{Plugins, Scene, gallery};
 
 /// Greatest number of agents of scenes that are laid out: larger scenes may exceed the time limit.
 const LAID_OUT: u64 = 20_000;
@@ -11,6 +12,8 @@ const LAID_OUT: u64 = 20_000;
 const STEPPED: usize = 300;
 /// Number of steps of a world.
 const STEPS: usize = 5;
+/// The end of runs of sweeps, seconds.
+const LIMIT: f64 = 0.1;
 /// Greatest number of changes of a scene.
 const CHANGES: usize = 30;
 
@@ -32,6 +35,31 @@ pub(super) fn set(bytes: &[u8]) -> Result<(), String> {
         scene.set(key.trim(), value.trim()).map_err(|error| error.to_string())?;
     }
     check(&scene)
+}
+
+/// Reads a plan of a sweep, and makes some steps of its first run.
+pub(super) fn sweep(bytes: &[u8]) -> Result<(), String> {
+    let text = String::from_utf8_lossy(bytes);
+    let plan = Plan::parse("input.toml", &text, "", &Plugins::new());
+    let mut plan = plan.map_err(|error| error.to_string())?;
+    plan.limit = Some(LIMIT);
+    let run = plan.run(0).expect("a plan has at least one run");
+    assert!(plan.run(plan.len()).is_none() && plan.run(plan.len() - 1).is_some(), "the number of runs");
+    let files = FileFingerprints::default();
+    assert_eq!(Fingerprint::of(&run, &files), Fingerprint::of(&run, &files));
+    let scene = run.scene().map_err(|error| error.to_string())?;
+    let count = scene.groups.iter().map(|group| group.count.unwrap_or(0)).fold(0, u64::saturating_add);
+    if count > LAID_OUT || scene.plan().map_err(|error| error.to_string())?.agents.len() > STEPPED {
+        return Ok(());
+    }
+    let mut steps = 0;
+    let row = run_one(&run, || {
+        steps += 1;
+        steps <= STEPS
+    });
+    let table = collect(&plan, row.clone());
+    assert_eq!(table.rows(), usize::from(row.is_some()));
+    Ok(())
 }
 
 /// Opens a file of this name as a scene.

@@ -5,6 +5,7 @@
 //! from some rows before to some rows after over the time between them ([`velocities`]).
 
 mod area;
+mod cells;
 mod contact;
 mod crossing;
 mod figures;

@@ -34,6 +34,7 @@ mod run;
 mod single_file;
 
 pub use experiment::{Case, Experiment, Figure, Overall, Reference};
+pub(crate) use run::AgentPaths;
 pub use run::Run;
 
 /// All experiments, in the order of tables.

@@ -52,13 +52,13 @@ impl Run {
     }
 }
 
-/// Positions of all agents, by number.
+/// Positions of all agents at recorded times, by number.
 #[derive(Debug, Default)]
-struct AgentPaths(Vec<Walk>);
+pub(crate) struct AgentPaths(Vec<Walk>);
 
 impl AgentPaths {
     /// Adds the current positions.
-    fn push(&mut self, world: &World) {
+    pub fn push(&mut self, world: &World) {
         let agents = world.relative_columns();
         for row in 0..agents.len() {
             let (number, id) = (agents.number[row], world.id(row));
@@ -75,7 +75,7 @@ impl AgentPaths {
         }
     }
 
-    fn people(self) -> People {
+    pub fn people(self) -> People {
         People::new(self.0.into_iter().filter(|walk| !walk.times.is_empty()).collect())
     }
 }

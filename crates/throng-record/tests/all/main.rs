@@ -9,4 +9,6 @@ mod pedestrian;
 mod people;
 mod replay;
 mod shared;
+#[cfg(feature = "parquet")]
+mod sweep;
 mod validate;

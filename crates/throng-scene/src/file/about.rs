@@ -1,6 +1,6 @@
 //! Descriptions of values from the schema, as hints for errors about their type or range.
 
-use super::path::{Path, Step};
+use super::path::{Path, TomlStep};
 use serde_json::Value;
 
 /// Returns the description of the value at a path, or of the nearest enclosing value with a description: its meaning,
@@ -10,7 +10,7 @@ pub(super) fn about(path: &Path) -> Option<String> {
     let (mut schema, mut key, mut found) = (&root, "", None);
     for step in &path.steps {
         let (next, description) = child(&root, schema, step)?;
-        if let Step::Key(name) = step {
+        if let TomlStep::Key(name) = step {
             key = name;
         }
         if let Some(description) = description {
@@ -24,13 +24,13 @@ pub(super) fn about(path: &Path) -> Option<String> {
 }
 
 /// Returns the schema one step below a schema, and its description.
-fn child<'s>(root: &'s Value, schema: &'s Value, step: &Step) -> Option<(&'s Value, Option<&'s str>)> {
+fn child<'s>(root: &'s Value, schema: &'s Value, step: &TomlStep) -> Option<(&'s Value, Option<&'s str>)> {
     if let Some(name) = schema["$ref"].as_str() {
         return child(root, &root["$defs"][name.rsplit('/').next()?], step);
     }
     let next = match step {
-        Step::Key(key) => schema["properties"].get(key),
-        Step::Index(_) => schema.get("items"),
+        TomlStep::Key(key) => schema["properties"].get(key),
+        TomlStep::Index(_) => schema.get("items"),
     };
     let Some(next) = next else {
         let choices = ["anyOf", "oneOf"].into_iter().filter_map(|key| schema[key].as_array()).flatten();

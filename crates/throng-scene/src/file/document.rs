@@ -1,7 +1,7 @@
 //! A scene file as it was read: its text, the values that `--set` changed, and the position of each value.
 
 use super::about::about;
-use super::path::{Path, Problem, Step};
+use super::path::{Path, Problem, TomlStep};
 use super::serde_message;
 use super::set::{self, Override};
 use super::value::Value;
@@ -140,19 +140,19 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path, is_key: bool) -> Range<usize
     let mut table = Some(tree.get_ref());
     let mut array = None;
     for (k, step) in path.steps.iter().enumerate() {
-        if let (true, Step::Key(key), Some(items)) = (is_key && k + 1 == path.steps.len(), step, table)
+        if let (true, TomlStep::Key(key), Some(items)) = (is_key && k + 1 == path.steps.len(), step, table)
             && let Some((found, _)) = items.iter().find(|(found, _)| found.get_ref() == key)
             && !found.span().is_empty()
         {
             return found.span();
         }
         let value = match (step, table, array) {
-            (Step::Key(key), Some(items), _) => items.get(key.as_str()),
-            (Step::Index(index), _, Some(items)) => <[Spanned<DeValue>]>::get(items, *index),
+            (TomlStep::Key(key), Some(items), _) => items.get(key.as_str()),
+            (TomlStep::Index(index), _, Some(items)) => <[Spanned<DeValue>]>::get(items, *index),
             // A file may have a single source where the path has a list, and a list where the path has a table with
             // that list.
-            (Step::Index(0), Some(_), _) => continue,
-            (Step::Key(key), _, Some(_)) if key == "of" => continue,
+            (TomlStep::Index(0), Some(_), _) => continue,
+            (TomlStep::Key(key), _, Some(_)) if key == "of" => continue,
             _ => None,
         };
         let Some(value) = value else { break };
@@ -164,7 +164,7 @@ fn locate(tree: &Spanned<DeTable<'_>>, path: &Path, is_key: bool) -> Range<usize
         };
     }
     // The table of a dotted key (`place.ring = ..`) has no position in the text: its only value has.
-    while let (Some(Step::Key(_)), Some(items)) = (path.steps.last(), table) {
+    while let (Some(TomlStep::Key(_)), Some(items)) = (path.steps.last(), table) {
         let mut values = items.values();
         match (values.next(), values.next()) {
             (Some(only), None) if !(span.start..=span.end).contains(&only.span().start) => {

@@ -6,14 +6,28 @@ use std::fmt;
 /// The path to a value of a scene: `group`, `0`, `body`, `radius`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Path {
-    pub steps: Vec<Step>,
+    pub steps: Vec<TomlStep>,
 }
 
-/// One step of a path.
+/// One step of a path to a value of a TOML file.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Step {
+pub enum TomlStep {
+    /// The key of a table.
     Key(String),
+    /// The position in a list, from 0.
     Index(usize),
+}
+
+impl From<&str> for TomlStep {
+    fn from(key: &str) -> Self {
+        Self::Key(key.to_owned())
+    }
+}
+
+impl From<usize> for TomlStep {
+    fn from(index: usize) -> Self {
+        Self::Index(index)
+    }
 }
 
 impl Path {
@@ -24,21 +38,21 @@ impl Path {
     /// Returns the path extended by keys; dots separate keys.
     pub fn key(&self, keys: &str) -> Self {
         let mut path = self.clone();
-        path.steps.extend(keys.split('.').map(|key| Step::Key(key.to_owned())));
+        path.steps.extend(keys.split('.').map(|key| TomlStep::Key(key.to_owned())));
         path
     }
 
     /// Returns the path extended by one key, which may contain dots.
     pub fn name(&self, key: &str) -> Self {
         let mut path = self.clone();
-        path.steps.push(Step::Key(key.to_owned()));
+        path.steps.push(TomlStep::Key(key.to_owned()));
         path
     }
 
     /// Returns the path extended by a position in a list.
     pub fn index(&self, index: usize) -> Self {
         let mut path = self.clone();
-        path.steps.push(Step::Index(index));
+        path.steps.push(TomlStep::Index(index));
         path
     }
 
@@ -62,9 +76,9 @@ impl fmt::Display for Path {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (i, step) in self.steps.iter().enumerate() {
             match step {
-                Step::Key(key) if i == 0 => write!(f, "{key}")?,
-                Step::Key(key) => write!(f, ".{key}")?,
-                Step::Index(index) => write!(f, "[{index}]")?,
+                TomlStep::Key(key) if i == 0 => write!(f, "{key}")?,
+                TomlStep::Key(key) => write!(f, ".{key}")?,
+                TomlStep::Index(index) => write!(f, "[{index}]")?,
             }
         }
         Ok(())

@@ -21,6 +21,7 @@ mod read;
 mod table;
 mod write;
 
+pub(crate) use table::write_results;
 pub use write::ParquetWriter;
 
 use super::Format;
