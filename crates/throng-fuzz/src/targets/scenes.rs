@@ -3,7 +3,7 @@
 use super::scratch;
 use std::path::Path;
 use throng_record::Frame;
-use throng_scene::{Scene, gallery};
+use throng_scene::{Kind, Scene, gallery};
 
 /// Greatest number of agents of scenes that are laid out: larger scenes may exceed the time limit.
 const LAID_OUT: u64 = 20_000;
@@ -73,7 +73,11 @@ pub(super) fn check(scene: &Scene) -> Result<(), String> {
     if count > LAID_OUT {
         return Ok(());
     }
-    let plan = scene.plan().map_err(|error| error.to_string())?;
+    let plan = scene.plan().map_err(|error| {
+        // there are no plug-ins: it is throng that panicked
+        assert!(error.kind != Kind::Panic, "{error}");
+        error.to_string()
+    })?;
     if plan.agents.len() > STEPPED {
         return Ok(());
     }
