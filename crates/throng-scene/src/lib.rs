@@ -4,15 +4,15 @@
 //! can.
 //!
 //! ```
-//! use throng_scene::{Goal, Group, Place, Ring, Scene};
+//! use throng_scene::{Group, Opposite, Ring, Scene};
 //!
 //! let in_code = Scene {
 //!     title: "Ring of 36".into(),
 //!     groups: vec![Group {
 //!         name: "walkers".into(),
 //!         count: Some(36),
-//!         place: Place::Ring(Ring { radius: 7.0, ..Ring::default() }),
-//!         goal: Some(Goal::Opposite(Default::default())),
+//!         place: Ring { radius: 7.0, ..Ring::default() }.into(),
+//!         goal: Some(Opposite::default().into()),
 //!         ..Group::default()
 //!     }],
 //!     ..Scene::default()
@@ -45,6 +45,8 @@
 //! | try another local model | [`Model`], [`Scene::with_model`] |
 //! | make the world | [`Scene::build`] |
 //! | define what agents steer by; add your own behaviours | [`steer`], [`Behaviours`], [`SceneNames`] |
+//! | put agents where you want; add your own placements | [`Place`], [`Placement`] |
+//! | send agents where you want; add your own goals | [`Goal`], [`GoalRule`] |
 //! | register models, behaviours, rules and scenes under names | [`Plugins`] |
 //! | play a game; add your own rules | [`Scene::rules`], [`Rulebook`] |
 //! | see what would be built | [`Scene::plan`] |
@@ -75,8 +77,8 @@ pub use file::{TomlFile, TomlStep};
 pub use import::{Imported, open};
 pub use random::{Purpose, Random};
 pub use registry::{
-    Avoid, Behaviours, Catalogue, Choice, Described, Fields, Flow, GivenParameters, Model, Models, Plugins, Rulebook,
-    Steer,
+    AgentJourney, AgentStart, Avoid, Behaviours, Catalogue, Choice, Described, Fields, Flow, GivenParameters, Goal,
+    GoalRule, Goals, Model, Models, Place, Placement, Placements, Plugins, Rulebook, Steer,
 };
 pub use scene::*;
 

@@ -28,6 +28,7 @@ pub enum Purpose {
     StartSpeed = 15,
     Governed = 16,
     TimeGap = 17,
+    Goal = 18,
 }
 
 /// The random numbers of one agent for one purpose.
@@ -37,8 +38,16 @@ pub struct Random(SplitMix64);
 impl Random {
     /// Returns the random number generator of this agent for this purpose.
     pub fn new(seed: u64, group: u64, agent: u64, purpose: Purpose) -> Self {
-        let key = [group, agent, purpose as u64].into_iter().fold(mix(seed), |key, part| mix(key ^ part));
-        Self(SplitMix64(key))
+        Self::of_key(seed, &[group, agent, purpose as u64])
+    }
+
+    /// Returns the random number generator of this agent for a part of a purpose.
+    pub(crate) fn part(seed: u64, group: u64, agent: u64, purpose: Purpose, part: u64) -> Self {
+        Self::of_key(seed, &[group, agent, purpose as u64, part])
+    }
+
+    fn of_key(seed: u64, parts: &[u64]) -> Self {
+        Self(SplitMix64(parts.iter().fold(mix(seed), |key, part| mix(key ^ part))))
     }
 
     /// Returns the next 64 random bits.

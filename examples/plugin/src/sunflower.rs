@@ -1,9 +1,7 @@
 //! The scene `sunflower`. Its obstacles are computed instead of listed in a file.
 
 use throng::motion::Vehicle;
-use throng_scene::{
-    Circle, DiscPlace, GivenParameters, Group, Number, Obstacle, Place, Scene, Shape, Steer, Time, Until,
-};
+use throng_scene::{Circle, DiscPlace, GivenParameters, Group, Number, Obstacle, Scene, Shape, Steer, Time, Until};
 
 /// The golden angle between consecutive seeds of a sunflower, radians.
 const GOLDEN: f64 = 2.399_963;
@@ -24,7 +22,7 @@ pub fn scene() -> Scene {
     let people = Group {
         name: "people".into(),
         count: Some(12),
-        place: Place::Disc(DiscPlace { radius: 9.0, gap: 0.5, ..DiscPlace::default() }),
+        place: DiscPlace { radius: 9.0, gap: 0.5, ..DiscPlace::default() }.into(),
         heading: Some(Number::Uniform([0.0, 360.0])),
         guard: Some(true),
         vehicle: Some(GivenParameters::of(&Vehicle { max_speed: 1.5, ..Vehicle::default() })),

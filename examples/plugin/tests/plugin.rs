@@ -1,9 +1,10 @@
 //! Tests of the plug-in without a window.
 
-use my_plugin::{Weave, plugins};
+use glam::DVec3;
+use my_plugin::{Around, Spiral, Weave, plugins};
 use throng::parameters::Angle;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
-use throng_scene::Expectations;
+use throng_scene::{AgentStart, Expectations, GoalRule, Placement, Purpose, Random};
 
 #[test]
 fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
@@ -19,8 +20,35 @@ fn weaving_leans_to_both_sides_by_no_more_than_the_angle() {
 }
 
 #[test]
+fn a_spiral_is_as_dense_as_a_square_grid_of_its_spacing() {
+    let spiral = Spiral { center: [3.0, -2.0], spacing: 0.8 };
+    let mut random = Random::new(1, 0, 0, Purpose::Place);
+    let spots: Vec<DVec3> = (0..500).filter_map(|k| spiral.position(k, 500, &mut random)).collect();
+    let center = spiral.center().unwrap();
+    let within = |radius: f64| spots.iter().filter(|spot| spot.distance(center) < radius).count() as f64;
+    for radius in [2.0, 5.0, 9.0] {
+        let expected = std::f64::consts::PI * radius * radius / (0.8 * 0.8);
+        assert!((within(radius) - expected).abs() <= 1.0, "{radius}: {} of {expected}", within(radius));
+    }
+}
+
+#[test]
+fn the_goals_around_a_place_are_evenly_spaced() {
+    let around = Around { radius: 5.0, ..Around::default() };
+    let goal = |k: usize| {
+        let agent = AgentStart { k, n: 6, at: DVec3::ZERO, center: DVec3::new(1.0, 2.0, 0.0) };
+        around.goal(&agent, &mut Random::new(1, 0, k as u64, Purpose::Goal)).stops[0].0.middle()
+    };
+    // the sides of a hexagon are as long as its radius
+    for k in 0..6 {
+        assert!((goal(k).distance(goal((k + 1) % 6)) - 5.0).abs() < 1e-9, "{k}");
+        assert!((goal(k).distance(glam::DVec2::new(1.0, 2.0)) - 5.0).abs() < 1e-9, "{k}");
+    }
+}
+
+#[test]
 fn the_scenes_show_what_they_should() {
-    for name in ["crossroads", "skaters", "sunflower"] {
+    for name in ["crossroads", "seeds", "skaters", "sunflower"] {
         let scene = plugins().open(name).unwrap();
         let (mut world, built) = scene.build().unwrap();
         let mut watch = Expectations::new(&scene.expect, &world, &built);
@@ -41,6 +69,8 @@ fn the_page_shows_this_plug_in() {
         include_str!("../src/lib.rs"),
         include_str!("../src/brake.rs"),
         include_str!("../src/weave.rs"),
+        include_str!("../src/spiral.rs"),
+        include_str!("../src/around.rs"),
         include_str!("../Cargo.toml"),
     ] {
         // the page shows the file from its first line after the comments

@@ -6,7 +6,7 @@ use crate::map::Map;
 use glam::DVec2;
 use throng_draw::{Style, WorldBox};
 use throng_record::pedestrian::replay::{RecordedPeople, ReplayScene};
-use throng_scene::{Group, Model, Place, Scene};
+use throng_scene::{Group, Model, Scene};
 
 /// Keys of a group that the recording determines.
 const THEIR_OWN: [&str; 11] = [
@@ -31,7 +31,7 @@ const MARGIN: f64 = 1.0;
 /// A key does not exist, or a value is not valid for its key.
 pub fn scene(args: &ReplayArgs, model: &Model) -> Result<Scene, Failure> {
     let asked = &args.stage;
-    let person = Group { name: "people".into(), place: Place::Point([0.0; 2]), ..Group::default() };
+    let person = Group { name: "people".into(), ..Group::default() };
     let scene = Scene { groups: vec![person], ..Scene::default() };
     let mut scene = scene.with_model(model).map_err(|mut error| {
         error.file = Some(format!("--model {model}").into());

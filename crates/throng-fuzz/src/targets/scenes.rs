@@ -4,7 +4,7 @@ use super::scratch;
 use std::path::Path;
 use throng_record::Frame;
 use throng_record::sweep::{FileFingerprints, Fingerprint, Plan, collect, run_one};
-use throng_scene::{Plugins, Scene, gallery};
+use throng_scene::{Kind, Plugins, Scene, gallery};
 
 /// Greatest number of agents of scenes that are laid out: larger scenes may exceed the time limit.
 const LAID_OUT: u64 = 20_000;
@@ -101,7 +101,11 @@ pub(super) fn check(scene: &Scene) -> Result<(), String> {
     if count > LAID_OUT {
         return Ok(());
     }
-    let plan = scene.plan().map_err(|error| error.to_string())?;
+    let plan = scene.plan().map_err(|error| {
+        // there are no plug-ins: it is throng that panicked
+        assert!(error.kind != Kind::Panic, "{error}");
+        error.to_string()
+    })?;
     if plan.agents.len() > STEPPED {
         return Ok(());
     }

@@ -5,7 +5,8 @@ use super::limits::{Limit, MAX_COORDINATE, check};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::geometry::DVec2;
-use crate::scene::{Annulus, Lap, Scene, Walkable};
+use crate::registry::GoalContext;
+use crate::scene::{Annulus, Lap};
 use std::f64::consts::TAU;
 
 /// Corners of each wall of a ring. The inner wall deviates from its circle by a thousandth of its radius.
@@ -25,11 +26,6 @@ pub(super) fn check_annulus(path: &Path, ring: &Annulus) -> Result<(), Problem> 
     Ok(())
 }
 
-/// Checks a lap at `path`.
-pub(super) fn check_lap(path: &Path, lap: &Lap) -> Result<(), Problem> {
-    lap.ring.as_ref().map_or(Ok(()), |ring| check_annulus(&path.key("ring"), ring))
-}
-
 /// Returns the ground of an annulus.
 pub(super) fn ground(ring: &Annulus) -> throng::Walkable {
     let circle = |radius| (0..CORNERS).map(|k| point(ring, k as f64 / CORNERS as f64, radius)).collect();
@@ -37,12 +33,14 @@ pub(super) fn ground(ring: &Annulus) -> throng::Walkable {
 }
 
 /// Returns the annulus of a lap: its own, or the walkable ground.
-pub(super) fn of_lap(lap: &Lap, scene: &Scene, path: &Path) -> Result<Annulus, Problem> {
-    match (&lap.ring, &scene.walkable) {
-        (Some(ring), _) | (None, Some(Walkable::Ring(ring))) => Ok(*ring),
-        _ => Err(Problem::new(path, Kind::MissingKey, "goal.lap has no ring, and the ground is not a ring")
-            .hint("write goal.lap = { ring = { inner = 7, outer = 9 } }, or walkable.ring = { inner = 7, outer = 9 }")),
+pub(super) fn of_lap(lap: &Lap, at: &GoalContext) -> Result<Annulus, Problem> {
+    if let Some(ring) = &lap.ring {
+        check_annulus(&at.path.key("ring"), ring)?;
     }
+    lap.ring.or(at.ring).ok_or_else(|| {
+        Problem::new(&at.path, Kind::MissingKey, "goal.lap has no ring, and the ground is not a ring")
+            .hint("write goal.lap = { ring = { inner = 7, outer = 9 } }, or walkable.ring = { inner = 7, outer = 9 }")
+    })
 }
 
 /// Returns the corners of the sectors of an annulus, counter-clockwise from the direction of +x.

@@ -5,10 +5,9 @@ use super::motor::check_motor;
 use super::steer::check_steering;
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::registry::Models;
+use crate::registry::{ChosenPlacement, Models};
 use crate::scene::{
-    Body, Camera, Expect, Goal, Group, Mover, Obstacle, Place, Point, PointGoal, Rectangle, Region, Scene, Shape,
-    Sides, Stop, SubSteps, View, WrapAround,
+    Body, Camera, Expect, Group, Mover, Obstacle, Point, Rectangle, Scene, Shape, Sides, SubSteps, View, WrapAround,
 };
 
 type Checked = Result<(), Problem>;
@@ -29,11 +28,8 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
         check_obstacle(&Path::of("obstacle").index(i), obstacle)?;
     }
     for (i, group) in scene.groups.iter().enumerate() {
-        check_group(&Path::of("group").index(i), group, &scene.plugins.models).map_err(|mut problem| {
-            let name = Group::name_at(&group.name, i);
-            problem.message = format!("group `{name}`: {}", problem.message);
-            problem
-        })?;
+        check_group(&Path::of("group").index(i), group, &scene.plugins.models)
+            .map_err(|problem| in_group(i, group, problem))?;
     }
     for (i, mover) in scene.movers.iter().enumerate() {
         super::movers::check_mover(&Path::of("mover").index(i), mover).map_err(|mut problem| {
@@ -45,6 +41,20 @@ pub(super) fn check_scene(scene: &Scene) -> Checked {
     check_view(&scene.view)?;
     check_expect(&scene.expect)?;
     super::expect::check_groups(scene)
+}
+
+/// Returns a problem of a group, with the name of the group.
+pub(super) fn in_group(i: usize, group: &Group, problem: Problem) -> Problem {
+    Problem { message: format!("group `{}`: {}", Group::name_at(&group.name, i), problem.message), ..problem }
+}
+
+/// Checks that only one of the place and the altitude of a group at `path` sets the heights of its agents.
+pub(super) fn check_altitude(path: &Path, group: &Group, place: ChosenPlacement) -> Result<ChosenPlacement, Problem> {
+    if group.altitude.is_some() && place.sets_altitude {
+        let message = format!("place.{} and altitude both set the start height", group.place.name);
+        return Err(Problem::new(&path.key("altitude"), Kind::Conflict, message).hint("leave out `altitude`"));
+    }
+    Ok(place)
 }
 
 /// Checks that names of groups are unique: else `--set group.name...` would be ambiguous.
@@ -94,10 +104,6 @@ pub(super) fn check_points(path: &Path, points: &[Point]) -> Checked {
 }
 
 fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
-    check_place(&path.key("place"), &group.place)?;
-    if let Some(goal) = &group.goal {
-        check_goal(&path.key("goal"), goal, false)?;
-    }
     for (i, source) in group.source.iter().enumerate() {
         let path = path.key("source").index(i);
         check(&path.key("start"), source.start, Limit::NotNegative)?;
@@ -132,11 +138,8 @@ fn check_group(path: &Path, group: &Group, models: &Models) -> Checked {
                 .hint("the greatest speed must be at least the preferred one"));
         }
     }
-    if group.altitude.is_some() && (matches!(group.place, Place::Sphere(_)) || !matches!(group.body, Body::Radius(_))) {
-        let message = match group.place {
-            Place::Sphere(_) => "place.sphere and altitude both set the start height",
-            _ => "only discs have an altitude: other bodies reach up without end",
-        };
+    if group.altitude.is_some() && !matches!(group.body, Body::Radius(_)) {
+        let message = "only discs have an altitude: other bodies reach up without end";
         return Err(Problem::new(&path.key("altitude"), Kind::Conflict, message).hint("leave out `altitude`"));
     }
     check_motor(path, group)?;
@@ -177,147 +180,6 @@ pub(super) fn check_body(path: &Path, body: &Body) -> Checked {
         Body::Radius(radius) => check_number(&path.key("radius"), radius, limit),
         Body::Capsule(capsule) => sides(&path.key("capsule"), capsule),
         Body::Rectangle(rectangle) => sides(&path.key("rectangle"), rectangle),
-    }
-}
-
-fn check_place(path: &Path, place: &Place) -> Checked {
-    match place {
-        Place::Point(point) => check_point(&path.key("point"), point),
-        Place::Points(points) => check_points(&path.key("points"), points),
-        Place::Line(line) => {
-            check_point(&path.key("line.from"), &line.from)?;
-            check_point(&path.key("line.to"), &line.to)
-        }
-        Place::Ring(ring) => {
-            check_point(&path.key("ring.center"), &ring.center)?;
-            check(&path.key("ring.radius"), ring.radius, Limit::UpTo(super::limits::MAX_COORDINATE))?;
-            check(&path.key("ring.start"), ring.start, Limit::Finite)
-        }
-        Place::Sphere(sphere) => {
-            let path = path.key("sphere");
-            check_spot(&path.key("center"), &sphere.center)?;
-            check(&path.key("radius"), sphere.radius, Limit::UpTo(super::limits::HIGHEST))?;
-            check(&path.key("radius"), sphere.radius, Limit::UpTo(sphere.center[2])).map_err(|problem| {
-                problem.hint("all of the sphere must be above the ground: put its center higher, or make it smaller")
-            })
-        }
-        Place::Grid(grid) => {
-            check_point(&path.key("grid.center"), &grid.center)?;
-            check(&path.key("grid.columns"), grid.columns as f64, Limit::UpTo(super::MAX_AGENTS as f64))?;
-            check(&path.key("grid.rows"), grid.rows as f64, Limit::UpTo(super::MAX_AGENTS as f64))?;
-            check(&path.key("grid.spacing"), grid.spacing, Limit::UpTo(super::limits::MAX_COORDINATE))?;
-            check(&path.key("grid.rotation"), grid.rotation, Limit::Finite)
-        }
-        Place::Disc(disc) => {
-            check_point(&path.key("disc.center"), &disc.center)?;
-            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::MAX_COORDINATE))?;
-            check(&path.key("disc.gap"), disc.gap, Limit::NotNegative)
-        }
-        Place::Rectangle(r) => {
-            let plain = Rectangle { center: r.center, size: r.size, rotation: r.rotation };
-            check_rectangle(&path.key("rectangle"), &plain)?;
-            check(&path.key("rectangle.gap"), r.gap, Limit::NotNegative)
-        }
-        Place::Polygon(polygon) => {
-            check_points(&path.key("polygon.corners"), &polygon.corners)?;
-            super::ground::check_polygon(&path.key("polygon.corners"), &polygon.corners, "the place")?;
-            check(&path.key("polygon.gap"), polygon.gap, Limit::NotNegative)
-        }
-        Place::Walkable(walkable) => check(&path.key("walkable.gap"), walkable.gap, Limit::NotNegative),
-    }
-}
-
-fn check_goal(path: &Path, goal: &Goal, inner: bool) -> Checked {
-    let tolerance = |path: &Path, x: f64| check(&path.key("tolerance"), x, Limit::Positive);
-    match goal {
-        Goal::Point(PointGoal { at, tolerance: t }) => {
-            check_point(&path.key("point"), at)?;
-            tolerance(&path.key("point"), *t)
-        }
-        Goal::Air(goal) => {
-            check_spot(&path.key("air.at"), &goal.at)?;
-            tolerance(&path.key("air"), goal.tolerance)
-        }
-        Goal::Points(goal) => {
-            check_points(&path.key("points.at"), &goal.at)?;
-            tolerance(&path.key("points"), goal.tolerance)
-        }
-        Goal::Opposite(goal) => {
-            if let Some(center) = &goal.center {
-                check_point(&path.key("opposite.center"), center)?;
-            }
-            tolerance(&path.key("opposite"), goal.tolerance)
-        }
-        Goal::Shift(goal) => {
-            check_point(&path.key("shift.by"), &goal.by)?;
-            check(&path.key("shift.rise"), goal.rise, Limit::Finite)?;
-            tolerance(&path.key("shift"), goal.tolerance)
-        }
-        Goal::Area(region) => check_region(&path.key("area"), region),
-        Goal::Exit(region) => check_region(&path.key("exit"), region),
-        Goal::Journey(stops) => check_stops(&path.key("journey"), stops, inner),
-        Goal::Cycle(stops) => check_stops(&path.key("cycle"), stops, inner),
-        Goal::Lap(_) if inner => {
-            let message = "laps are without end, so that they cannot be a stop";
-            Err(Problem::new(&path.key("lap"), Kind::Conflict, message).hint("give the group goal.lap alone"))
-        }
-        Goal::Lap(lap) => super::annulus::check_lap(&path.key("lap"), lap),
-        Goal::Nearest(goals) => {
-            let path = path.key("nearest");
-            not_empty(&path, goals.len())?;
-            goals.iter().enumerate().try_for_each(|(i, goal)| check_goal(&path.index(i), goal, inner))
-        }
-        Goal::Choice(goals) => {
-            let path = path.key("choice");
-            not_empty(&path, goals.len())?;
-            for (i, choice) in goals.iter().enumerate() {
-                check(&path.index(i).key("weight"), choice.weight, Limit::Between(0.0, 1e9))?;
-                check_goal(&path.index(i).key("goal"), &choice.goal, inner)?;
-            }
-            if goals.iter().all(|choice| choice.weight == 0.0) {
-                return Err(Problem::new(&path, Kind::OutOfRange, "all weights are 0: nothing can be chosen"));
-            }
-            Ok(())
-        }
-    }
-}
-
-fn not_empty(path: &Path, length: usize) -> Checked {
-    if length == 0 {
-        return Err(
-            Problem::new(path, Kind::MissingKey, "there is nothing in this list").hint("give at least one goal")
-        );
-    }
-    Ok(())
-}
-
-fn check_stops(path: &Path, stops: &[Stop], inner: bool) -> Checked {
-    if inner {
-        return Err(
-            Problem::new(path, Kind::Conflict, "a journey inside a journey").hint("write all the stops into one list")
-        );
-    }
-    not_empty(path, stops.len())?;
-    for (i, stop) in stops.iter().enumerate() {
-        check_goal(&path.index(i).key("goal"), &stop.goal, true)?;
-        if let Some(wait) = &stop.wait {
-            check_number(&path.index(i).key("wait"), wait, Limit::NotNegative)?;
-        }
-    }
-    Ok(())
-}
-
-pub(super) fn check_region(path: &Path, region: &Region) -> Checked {
-    match region {
-        Region::Disc(disc) => {
-            check_point(&path.key("disc.center"), &disc.center)?;
-            check(&path.key("disc.radius"), disc.radius, Limit::UpTo(super::limits::MAX_COORDINATE))
-        }
-        Region::Rectangle(r) => check_rectangle(&path.key("rectangle"), r),
-        Region::Polygon(corners) => {
-            check_points(&path.key("polygon"), corners)?;
-            super::ground::check_polygon(&path.key("polygon"), corners, "the goal's area")
-        }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::error::Kind;
 use crate::file::{Path, Problem};
-use crate::scene::{Group, Place, Scene, Source};
+use crate::registry::ChosenPlacement;
+use crate::scene::{Group, Scene, Source};
 
 /// The maximum number of agents of a scene.
 pub const MAX_AGENTS: u64 = 20_000_000;
@@ -15,12 +16,15 @@ pub(super) struct Count {
 }
 
 /// Returns the counts of all groups. Nothing large is allocated before all counts are known to be within the limit.
-pub(super) fn counts(scene: &Scene) -> Result<Vec<Count>, Problem> {
+pub(super) fn counts(scene: &Scene, places: &[ChosenPlacement]) -> Result<Vec<Count>, Problem> {
     let mut total = 0;
     let mut numbers = vec![];
-    for (i, group) in scene.groups.iter().enumerate() {
+    for (i, (group, place)) in scene.groups.iter().zip(places).enumerate() {
         let path = Path::of("group").index(i);
-        let number = if group.source.is_empty() { standing(&path, i, group)? } else { entering(&path, i, group)? };
+        let number = match group.source.is_empty() {
+            true => standing(&path, i, group, place.capacity)?,
+            false => entering(&path, i, group)?,
+        };
         total += number;
         if number > MAX_AGENTS || total > MAX_AGENTS {
             let message = format!("{total} agents are more than the limit of {MAX_AGENTS} (MAX_AGENTS)");
@@ -39,15 +43,14 @@ pub(super) fn counts(scene: &Scene) -> Result<Vec<Count>, Problem> {
     Ok(groups.map(|(group, agents)| Count { agents, enters: times(group, agents) }).collect())
 }
 
-/// Returns the count of a group that is there from the start.
-fn standing(path: &Path, i: usize, group: &Group) -> Result<u64, Problem> {
-    let spots = spots(&group.place);
+/// Returns the count of a group that is there from the start. `spots` is the number of positions of its place.
+fn standing(path: &Path, i: usize, group: &Group, spots: Option<u64>) -> Result<u64, Problem> {
     match (group.count, spots) {
         (Some(count), Some(spots)) if count > spots => {
             let named = Group::name_at(&group.name, i);
             let message = format!("group `{named}`: count is {count}, but its place has {spots} spots");
             let problem = Problem::new(&path.key("count"), Kind::Conflict, message);
-            Err(if matches!(group.place, Place::Point(_)) {
+            Err(if spots == 1 {
                 problem.hint("use place.grid, place.disc or another place with room for all, or a source")
             } else {
                 problem.hint("make the two numbers agree, or leave out `count`")
@@ -62,16 +65,6 @@ fn standing(path: &Path, i: usize, group: &Group) -> Result<u64, Problem> {
 fn missing_count(path: &Path, i: usize, group: &Group) -> Problem {
     let message = format!("group `{}`: the key `count` is missing", Group::name_at(&group.name, i));
     Problem::new(path, Kind::MissingKey, message).hint("say how many agents: count = 36")
-}
-
-/// Returns the number of positions of a place, if the place defines it.
-fn spots(place: &Place) -> Option<u64> {
-    match place {
-        Place::Point(_) => Some(1),
-        Place::Points(points) => Some(points.len() as u64),
-        Place::Grid(grid) => grid.columns.checked_mul(grid.rows).or(Some(u64::MAX)),
-        _ => None,
-    }
 }
 
 /// Returns the count of a group that enters through sources.

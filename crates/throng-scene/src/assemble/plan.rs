@@ -1,13 +1,13 @@
 //! A plan: everything that a scene puts into a world, before the world exists.
 
 use super::agents::{AgentDraw, shared};
-use super::check::check_scene;
-use super::count::counts;
+use super::check::{check_altitude, check_scene, in_group};
+use super::count::{Count, counts};
 use super::flow::Flows;
-use super::goals::Goals;
+use super::goals::GoalPlanner;
 use super::ground::{self, GroundError};
 use super::movers;
-use super::place::{PlacementGround, middle};
+use super::place::{Middle, PlacementGround};
 use super::rules;
 use super::size::Size;
 use super::steer::{Around, BehaviourContext, in_world};
@@ -15,8 +15,9 @@ use super::surface;
 use crate::error::Error;
 use crate::file::{Path, Problem};
 use crate::geometry::{DVec2, Solid, bounds};
-use crate::scene::{Group, Mover, Scene, SceneNames};
-use std::cell::{OnceCell, RefCell};
+use crate::registry::{ChosenPlacement, GoalContext, GoalTree};
+use crate::scene::{Group, Mover, Scene, SceneNames, Walkable};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::fmt;
 use std::sync::Arc;
 use throng::agent::Guidance;
@@ -145,9 +146,11 @@ impl Scene {
 
     fn lay_out(&self) -> Result<Plan, GroundError> {
         check_scene(self)?;
-        let counts = counts(self)?;
         let mut notes = vec![];
         let walkable = ground::areas(self, &mut notes)?;
+        let places = self.places(&walkable)?;
+        let counts = counts(self, &places)?;
+        let chosen = self.goals(&counts)?;
         let obstacles = ground::obstacles(self)?;
         let draws: Vec<AgentDraw> = (0..self.groups.len()).map(|group| AgentDraw::new(self, group)).collect();
         let sizes: Vec<Vec<Size>> =
@@ -161,15 +164,14 @@ impl Scene {
         let solid = Solid::new(&walkable, &obstacles, largest);
         let enters: Vec<bool> = counts.iter().map(|count| count.enters.is_some()).collect();
         let (sizes, altitudes) = (&sizes, &altitudes);
-        let ground =
-            PlacementGround { scene: self, solid: &solid, areas: &walkable, sizes, altitudes, enters: &enters };
+        let ground = PlacementGround { scene: self, solid: &solid, places: &places, sizes, altitudes, enters: &enters };
         let starts = ground.place()?;
 
-        let mut goals = Goals::new(self, &solid, (&walkable, &obstacles));
+        let mut goals = GoalPlanner::new(self, &solid, (&walkable, &obstacles));
         let mut agents = Vec::with_capacity(sizes.iter().map(Vec::len).sum());
-        for (i, count) in counts.iter().enumerate() {
-            let middle = middle(&self.groups[i].place, &starts[i]);
-            let journeys = goals.journeys_of(i, &starts[i], &sizes[i], middle)?;
+        for (i, (count, goal)) in counts.iter().zip(chosen).enumerate() {
+            let middle = Middle::of(&places[i], &starts[i]);
+            let journeys = goals.journeys_of(i, goal, &starts[i], &sizes[i], middle)?;
             for (k, journey) in journeys.into_iter().enumerate() {
                 let (position, number) = (starts[i][k], Some(agents.len() as u32));
                 let agent = throng::Agent { position, number, ..draws[i].agent(k) }.with_body(sizes[i][k].body);
@@ -177,7 +179,7 @@ impl Scene {
                 agents.push(PlannedAgent { agent, group: i, journey, script: None, enters });
             }
         }
-        let Goals { goals, journeys, choices, .. } = goals;
+        let GoalPlanner { goals, journeys, choices, .. } = goals;
         let scripts = movers::add(self, &mut agents);
         let bounds = all_bounds(&walkable, &obstacles, &goals, &agents);
         let settings = throng::Settings {
@@ -230,6 +232,32 @@ impl Scene {
             bounds,
         };
         Ok(plan)
+    }
+
+    /// Returns the placement of each group.
+    fn places(&self, walkable: &[throng::Walkable]) -> Result<Vec<ChosenPlacement>, Problem> {
+        let one = |(i, group): (usize, &Group)| {
+            let at = Path::of("group").index(i);
+            let place = self.plugins.placements.make(&group.place, walkable, &at.key("place"));
+            place.and_then(|place| check_altitude(&at, group, place)).map_err(|problem| in_group(i, group, problem))
+        };
+        self.groups.iter().enumerate().map(one).collect()
+    }
+
+    /// Returns the goals of each group; `None`: its agents stay.
+    fn goals(&self, counts: &[Count]) -> Result<Vec<Option<GoalTree>>, Problem> {
+        let ring = match self.walkable {
+            Some(Walkable::Ring(ring)) => Some(ring),
+            _ => None,
+        };
+        let one = |(i, (group, count)): (usize, (&Group, &Count))| {
+            let Some(goal) = &group.goal else { return Ok(None) };
+            let path = Path::of("group").index(i).key("goal");
+            let (goals, n, rules) = (&self.plugins.goals, count.agents, &Cell::new(0));
+            let made = goals.make(goal, &GoalContext { goals, ring, n, rules, is_stop: false, path });
+            made.map(Some).map_err(|problem| in_group(i, group, problem))
+        };
+        self.groups.iter().zip(counts).enumerate().map(one).collect()
     }
 
     /// Returns the names of the groups, then of the movers.

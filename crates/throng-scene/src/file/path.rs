@@ -56,6 +56,20 @@ impl Path {
         path
     }
 
+    /// Returns the path extended by the steps of another path.
+    pub fn join(&self, below: &Self) -> Self {
+        Self { steps: self.steps.iter().chain(&below.steps).cloned().collect() }
+    }
+
+    /// Returns the path with dots between all its steps, as it is in `--set`.
+    pub fn dotted(&self) -> String {
+        let steps = self.steps.iter().map(|step| match step {
+            Step::Key(key) => key.clone(),
+            Step::Index(index) => index.to_string(),
+        });
+        steps.collect::<Vec<_>>().join(".")
+    }
+
     /// Returns the name of the value in messages: its path below the group, obstacle or table.
     pub fn below_list(&self) -> String {
         let text = self.to_string();

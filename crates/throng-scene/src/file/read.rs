@@ -1,7 +1,7 @@
 //! Reading and writing scene files.
 
 use super::document::Document;
-use super::path::Path as Place;
+use super::path;
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
 use std::io::{ErrorKind, Read};
@@ -38,15 +38,14 @@ impl Scene {
 
     /// Checks that what the scene chooses from the registry has the given parameters, as far as it is known.
     pub(super) fn check_keys(&self) -> Result<(), Error> {
-        let chosen = self.groups.iter().enumerate().filter_map(|(i, group)| Some((i, group.avoid.as_ref()?)));
-        for (i, avoid) in chosen {
-            let path = Place::of("group").index(i).key("avoid");
-            self.plugins.models.check_keys(avoid, &path).map_err(|problem| self.explain(problem))?;
-        }
-        let vehicles = self.groups.iter().enumerate().filter_map(|(i, group)| Some((i, group.vehicle.as_ref()?)));
-        for (i, vehicle) in vehicles {
-            let path = Place::of("group").index(i).key("vehicle");
-            vehicle.check_keys(&path).map_err(|problem| self.explain(problem))?;
+        let known = &self.plugins;
+        for (i, group) in self.groups.iter().enumerate() {
+            let at = |key: &str| path::Path::of("group").index(i).key(key);
+            let place = known.placements.check_keys(&group.place, &at("place"));
+            let goal = group.goal.as_ref().map_or(Ok(()), |goal| known.goals.check_keys(goal, &at("goal")));
+            let avoid = group.avoid.as_ref().map_or(Ok(()), |avoid| known.models.check_keys(avoid, &at("avoid")));
+            let vehicle = group.vehicle.as_ref().map_or(Ok(()), |vehicle| vehicle.check_keys(&at("vehicle")));
+            place.and(goal).and(avoid).and(vehicle).map_err(|problem| self.explain(problem))?;
         }
         Ok(())
     }

@@ -81,9 +81,17 @@ impl<C> Choice<C> {
         self
     }
 
-    /// Returns the choice with this description.
+    /// Returns the choice with this description, without the values that are defaults.
+    ///
+    /// ```
+    /// use throng_scene::{Place, Ring};
+    /// let in_code = Place::described(&Ring { radius: 7.0, ..Ring::default() });
+    /// let in_a_file: Place = toml::from_str("ring = { radius = 7 }")?;
+    /// assert_eq!(in_code, in_a_file);
+    /// # Ok::<(), toml::de::Error>(())
+    /// ```
     pub fn described<D: Described>(description: &D) -> Self {
-        Self::new(D::NAME.to_owned(), written(description))
+        Self::new(D::NAME.to_owned(), without_defaults::<D>(written(description)))
     }
 
     /// Returns the description of this choice as a `D`; `None` for another choice, and for parameters that a `D` does not
@@ -150,10 +158,43 @@ macro_rules! described {
 }
 pub(crate) use described;
 
+/// Gives descriptions that hold one value the schema of this value.
+macro_rules! schema_of_value {
+    ($($described:ident: $value:ty,)*) => { $(
+        impl schemars::JsonSchema for $described {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($described).into()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                generator.subschema_for::<$value>()
+            }
+        }
+    )* };
+}
+pub(crate) use schema_of_value;
+
 /// Returns what files write. What they cannot write, such as a whole number that is too large, becomes a text that says
 /// so: the choice is then refused with this text.
 fn written(description: &impl Serialize) -> Value {
     Value::try_from(description).unwrap_or_else(|error| Value::String(format!("cannot be written: {error}")))
+}
+
+/// Returns what files write of a `D` without the values of keys that mean the same if they are left out.
+fn without_defaults<D: Described>(all: Value) -> Value {
+    let Value::Table(table) = &all else { return all };
+    let is_default = |key: &String| {
+        let mut less = table.clone();
+        less.remove(key);
+        let read: Result<D, _> = Value::Table(less).try_into();
+        read.is_ok_and(|read| written(&read) == all)
+    };
+    let given = table.iter().filter(|(key, _)| !is_default(key));
+    Value::Table(given.map(|(key, value)| (key.clone(), value.clone())).collect())
 }
 
 /// Returns parameters as files write them.

@@ -274,7 +274,9 @@ fn misread<T: DeserializeOwned>(given: &Value, at: &Path, error: &toml::de::Erro
                 Segment::Map { key } | Segment::Enum { variant: key } => path.name(key),
                 Segment::Unknown => path,
             };
-            placed(explain(&error.inner().message), &error.path().iter().fold(at.clone(), below))
+            let path = error.path().iter().fold(at.clone(), below);
+            let problem = placed(explain(&error.inner().message), &path);
+            Problem { is_key: problem.kind == Kind::UnknownKey, ..problem }
         }
         _ => placed(explain(error.message()), at),
     }

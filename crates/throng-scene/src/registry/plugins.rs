@@ -1,6 +1,6 @@
-//! The local models, behaviours, rules and scenes of a program, by name.
+//! What scenes of a program can name, and its scenes.
 
-use super::{Behaviours, Fields, Models, Rulebook};
+use super::{Behaviours, Fields, GoalRule, Goals, Models, Placement, Placements, Rulebook};
 use crate::error::Error;
 use crate::gallery;
 use crate::scene::{Scene, SceneNames};
@@ -18,9 +18,9 @@ use throng::{Error as Refused, Rules};
 /// The group of the program's own scenes in its gallery.
 const GROUP: &str = "plug-ins";
 
-/// What a program knows by name: local models, behaviours, fields and rules that scene files can name, and scenes besides those
-/// of the gallery. At first it holds those of throng, which are registered like those of a plug-in. The studio takes it,
-/// and so can every program that opens scenes.
+/// What a program knows by name: placements, goals, local models, behaviours, fields and rules that scene files can name, and
+/// scenes besides those of the gallery. At first it holds those of throng, which are registered like those of a plug-in. The
+/// studio takes it, and so can every program that opens scenes.
 ///
 /// ```
 /// use throng::motion::Steering;
@@ -59,6 +59,10 @@ const GROUP: &str = "plug-ins";
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Plugins {
+    /// The placements, for `place`.
+    pub placements: Placements,
+    /// The goals, for `goal`.
+    pub goals: Goals,
     /// The local models, for `avoid`.
     pub models: Models,
     /// The steering behaviours, for `steer`.
@@ -75,6 +79,20 @@ impl Plugins {
     /// Returns what throng itself has.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Adds a placement, or replaces the placement with the same name. The fields of its type are its parameters
+    /// ([`throng::parameters`]), and its name in `place.NAME` is [`NAME`](throng::parameters::Parameters::NAME).
+    pub fn placement<P: Placement + Parameters + 'static>(mut self) -> Self {
+        self.placements.add_plugin::<P>();
+        self
+    }
+
+    /// Adds a goal, or replaces the goal with the same name. The fields of its type are its parameters
+    /// ([`throng::parameters`]), and its name in `goal.NAME` is [`NAME`](throng::parameters::Parameters::NAME).
+    pub fn goal<G: GoalRule + Parameters + 'static>(mut self) -> Self {
+        self.goals.add_plugin::<G>();
+        self
     }
 
     /// Adds a local model, or replaces the model with the same name. The fields of its type are its parameters
@@ -131,7 +149,7 @@ impl Plugins {
         self.scene(name, text)
     }
 
-    /// Gives a scene the models, behaviours and rules.
+    /// Gives a scene what it can name.
     pub fn equip(&self, scene: &mut Scene) {
         scene.plugins.clone_from(self);
     }
@@ -163,8 +181,8 @@ impl Plugins {
         gallery::title_in(self.text(name)?)
     }
 
-    /// Opens a scene of the program by its name, or anything that [`open`](crate::open) accepts, and gives it the
-    /// models, behaviours and rules.
+    /// Opens a scene of the program by its name, or anything that [`open`](crate::open) accepts, and gives it what
+    /// it can name.
     ///
     /// # Errors
     /// Those of [`open`](crate::open).
@@ -179,13 +197,15 @@ impl Plugins {
         Ok(scene)
     }
 
-    /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with the added models and behaviours
-    /// and their parameters.
+    /// Returns the JSON schema of scene files, as [`schema`](crate::schema()) does, with what was added and its
+    /// parameters.
     pub fn schema(&self) -> Value {
         let mut root = crate::schema();
         let settings = SchemaSettings::default().with(|settings| settings.inline_subschemas = true);
         let mut generator = SchemaGenerator::new(settings);
         for (choice, added) in [
+            ("Place", self.placements.plugin_schemas(&mut generator)),
+            ("Goal", self.goals.plugin_schemas(&mut generator)),
             ("Avoid", self.models.plugin_schemas(&mut generator)),
             ("Steer", self.behaviours.plugin_schemas(&mut generator)),
             ("Flow", self.fields.plugin_schemas(&mut generator)),

@@ -1,49 +1,87 @@
-//! Where agents go.
+//! The goals of throng, as scenes describe them.
 
 use super::ground::is_zero;
 use super::{Lap, Number, Point, Region, SpacePoint};
+use crate::registry::{Goal, Goals, described, schema_of_value};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
-use serde::{Deserialize, Deserializer, Serialize, de};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::borrow::Cow;
 use std::fmt;
 
 /// The default distance from a point goal that counts as arrival, metres.
 pub(crate) const TOLERANCE: f64 = 0.1;
 
-/// Where the agents of a group go.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Goal {
+described! {
+    Goal in Goals:
     /// One point for all agents.
-    Point(PointGoal),
+    PointGoal = "point",
     /// One point in the air for all agents.
-    Air(AirGoal),
+    AirGoal = "air",
     /// A point for each agent: agent number k goes to the k-th point.
-    Points(PointsGoal),
+    PointsGoal = "points",
     /// For each agent, the point opposite its start.
-    Opposite(Opposite),
+    Opposite = "opposite",
     /// For each agent, its start shifted by a vector.
-    Shift(Shift),
+    Shift = "shift",
     /// A region: an agent inside it has arrived.
-    Area(Region),
+    AreaGoal = "area",
     /// A region that removes the agents that enter it.
-    Exit(Region),
+    ExitGoal = "exit",
     /// A sequence of goals.
-    Journey(Vec<Stop>),
+    JourneyGoal = "journey",
     /// A sequence of goals, repeated for ever.
-    Cycle(Vec<Stop>),
+    CycleGoal = "cycle",
     /// Laps of a ring, for ever.
-    Lap(Lap),
+    Lap = "lap",
     /// For each agent, the goal with the shortest path from its start; agents that look ahead change to another goal
     /// with a shorter queue.
-    Nearest(Vec<Goal>),
+    NearestGoal = "nearest",
     /// For each agent, one of these goals, drawn by weight.
-    Choice(Vec<Weighted>),
+    ChoiceGoal = "choice",
 }
 
+schema_of_value! {
+    AreaGoal: Region,
+    ExitGoal: Region,
+    JourneyGoal: Vec<Stop>,
+    CycleGoal: Vec<Stop>,
+    NearestGoal: Vec<Goal>,
+    ChoiceGoal: Vec<Weighted>,
+}
+
+/// A region: an agent inside it has arrived.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct AreaGoal(pub Region);
+
+/// A region that removes the agents that enter it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ExitGoal(pub Region);
+
+/// A sequence of goals.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct JourneyGoal(pub Vec<Stop>);
+
+/// A sequence of goals, repeated for ever.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct CycleGoal(pub Vec<Stop>);
+
+/// For each agent, the nearest of these goals.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct NearestGoal(pub Vec<Goal>);
+
+/// For each agent, one of these goals, drawn by weight.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ChoiceGoal(pub Vec<Weighted>);
+
 /// A point for all agents. In files `[x, y]`, or `{ at = [x, y], tolerance = 0.1 }`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointGoal {
     /// The point.
     pub at: Point,
@@ -141,7 +179,7 @@ fn one() -> f64 {
 }
 
 /// The table `{ at = .., tolerance = .. }`.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct PointTable {
     at: Point,
@@ -152,6 +190,15 @@ struct PointTable {
 impl From<Point> for PointGoal {
     fn from(at: Point) -> Self {
         Self { at, tolerance: TOLERANCE }
+    }
+}
+
+impl Serialize for PointGoal {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match *self {
+            Self { at, tolerance: TOLERANCE } => at.serialize(serializer),
+            Self { at, tolerance } => PointTable { at, tolerance }.serialize(serializer),
+        }
     }
 }
 

@@ -3,8 +3,8 @@
 use super::flow::Governed;
 use super::steer::ObstacleNames;
 use super::surface::is_default;
-use super::{AgentShape, Body, Colour, Goal, Motor, Number, Place, Source, WrapAround, source};
-use crate::registry::{Avoid, GivenParameters, Steer};
+use super::{AgentShape, Body, Colour, Motor, Number, Source, WrapAround, source};
+use crate::registry::{Avoid, GivenParameters, Goal, Place, Steer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use throng::avoid::{NoAvoidance, Orca};

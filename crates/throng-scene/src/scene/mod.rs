@@ -5,7 +5,7 @@ mod annulus;
 mod body;
 mod expect;
 pub mod flow;
-mod goal;
+pub(crate) mod goal;
 mod ground;
 mod group;
 mod motor;
@@ -14,7 +14,7 @@ mod names;
 mod neighbours;
 mod number;
 mod obstacle;
-mod place;
+pub(crate) mod place;
 mod schema;
 mod source;
 pub mod steer;
@@ -28,7 +28,10 @@ pub use annulus::{Annulus, Lap};
 pub use body::{Body, Sides};
 pub use expect::{Arrived, DistanceExpect, Expect, FigureExpect, FlowExpect, GroupExpect, To, When};
 pub use flow::Field;
-pub use goal::{AirGoal, Goal, Opposite, PointGoal, PointsGoal, Shift, Stop, Weighted};
+pub use goal::{
+    AirGoal, AreaGoal, ChoiceGoal, CycleGoal, ExitGoal, JourneyGoal, NearestGoal, Opposite, PointGoal, PointsGoal,
+    Shift, Stop, Weighted,
+};
 pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Preset, Speed};
 pub use motor::Motor;
@@ -37,7 +40,9 @@ pub use names::SceneNames;
 pub use neighbours::Neighbours;
 pub use number::{Normal, Number};
 pub use obstacle::{As, Circle, Obstacle, Shape};
-pub use place::{DiscPlace, Grid, Line, Place, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace};
+pub use place::{
+    DiscPlace, Grid, Line, PointPlace, PointsPlace, PolygonPlace, RectanglePlace, Ring, Sphere, WalkablePlace,
+};
 pub use schema::schema;
 pub use source::Source;
 pub use surface::{
@@ -104,7 +109,7 @@ pub struct Scene {
     /// What a run must show.
     #[serde(default, skip_serializing_if = "Expect::is_default")]
     pub expect: Expect,
-    /// The models, behaviours and rules that the scene can name. They are not part of the scene's content.
+    /// What the scene can name. It is not part of the scene's content.
     #[serde(skip)]
     #[schemars(skip)]
     pub plugins: Plugins,

@@ -1,44 +1,56 @@
-//! Where agents start.
+//! The placements of throng, as scenes describe them.
 
 use super::ground::is_zero;
 use super::{Point, SpacePoint};
+use crate::registry::{Place, Placements, described, schema_of_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Where the agents of a group start.
-///
-/// Points, line, ring, sphere and grid put agent number k at the k-th position. Disc, rectangle, polygon and walkable
-/// draw a position for each agent, clear of walls, obstacles and all other agents.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Place {
+described! {
+    Place in Placements:
     /// One position: for a single agent, or for a source.
-    Point(Point),
+    PointPlace = "point",
     /// A position for each agent.
-    Points(Vec<Point>),
+    PointsPlace = "points",
     /// Evenly along a line, both ends included.
-    Line(Line),
+    Line = "line",
     /// Evenly on a circle.
-    Ring(Ring),
+    Ring = "ring",
     /// Evenly on a sphere, in the air.
-    Sphere(Sphere),
+    Sphere = "sphere",
     /// On a square grid, row by row.
-    Grid(Grid),
+    Grid = "grid",
     /// At random in a disc.
-    Disc(DiscPlace),
+    DiscPlace = "disc",
     /// At random in a rectangle.
-    Rectangle(RectanglePlace),
+    RectanglePlace = "rectangle",
     /// At random in a polygon.
-    Polygon(PolygonPlace),
+    PolygonPlace = "polygon",
     /// At random on all of the walkable ground.
-    Walkable(WalkablePlace),
+    WalkablePlace = "walkable",
 }
 
 impl Default for Place {
+    /// Returns the point (0, 0).
     fn default() -> Self {
-        Self::Point([0.0, 0.0])
+        PointPlace::default().into()
     }
 }
+
+schema_of_value! {
+    PointPlace: Point,
+    PointsPlace: Vec<Point>,
+}
+
+/// One position: for a single agent, or for a source.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct PointPlace(pub Point);
+
+/// A position for each agent.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct PointsPlace(pub Vec<Point>);
 
 /// Evenly along a line, both ends included; a single agent stands in the middle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -3,7 +3,7 @@
 use super::data::data;
 use super::run::{files, run};
 use std::path::PathBuf;
-use throng_scene::{Goal, Kind, Scene, Walkable, import, open};
+use throng_scene::{ChoiceGoal, Described, ExitGoal, Goal, JourneyGoal, Kind, Scene, Walkable, import, open};
 
 #[test]
 fn every_jupedsim_scenario_becomes_a_scene_that_builds() {
@@ -36,10 +36,10 @@ fn every_jupedsim_scenario_becomes_a_scene_that_builds() {
 fn stages_and_waiting_times_become_journeys() {
     let folder = data("jupedsim");
     let scene = open(folder.join("stage-routing-square-room")).unwrap().scene;
-    let Some(Goal::Journey(stops)) = &scene.groups[0].goal else { panic!("{:?}", scene.groups[0].goal) };
+    let JourneyGoal(stops) = scene.groups[0].goal.as_ref().and_then(Goal::read).unwrap();
     assert_eq!(stops.len(), 3);
     assert_eq!(stops[0].wait, Some(5.0.into()));
-    assert!(stops[1].wait.is_none() && matches!(stops[2].goal, Goal::Exit(_)));
+    assert!(stops[1].wait.is_none() && stops[2].goal.name == ExitGoal::NAME);
     assert_eq!((scene.seed, scene.time.limit), (42, 80.0));
 }
 
@@ -84,7 +84,8 @@ fn flows_premovement_and_weights_map() {
     }"#;
     let imported = import::jupedsim::from_text(config, None).unwrap();
     let group = &imported.scene.groups[0];
-    assert!(matches!(&group.goal, Some(Goal::Choice(list)) if list[0].weight == 70.0 && list.len() == 2));
+    let ChoiceGoal(list) = group.goal.as_ref().and_then(Goal::read).unwrap();
+    assert!(list[0].weight == 70.0 && list.len() == 2);
     let plan = imported.scene.plan().unwrap();
     let times: Vec<f64> = plan.agents.iter().map(|a| a.enters.unwrap()).collect();
     assert_eq!((times[0], times[9]), (5.0, 9.5));

@@ -20,6 +20,8 @@ mod parameters;
 mod parity;
 mod pictures;
 mod plans;
+mod plugin_goals;
+mod plugin_places;
 mod plugins;
 mod robust;
 mod run;

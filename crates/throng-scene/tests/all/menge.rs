@@ -2,7 +2,10 @@
 
 use super::data::data;
 use std::path::PathBuf;
-use throng_scene::{Goal, Kind, Number, Place, Region, Shape, Walkable, import, open};
+use throng_scene::{
+    AreaGoal, ChoiceGoal, CycleGoal, Goal, JourneyGoal, Kind, Number, PointGoal, PointsPlace, Region, Shape, Walkable,
+    import, open,
+};
 
 const SCENE: &str = r#"<Experiment version="2.0">
     <Common time_step="0.1" />
@@ -60,7 +63,7 @@ fn profiles_generators_obstacles_and_states_map() {
     assert!(matches!(group.body, throng_scene::Body::Radius(Number::Constant(0.3))));
     assert_eq!(group.speed.preferred, Number::Uniform([0.9, 1.3]));
     // rotated by 90 degrees: x becomes y and y becomes -x
-    let Place::Points(points) = &group.place else { panic!() };
+    let PointsPlace(points) = group.place.read().unwrap();
     let expected = [[1.0, 2.0], [1.0, 3.0], [-1.0, 2.0], [-1.0, 3.0], [-3.0, 2.0], [-3.0, 3.0]];
     assert!(points.iter().zip(expected).all(|(p, q)| (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6), "{points:?}");
     // a clockwise outline has all agents inside
@@ -69,11 +72,11 @@ fn profiles_generators_obstacles_and_states_map() {
     assert!(matches!(shapes.as_slice(), [Shape::Polygon(_), Shape::Wall(_)]), "{shapes:?}");
     assert!(notes.contains("obstacles of class 2: no profile heeds them: left out"), "{notes}");
     assert!(notes.contains("left out (condition `agent_property`)"), "{notes}");
-    let Some(Goal::Journey(stops)) = &group.goal else { panic!("{:?}", group.goal) };
-    assert!(matches!(&stops[0].goal, Goal::Point(point) if point.at == [10.0, 10.0] && point.tolerance == 0.5));
+    let JourneyGoal(stops) = group.goal.as_ref().and_then(Goal::read).unwrap();
+    assert_eq!(stops[0].goal.read(), Some(PointGoal { at: [10.0, 10.0], tolerance: 0.5 }));
     assert_eq!(stops[0].wait, Some(Number::Uniform([2.0, 4.0])));
     assert!(
-        matches!(&stops[1].goal, Goal::Area(Region::Rectangle(r)) if r.center == [14.0, -3.0] && r.size == [4.5, 2.5])
+        matches!(stops[1].goal.read(), Some(AreaGoal(Region::Rectangle(r))) if r.center == [14.0, -3.0] && r.size == [4.5, 2.5])
     );
     assert_eq!(stops.len(), 2);
 }
@@ -85,7 +88,7 @@ fn a_lattice_has_six_neighbours_at_the_same_distance() {
         let generator = format!(r#"type="hex_lattice" anchor_x="3" anchor_y="2" density="1.2" width="7.5" {says}"#);
         let (_keep, folder) = project(&SCENE.replace(grid, &generator), BEHAVIOR);
         let imported = open(&folder).unwrap_or_else(|error| panic!("{error}"));
-        let Place::Points(points) = imported.scene.groups[0].place.clone() else { panic!() };
+        let PointsPlace(points) = imported.scene.groups[0].place.read().unwrap();
         points
     };
     // discs with a density of 1.2 in the densest packing: each has a hexagon of 1 / 1.2 m²
@@ -121,13 +124,11 @@ fn where_states_are_drawn_and_come_back_people_go_round() {
         .replace(r#"to="Leave"><Condition type="timer" dist="u" min="2" max="4" per_agent="1" />"#, r#"><Condition type="auto" /><Target type="prob"><State name="Walk" weight="3" /><State name="Leave" weight="1" /></Target>"#);
     let (_keep, folder) = project(SCENE, &behavior);
     let imported = open(&folder).unwrap_or_else(|error| panic!("{error}"));
-    let Some(Goal::Choice(choice)) = &imported.scene.groups[0].goal else {
-        panic!("{:?}", imported.scene.groups[0].goal)
-    };
+    let ChoiceGoal(choice) = imported.scene.groups[0].goal.as_ref().and_then(Goal::read).unwrap();
     let weights: Vec<f64> = choice.iter().map(|one| one.weight).collect();
     assert_eq!(weights, [0.75, 0.25]);
-    assert!(matches!(&choice[0].goal, Goal::Cycle(stops) if stops.len() == 1));
-    assert!(matches!(&choice[1].goal, Goal::Journey(stops) if stops.len() == 2));
+    assert_eq!(choice[0].goal.read().map(|CycleGoal(stops)| stops.len()), Some(1));
+    assert_eq!(choice[1].goal.read().map(|JourneyGoal(stops)| stops.len()), Some(2));
     assert!(imported.notes.iter().any(|note| note.contains("drawn once, at the start")), "{:?}", imported.notes);
 }
 

@@ -1,6 +1,6 @@
 //! Changes of single values, as with `--set`.
 
-use throng_scene::{Body, Kind, Number, Place, Scene, SubSteps, gallery};
+use throng_scene::{Body, DiscPlace, Kind, Number, Scene, SubSteps, gallery};
 
 fn corridor() -> Scene {
     gallery::scene("corridor").unwrap()
@@ -39,7 +39,7 @@ fn a_value_of_one_group_by_name_or_number() {
 fn another_choice_replaces_the_old_one() {
     let mut scene = gallery::scene("circle").unwrap();
     scene.set("group.walkers.place.disc.radius", "9").unwrap();
-    assert!(matches!(scene.groups[0].place, Place::Disc(disc) if disc.radius == 9.0));
+    assert_eq!(scene.groups[0].place.read().map(|disc: DiscPlace| disc.radius), Some(9.0));
     scene.set("speed.preferred.uniform", "[1, 1.5]").unwrap();
     assert_eq!(scene.groups[0].speed.preferred, Number::Uniform([1.0, 1.5]));
 }

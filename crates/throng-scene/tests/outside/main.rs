@@ -8,7 +8,7 @@ mod run;
 
 use outside::{Need, data};
 use run::{files, run};
-use throng_scene::{Goal, Scene, import, open};
+use throng_scene::{PointGoal, Scene, import, open};
 
 fn main() {
     let plans = [Need::Data("geometry")];
@@ -32,7 +32,7 @@ fn people_walk_on_every_floor_plan() {
         let mut scene: Scene = anywhere.parse().unwrap();
         // all agents go to the start of the first agent
         let at = scene.plan().unwrap().agents[0].agent.position;
-        scene.groups[0].goal = Some(Goal::Point(at.truncate().to_array().into()));
+        scene.groups[0].goal = Some(PointGoal::from(at.truncate().to_array()).into());
         run(&what, &scene);
     }
 }

@@ -4,7 +4,10 @@ use super::parts::{Change, Look, OutlineKind, Parts, Removal, point};
 use super::shapes::{Owner, circle, corners, outline, rectangle, spot};
 use crate::document::Edit;
 use glam::DVec2;
-use throng_scene::{Body, Goal, Place, Rectangle, Scene};
+use throng_scene::{
+    Body, Described, DiscPlace, Goal, Grid, Line, Place, PointPlace, PointsGoal, PointsPlace, PolygonPlace, Rectangle,
+    RectanglePlace, Ring, Scene,
+};
 use toml_edit::Array;
 
 /// The gap between the bounding circles of added agents, and the part of it left for rounding, metres.
@@ -16,44 +19,48 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
     for (g, group) in scene.groups.iter().enumerate() {
         let path = format!("group.{g}.place");
         let owner = &Owner { kind: OutlineKind::Place(g), removal: Some(Removal::Group(g)) };
-        match &group.place {
-            Place::Point(at) => spot(parts, &format!("{path}.point"), *at, owner),
-            Place::Points(points) => {
-                for (k, &at) in points.iter().enumerate() {
-                    let owner = Owner { kind: owner.kind, removal: Some(Removal::Agent(g, k)) };
-                    spot(parts, &format!("{path}.points.{k}"), at, &owner);
-                }
-            }
-            Place::Line(line) => {
-                let ends = [line.from, line.to].map(DVec2::from);
-                let changes = [("from", line.from), ("to", line.to)]
-                    .map(|(key, from)| Change::point(format!("{path}.line.{key}"), from));
-                let middle = (ends[0] + ends[1]) * 0.5;
-                let whole = parts.handle(middle, Look::Dot, changes.to_vec(), owner.removal.clone());
-                for (at, change) in ends.into_iter().zip(changes) {
-                    parts.handle(at, Look::Corner, vec![change], owner.removal.clone());
-                }
-                outline(parts, ends.to_vec(), false, Some(whole), owner);
-            }
-            Place::Ring(ring) => circle(parts, &format!("{path}.ring"), ring.center, ring.radius, owner),
-            Place::Disc(disc) => circle(parts, &format!("{path}.disc"), disc.center, disc.radius, owner),
-            Place::Grid(grid) => {
-                let middle = DVec2::from(grid.center);
-                let changes = vec![Change::point(format!("{path}.grid.center"), grid.center)];
-                let whole = parts.handle(middle, Look::Dot, changes, owner.removal.clone());
-                let turn = DVec2::from_angle(grid.rotation.to_radians());
-                let half = DVec2::new(grid.columns as f64, grid.rows as f64) * grid.spacing * 0.5;
-                let rim = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-                let rim = rim.map(|corner| middle + turn.rotate(DVec2::from(corner) * half));
-                outline(parts, rim.to_vec(), true, Some(whole), owner);
-            }
-            Place::Rectangle(place) => {
-                let sides = Rectangle { center: place.center, size: place.size, rotation: place.rotation };
-                rectangle(parts, &format!("{path}.rectangle"), &sides, owner);
-            }
-            Place::Polygon(place) => corners(parts, &format!("{path}.polygon.corners"), &place.corners, true, owner),
-            Place::Sphere(_) | Place::Walkable(_) => {}
+        place_parts(parts, &path, &group.place, owner);
+    }
+}
+
+/// Adds the handles of a place. `owner` is the group.
+fn place_parts(parts: &mut Parts, path: &str, place: &Place, owner: &Owner) {
+    if let Some(PointPlace(at)) = place.read() {
+        spot(parts, &format!("{path}.point"), at, owner);
+    } else if let Some(PointsPlace(points)) = place.read() {
+        let OutlineKind::Place(g) = owner.kind else { return };
+        for (k, &at) in points.iter().enumerate() {
+            let owner = Owner { kind: owner.kind, removal: Some(Removal::Agent(g, k)) };
+            spot(parts, &format!("{path}.points.{k}"), at, &owner);
         }
+    } else if let Some(line) = place.read::<Line>() {
+        let ends = [line.from, line.to].map(DVec2::from);
+        let changes =
+            [("from", line.from), ("to", line.to)].map(|(key, from)| Change::point(format!("{path}.line.{key}"), from));
+        let middle = (ends[0] + ends[1]) * 0.5;
+        let whole = parts.handle(middle, Look::Dot, changes.to_vec(), owner.removal.clone());
+        for (at, change) in ends.into_iter().zip(changes) {
+            parts.handle(at, Look::Corner, vec![change], owner.removal.clone());
+        }
+        outline(parts, ends.to_vec(), false, Some(whole), owner);
+    } else if let Some(ring) = place.read::<Ring>() {
+        circle(parts, &format!("{path}.ring"), ring.center, ring.radius, owner);
+    } else if let Some(disc) = place.read::<DiscPlace>() {
+        circle(parts, &format!("{path}.disc"), disc.center, disc.radius, owner);
+    } else if let Some(grid) = place.read::<Grid>() {
+        let middle = DVec2::from(grid.center);
+        let changes = vec![Change::point(format!("{path}.grid.center"), grid.center)];
+        let whole = parts.handle(middle, Look::Dot, changes, owner.removal.clone());
+        let turn = DVec2::from_angle(grid.rotation.to_radians());
+        let half = DVec2::new(grid.columns as f64, grid.rows as f64) * grid.spacing * 0.5;
+        let rim = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let rim = rim.map(|corner| middle + turn.rotate(DVec2::from(corner) * half));
+        outline(parts, rim.to_vec(), true, Some(whole), owner);
+    } else if let Some(place) = place.read::<RectanglePlace>() {
+        let sides = Rectangle { center: place.center, size: place.size, rotation: place.rotation };
+        rectangle(parts, &format!("{path}.rectangle"), &sides, owner);
+    } else if let Some(place) = place.read::<PolygonPlace>() {
+        corners(parts, &format!("{path}.polygon.corners"), &place.corners, true, owner);
     }
 }
 
@@ -76,26 +83,24 @@ pub fn add(edit: &mut Edit, scene: &Scene, g: usize, line: &[DVec2], others: &[D
         return Err("another agent stands there already".into());
     }
     let mut g = g;
-    match &group.place {
-        Place::Points(_) => {}
-        Place::Point(first) if group.source.is_empty() && group.count.unwrap_or(1) == 1 => {
-            edit.remove(&format!("group.{g}.place"))?;
-            let list = Array::from_iter([point(DVec2::from(*first))]);
-            edit.set(&format!("group.{g}.place.points"), list)?;
+    let single = group.source.is_empty() && group.count.unwrap_or(1) == 1;
+    if let (Some(PointPlace(first)), true) = (group.place.read(), single) {
+        edit.remove(&format!("group.{g}.place"))?;
+        let list = Array::from_iter([point(DVec2::from(first))]);
+        edit.set(&format!("group.{g}.place.points"), list)?;
+    } else if group.place.name != PointsPlace::NAME {
+        let name = free_name(scene, &group.name);
+        g = edit.copy("group", g)?;
+        for key in ["place", "count", "source"] {
+            edit.remove(&format!("group.{g}.{key}"))?;
         }
-        _ => {
-            let name = free_name(scene, &group.name);
-            g = edit.copy("group", g)?;
-            for key in ["place", "count", "source"] {
-                edit.remove(&format!("group.{g}.{key}"))?;
-            }
-            edit.set(&format!("group.{g}.name"), name)?;
-            edit.set(&format!("group.{g}.place.points"), Array::new())?;
-        }
+        edit.set(&format!("group.{g}.name"), name)?;
+        edit.set(&format!("group.{g}.place.points"), Array::new())?;
     }
+    let goals: Option<PointsGoal> = group.goal.as_ref().and_then(Goal::read);
     for &at in &new {
         edit.push(&format!("group.{g}.place.points"), point(at))?;
-        if let Some(Goal::Points(goals)) = &group.goal {
+        if let Some(goals) = &goals {
             let last = goals.at.last().copied().unwrap_or_default();
             edit.push(&format!("group.{g}.goal.points.at"), point(last.into()))?;
         }
@@ -120,9 +125,10 @@ fn along(line: &[DVec2], step: f64) -> impl Iterator<Item = DVec2> {
 /// The group has no count, or its place does not allow the change, or it holds the last agent of the scene.
 pub fn more(edit: &mut Edit, scene: &Scene, g: usize, by: i64) -> Result<(), String> {
     let group = scene.groups.get(g).ok_or("there is no such group")?;
-    match (&group.place, group.count) {
-        (Place::Points(points), _) if by < 0 => remove(edit, g, points.len().saturating_sub(1)),
-        (Place::Points(_) | Place::Point(_), _) => {
+    let listed = edit.len(&format!("group.{g}.place.points"));
+    match (group.place.name.as_str(), group.count) {
+        (PointsPlace::NAME, _) if by < 0 => remove(edit, g, listed.saturating_sub(1)),
+        (PointsPlace::NAME | PointPlace::NAME, _) => {
             Err("the group lists the position of each agent: add agents with a click (P)".into())
         }
         (_, Some(1)) if by < 0 => remove_group(edit, g),

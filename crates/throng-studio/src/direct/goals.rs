@@ -5,7 +5,7 @@ use super::parts::{OutlineKind, Parts, Removal, point};
 use super::shapes::{Owner, region, spot};
 use crate::document::Edit;
 use glam::DVec2;
-use throng_scene::{Goal, Scene};
+use throng_scene::{AreaGoal, ExitGoal, Goal, Opposite, PointGoal, PointsGoal, Scene};
 use toml_edit::{InlineTable, Value};
 
 /// The radius of an exit that is placed with a click, metres.
@@ -17,49 +17,30 @@ pub fn parts(scene: &Scene, parts: &mut Parts) {
         let path = format!("group.{g}.goal");
         let owner = Owner { kind: OutlineKind::Goal, removal: Some(Removal::Path(path.clone())) };
         if let Some(goal) = &group.goal {
-            goal_parts(parts, &path, goal, &owner);
+            goal_parts(scene, parts, &path, goal, &owner);
         }
     }
 }
 
-fn goal_parts(parts: &mut Parts, path: &str, goal: &Goal, owner: &Owner) {
-    match goal {
-        Goal::Point(there) => spot(parts, &format!("{path}.point"), there.at, owner),
-        Goal::Points(there) => {
-            for (k, &at) in there.at.iter().enumerate() {
-                spot(parts, &format!("{path}.points.at.{k}"), at, &Owner { kind: owner.kind, removal: None });
-            }
+fn goal_parts(scene: &Scene, parts: &mut Parts, path: &str, goal: &Goal, owner: &Owner) {
+    if let Some(there) = goal.read::<PointGoal>() {
+        spot(parts, &format!("{path}.point"), there.at, owner);
+    } else if let Some(there) = goal.read::<PointsGoal>() {
+        for (k, &at) in there.at.iter().enumerate() {
+            spot(parts, &format!("{path}.points.at.{k}"), at, &Owner { kind: owner.kind, removal: None });
         }
-        Goal::Opposite(opposite) => {
-            if let Some(center) = opposite.center {
-                spot(parts, &format!("{path}.opposite.center"), center, owner);
-            }
-        }
-        Goal::Area(there) => region(parts, &format!("{path}.area"), there, owner),
-        Goal::Exit(there) => region(parts, &format!("{path}.exit"), there, owner),
-        Goal::Journey(stops) | Goal::Cycle(stops) => {
-            let kind = if matches!(goal, Goal::Journey(_)) { "journey" } else { "cycle" };
-            for (k, stop) in stops.iter().enumerate() {
-                let itself = Removal::Path(format!("{path}.{kind}.{k}"));
-                let owner = Owner { kind: owner.kind, removal: Some(itself) };
-                goal_parts(parts, &format!("{path}.{kind}.{k}.goal"), &stop.goal, &owner);
-            }
-        }
-        Goal::Nearest(goals) => {
-            for (k, goal) in goals.iter().enumerate() {
-                let path = format!("{path}.nearest.{k}");
-                let owner = Owner { kind: owner.kind, removal: Some(Removal::Path(path.clone())) };
-                goal_parts(parts, &path, goal, &owner);
-            }
-        }
-        Goal::Choice(goals) => {
-            for (k, weighted) in goals.iter().enumerate() {
-                let path = format!("{path}.choice.{k}");
-                let owner = Owner { kind: owner.kind, removal: Some(Removal::Path(path.clone())) };
-                goal_parts(parts, &format!("{path}.goal"), &weighted.goal, &owner);
-            }
-        }
-        Goal::Air(_) | Goal::Shift(_) | Goal::Lap(_) => {}
+    } else if let Some(Opposite { center: Some(center), .. }) = goal.read() {
+        spot(parts, &format!("{path}.opposite.center"), center, owner);
+    } else if let Some(AreaGoal(there)) = goal.read() {
+        region(parts, &format!("{path}.area"), &there, owner);
+    } else if let Some(ExitGoal(there)) = goal.read() {
+        region(parts, &format!("{path}.exit"), &there, owner);
+    }
+    for (below, part) in scene.plugins.goals.parts(goal) {
+        // a goal is removed with its entry of the list: `journey.0` of `journey.0.goal`
+        let entry = below.strip_suffix(".goal").unwrap_or(&below);
+        let owner = Owner { kind: owner.kind, removal: Some(Removal::Path(format!("{path}.{entry}"))) };
+        goal_parts(scene, parts, &format!("{path}.{below}"), &part, &owner);
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 use throng_draw::WorldBox;
 use throng_record::{Frame, moment};
 use throng_scene::flow::{Named, Paint, Sketch};
-use throng_scene::{Goal, Place, Region, Scene, Shape, gallery};
+use throng_scene::{ExitGoal, Goal, Place, PointGoal, PointsPlace, Region, Ring, Scene, Shape, gallery};
 use throng_studio::direct::{DirectedWorld, Director, Event, Tool};
 use throng_studio::document::Document;
 use throng_studio::panels;
@@ -79,9 +79,8 @@ fn near(a: [f64; 2], b: [f64; 2]) {
     assert!(DVec2::from(a).distance(b.into()) < 1e-3, "{a:?} is not {b:?}");
 }
 
-fn points(place: &Place) -> &[[f64; 2]] {
-    let Place::Points(points) = place else { panic!("{place:?}") };
-    points
+fn points(place: &Place) -> Vec<[f64; 2]> {
+    place.read::<PointsPlace>().unwrap_or_else(|| panic!("{place:?}")).0
 }
 
 #[test]
@@ -107,7 +106,7 @@ fn a_rule_moves_as_a_whole_and_a_list_entry_by_entry() {
     let mut hand = Hand::gallery("circle");
     let before = hand.text();
     assert_eq!(hand.drag(Tool::Select, &[[0.0, 0.0], [1.0, 0.5], [2.0, -1.25]]), Ok(true));
-    let Place::Ring(ring) = &hand.scene().groups[0].place else { panic!() };
+    let ring: Ring = hand.scene().groups[0].place.read().unwrap();
     near(ring.center, [2.0, -1.25]);
     assert!(hand.document.text().contains("# metres"), "comments stay");
     hand.is_one_step_from(&before);
@@ -201,10 +200,11 @@ fn goals_and_exits_are_placed_and_dragged() {
     assert_eq!(hand.click(Tool::Goal, [5.0, 5.0]), Ok(true));
     hand.is_one_step_from(&before);
     hand.drag(Tool::Select, &[[5.0, 5.0], [6.0, 4.0]]).unwrap();
-    assert!(matches!(&hand.scene().groups[0].goal, Some(Goal::Point(there)) if there.at == [6.0, 4.0]));
+    let there: PointGoal = hand.scene().groups[0].goal.as_ref().and_then(Goal::read).unwrap();
+    assert_eq!(there.at, [6.0, 4.0]);
     hand.drag(Tool::Exit, &[[8.0, -2.0], [10.0, 2.0]]).unwrap();
-    let goal = hand.scene().groups[0].goal.clone();
-    assert!(matches!(goal, Some(Goal::Exit(Region::Rectangle(sides))) if sides.center == [9.0, 0.0]));
+    let goal: Option<ExitGoal> = hand.scene().groups[0].goal.as_ref().and_then(Goal::read);
+    assert!(matches!(goal, Some(ExitGoal(Region::Rectangle(sides))) if sides.center == [9.0, 0.0]));
     // an explicit tolerance is kept
     let text = hand.text().replace("goal.exit", "# goal.exit") + "goal.point = { at = [1, 1], tolerance = 0.5 }\n";
     hand.document.edit(text);

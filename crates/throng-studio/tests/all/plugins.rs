@@ -3,12 +3,13 @@
 use eframe::egui::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use std::sync::Arc;
 use std::time::Duration;
 use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
+use throng_scene::{AgentJourney, AgentStart, GoalRule, Placement, Random};
 use throng_studio::Plugins;
 use throng_studio::document::Document;
 use throng_studio::panels::{self, Gallery, Tuned, Tuning};
@@ -31,6 +32,36 @@ impl Behaviour for Climb {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
         assert!(view.position().z < self.end, "out of breath");
         Some(view.reach(Vec3::Z * (self.height - view.position().z).clamp(-1.0, 1.0) * view.vehicle.max_speed))
+    }
+}
+
+/// In a row along x.
+#[parameters]
+#[derive(Debug)]
+struct Row {
+    /// Distance between agents, metres.
+    #[parameter(default = 1.5, unit = "m", above = 0, most = 50)]
+    step: f64,
+}
+
+impl Placement for Row {
+    fn position(&self, k: usize, _: usize, _: &mut Random) -> Option<DVec3> {
+        Some(DVec3::X * self.step * k as f64)
+    }
+}
+
+/// Northwards.
+#[parameters]
+#[derive(Debug)]
+struct North {
+    /// How far, metres.
+    #[parameter(default = 7.5, unit = "m", above = 0, most = 60)]
+    far: f64,
+}
+
+impl GoalRule for North {
+    fn goal(&self, agent: &AgentStart, _: &mut Random) -> AgentJourney {
+        agent.point(agent.at + DVec3::Y * self.far, 0.2).into()
     }
 }
 
@@ -65,14 +96,41 @@ fn its_scenes_are_in_the_gallery() {
     assert_eq!(panels::beside(&plugins, "lift", 1).as_deref(), Some("columns"));
 }
 
+fn find<'a>(section: &'a Section, path: &str) -> Option<&'a throng_studio::tune::Parameter> {
+    let own = section.parameters.iter().find(|parameter| parameter.path == path);
+    own.or_else(|| section.sections.iter().find_map(|section| find(section, path)))
+}
+
+#[test]
+fn its_places_and_goals_have_parameters_too_and_can_be_chosen() {
+    let text = "title = \"A walk\"\n[[group]]\ncount = 3\nplace.row = {}\ngoal.north = { far = 9 }\n";
+    let plugins = Arc::new(Plugins::new().placement::<Row>().goal::<North>().scene("walk", text));
+    let document = Document::named("walk", &plugins).unwrap();
+    let sections = Tunable::new(&plugins).groups(&document);
+    let number = |value, high| ParameterKind::Number { value, low: 0.0, high, whole: false };
+    let step = find(&sections[0], "group.0.place.row.step").unwrap();
+    assert_eq!((&step.kind, step.given), (&number(1.5, 50.0), false));
+    let far = find(&sections[0], "group.0.goal.north.far").unwrap();
+    assert_eq!((&far.kind, far.given), (&number(9.0, 60.0), true));
+    for (path, chosen) in [("group.0.place", "row"), ("group.0.goal", "north")] {
+        let choice = find(&sections[0], path).unwrap();
+        let ParameterKind::Choice { value, options } = &choice.kind else { panic!("{choice:?}") };
+        assert!(value == chosen && options.iter().any(|(name, _)| name == chosen), "{options:?}");
+    }
+    let mut engine = Engine::default();
+    engine.command(Command::Load { name: "walk".into(), scene: document.scene().unwrap().clone(), run: false });
+    engine.command(Command::Seek(1000));
+    let bodies = &settle(&mut engine).frame.bodies;
+    assert_eq!(bodies.len(), 3);
+    for (k, body) in bodies.iter().enumerate() {
+        assert!(body.position.distance(glam::DVec2::new(1.5 * k as f64, 9.0)) < 0.3, "{}", body.position);
+    }
+}
+
 #[test]
 fn its_parameters_are_there_before_they_are_said() {
     let plugins = plugins();
     let document = Document::named("lift", &plugins).unwrap();
-    fn find<'a>(section: &'a Section, path: &str) -> Option<&'a throng_studio::tune::Parameter> {
-        let own = section.parameters.iter().find(|parameter| parameter.path == path);
-        own.or_else(|| section.sections.iter().find_map(|section| find(section, path)))
-    }
     let sections = Tunable::new(&plugins).groups(&document);
     let height = find(&sections[0], "group.0.steer.climb.height").unwrap();
     assert_eq!(height.kind, ParameterKind::Number { value: 3.3, low: 0.0, high: 100.0, whole: false });

@@ -1,6 +1,7 @@
 //! Fields that lead to goals.
 
 use super::sketch::SPEED;
+use crate::assemble::goals::check_region;
 use crate::assemble::limits::{Limit, check, check_some};
 use crate::file::Problem;
 use crate::geometry::{DVec2, points, rectangle};
@@ -75,7 +76,7 @@ impl FieldContext<'_> {
                 throng_field::Destination::Point { at, tolerance: point.tolerance }
             }
             Destination::Area(region) => {
-                super::super::check::check_region(&self.path.key("area"), region)?;
+                check_region(&self.path.key("area"), region)?;
                 match region {
                     Region::Disc(disc) => {
                         let center = DVec2::from_array(disc.center) - self.scene.origin();

@@ -5,9 +5,10 @@ use super::super::{Imported, roomy};
 use super::distribution::{Distribution, number_of};
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, Solid, points};
+use crate::registry::Goal;
 use crate::scene::{
-    Area, Arrived, Expect, Goal, Group, Number, Place, Point, PolygonPlace, Region, Scene, Stop, Time, Until, Walkable,
-    Weighted,
+    Area, AreaGoal, Arrived, ChoiceGoal, ExitGoal, Expect, Group, JourneyGoal, NearestGoal, Number, Point,
+    PolygonPlace, Region, Scene, Stop, Time, Until, Walkable, Weighted,
 };
 use serde_json::{Map, Value};
 
@@ -40,7 +41,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
         groups.push(Group {
             name: distribution.id,
             count: Some(distribution.count),
-            place: Place::Polygon(PolygonPlace { corners, gap: 0.0 }),
+            place: PolygonPlace { corners, gap: 0.0 }.into(),
             goal,
             source: distribution.source.into_iter().collect(),
             wait: distribution.wait,
@@ -109,12 +110,12 @@ impl JupedsimRoutes {
         };
         let mut exits = vec![];
         for (id, value) in table(&config["exits"]) {
-            exits.push((id.clone(), Goal::Exit(region(id, value)?)));
+            exits.push((id.clone(), ExitGoal(region(id, value)?).into()));
         }
         let mut checkpoints = vec![];
         for (id, value) in table(&config["checkpoints"]) {
             let region = region(id, value)?;
-            checkpoints.push((id.clone(), Goal::Area(region), value.clone()));
+            checkpoints.push((id.clone(), AreaGoal(region).into(), value.clone()));
         }
         let checkpoints = checkpoints
             .into_iter()
@@ -159,7 +160,7 @@ impl JupedsimRoutes {
             .filter_map(|(stages, weight)| Some(Weighted { goal: self.sequence(&stages, notes)?, weight }))
             .collect();
         if goals.len() > 1 {
-            return Some(Goal::Choice(goals));
+            return Some(ChoiceGoal(goals).into());
         }
         goals.pop().map(|only| only.goal).or_else(|| self.nearest(distribution, notes))
     }
@@ -174,7 +175,7 @@ impl JupedsimRoutes {
             1 => Some(self.exits[0].1.clone()),
             _ => {
                 notes.about(distribution, "no journey: all agents leave by the nearest exit");
-                Some(Goal::Nearest(self.exits.iter().map(|(_, goal)| goal.clone()).collect()))
+                Some(NearestGoal(self.exits.iter().map(|(_, goal)| goal.clone()).collect()).into())
             }
         }
     }
@@ -193,7 +194,7 @@ impl JupedsimRoutes {
         match stops.len() {
             0 => None,
             1 if stops[0].wait.is_none() => stops.pop().map(|stop| stop.goal),
-            _ => Some(Goal::Journey(stops)),
+            _ => Some(JourneyGoal(stops).into()),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::{people, profile, solids};
 use crate::error::{Error, Kind};
 use crate::geometry::DVec2;
 use crate::scene::flow::{Governed, Named, Table};
-use crate::scene::{Field, Group, Place, Scene, Time, Until, Walkable};
+use crate::scene::{Field, Group, PointsPlace, Scene, Time, Until, Walkable};
 use std::path::Path;
 
 pub(super) fn convert(project: &Project) -> Result<Imported, Error> {
@@ -70,7 +70,7 @@ fn read(xml: &Xml, path: &Path, machine: &Machine, folder: &Path, notes: &mut No
         });
         groups.push(Group {
             name: name(&crowd.profile, i, &groups),
-            place: Place::Points(crowd.at.iter().map(DVec2::to_array).collect()),
+            place: PointsPlace(crowd.at.iter().map(DVec2::to_array).collect()).into(),
             goal,
             wait,
             field,

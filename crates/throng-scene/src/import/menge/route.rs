@@ -3,7 +3,10 @@
 use super::super::notes::Notes;
 use super::machine::{Aim, Machine, MengeRegion, Selector, State, TransitionWhen, Velocity, Way};
 use crate::geometry::DVec2;
-use crate::scene::{Goal, Number, PointGoal, PointsGoal, Stop, Weighted};
+use crate::registry::Goal;
+use crate::scene::{
+    AreaGoal, ChoiceGoal, CycleGoal, JourneyGoal, NearestGoal, Number, PointGoal, PointsGoal, Stop, Weighted,
+};
 
 /// The maximum number of paths that are followed from a state. Others are left out.
 const MOST: usize = 64;
@@ -82,7 +85,7 @@ pub(super) fn follow(machine: &Machine, state: &str, at: &[DVec2], notes: &mut N
         Some(Weighted { goal: route.goal()?, weight })
     });
     let mut goals: Vec<Weighted> = goals.collect();
-    let goal = if goals.len() > 1 { Some(Goal::Choice(goals)) } else { goals.pop().map(|only| only.goal) };
+    let goal = if goals.len() > 1 { Some(ChoiceGoal(goals).into()) } else { goals.pop().map(|only| only.goal) };
     MengeRoutes { goal, wait, field }
 }
 
@@ -125,7 +128,7 @@ impl Route {
         }
         let when = way.map(|way| &way.when);
         if let Some(TransitionWhen::In(region)) = when {
-            self.stops.push(Goal::Area(region.grown(0.0)).into());
+            self.stops.push(Goal::from(AreaGoal(region.grown(0.0))).into());
             return;
         }
         let near = if let Some(TransitionWhen::There(distance)) = when { distance.max(NEAR) } else { NEAR };
@@ -161,12 +164,15 @@ impl Route {
             notes.about(&name, "its goals are not there: people stay where they are");
             None::<Goal>
         };
-        let to = |aim: &Aim| match &aim.shape {
-            MengeRegion::Point(at) => Goal::Point(PointGoal { at: at.to_array(), tolerance: near }),
-            shape => Goal::Area(shape.grown(near)),
+        let to = |aim: &Aim| -> Goal {
+            match &aim.shape {
+                MengeRegion::Point(at) => PointGoal { at: at.to_array(), tolerance: near }.into(),
+                shape => AreaGoal(shape.grown(near)).into(),
+            }
         };
-        let points =
-            |at: Vec<DVec2>| Goal::Points(PointsGoal { at: at.iter().map(DVec2::to_array).collect(), tolerance: near });
+        let points = |at: Vec<DVec2>| -> Goal {
+            PointsGoal { at: at.iter().map(DVec2::to_array).collect(), tolerance: near }.into()
+        };
         match selector {
             Selector::Stay => None,
             Selector::Explicit(id, goal) => {
@@ -185,15 +191,14 @@ impl Route {
             Selector::Random(id) | Selector::Weighted(id) => {
                 let Some(set) = set(id) else { return missing(notes) };
                 let weight = |aim: &Aim| if matches!(selector, Selector::Weighted(_)) { aim.weight } else { 1.0 };
-                Some(Goal::Choice(set.iter().map(|aim| Weighted { goal: to(aim), weight: weight(aim) }).collect()))
+                let weighted = set.iter().map(|aim| Weighted { goal: to(aim), weight: weight(aim) });
+                Some(ChoiceGoal(weighted.collect()).into())
             }
             Selector::Nearest(id) | Selector::Farthest(id) => {
                 let Some(set) = set(id) else { return missing(notes) };
                 let farthest = matches!(selector, Selector::Farthest(_));
-                let from: Vec<DVec2> = match self.stops.last().map(|stop| &stop.goal) {
-                    Some(Goal::Point(point)) => vec![DVec2::from_array(point.at); at.len()],
-                    _ => at.to_vec(),
-                };
+                let last: Option<PointGoal> = self.stops.last().and_then(|stop| stop.goal.read());
+                let from = last.map_or_else(|| at.to_vec(), |point| vec![DVec2::from_array(point.at); at.len()]);
                 let few = set.iter().map(|aim| aim.capacity).sum::<f64>() < 1e6
                     || set.iter().any(|aim| aim.capacity < at.len() as f64);
                 let all_points = set.iter().all(|aim| matches!(aim.shape, MengeRegion::Point(_)));
@@ -202,7 +207,7 @@ impl Route {
                     notes.about(&name, "each agent's goal is chosen at the start");
                     return Some(points(shared_out(set, &from, farthest)));
                 }
-                Some(Goal::Nearest(set.iter().map(to).collect()))
+                Some(NearestGoal(set.iter().map(to).collect()).into())
             }
         }
     }
@@ -211,8 +216,8 @@ impl Route {
         match (self.stops.len(), self.repeat) {
             (0, _) => None,
             (1, false) if self.stops[0].wait.is_none() => self.stops.pop().map(|stop| stop.goal),
-            (_, false) => Some(Goal::Journey(self.stops)),
-            (_, true) => Some(Goal::Cycle(self.stops)),
+            (_, false) => Some(JourneyGoal(self.stops).into()),
+            (_, true) => Some(CycleGoal(self.stops).into()),
         }
     }
 }

@@ -6,8 +6,10 @@ use super::assemble::{PlanParts, Start};
 use crate::assemble::{has_room, solid_shape};
 use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, Solid, bounds, contains, rectangle, signed_area};
+use crate::registry::{Goal, Place};
 use crate::scene::{
-    Area, Body, Goal, Group, Number, Place, PolygonPlace, Rectangle, Region, Scene, Walkable, WalkablePlace,
+    Area, Body, ExitGoal, Group, NearestGoal, Number, PointsPlace, PolygonPlace, Rectangle, Region, Scene, Walkable,
+    WalkablePlace,
 };
 use std::path::Path;
 
@@ -33,7 +35,7 @@ pub(super) fn scene(name: &str, mut parts: PlanParts, ask: &PlanOptions) -> Resu
     let groups = if parts.starts.is_empty() {
         let size = parts.walkable.iter().map(Area::size).sum();
         let count = ask.people.unwrap_or_else(|| chosen(&mut parts, size));
-        let place = Place::Walkable(WalkablePlace { gap: GAP });
+        let place = WalkablePlace { gap: GAP }.into();
         vec![Group { name: "people".into(), count: Some(count), place, goal: Some(goal), ..Group::default() }]
     } else {
         starting(&mut parts, ask, &goal)
@@ -58,7 +60,7 @@ fn goal(name: &str, parts: &mut PlanParts, ask: &PlanOptions) -> Result<Goal, Er
     if let Some([x, y, width, height]) = ask.exit {
         let exit = Rectangle::between([x, y], [x + width, y + height]);
         reachable(&walkable, &solid, &exit, radius)?;
-        return Ok(Goal::Exit(Region::Rectangle(exit)));
+        return Ok(ExitGoal(Region::Rectangle(exit)).into());
     }
     if parts.exits.is_empty() {
         let other = match name.ends_with(".wkt") {
@@ -73,9 +75,10 @@ fn goal(name: &str, parts: &mut PlanParts, ask: &PlanOptions) -> Result<Goal, Er
     }
     let mut exits = vec![];
     for (i, corners) in parts.exits.iter().enumerate() {
-        exits.push(Goal::Exit(roomy(&solid, corners, radius, &format!("exit {}", i + 1), &mut parts.notes)));
+        let exit = roomy(&solid, corners, radius, &format!("exit {}", i + 1), &mut parts.notes);
+        exits.push(ExitGoal(exit).into());
     }
-    Ok(if exits.len() == 1 { exits.remove(0) } else { Goal::Nearest(exits) })
+    Ok(if exits.len() == 1 { exits.remove(0) } else { NearestGoal(exits).into() })
 }
 
 /// Returns a group for every start place: the requested number of agents, divided by the areas of the places, or the
@@ -136,7 +139,7 @@ fn solid(parts: &PlanParts, radius: f64) -> Solid {
 /// staggered rows with evenly spread gaps.
 fn standing(start: &Start, count: u64, parts: &PlanParts) -> Place {
     let corners = &start.corners;
-    let drawn = Place::Polygon(PolygonPlace { corners: corners.iter().map(DVec2::to_array).collect(), gap: 0.0 });
+    let drawn = PolygonPlace { corners: corners.iter().map(DVec2::to_array).collect(), gap: 0.0 }.into();
     let radius = start.radius.unwrap_or(f64::from(throng::Agent::default().radius));
     let bodies = count as f64 * std::f64::consts::PI * radius * radius;
     let Some([low, high]) = bounds(corners.iter().copied()).filter(|_| bodies > DRAWN * signed_area(corners).abs())
@@ -156,7 +159,7 @@ fn standing(start: &Start, count: u64, parts: &PlanParts) -> Place {
         return drawn;
     }
     let chosen = (0..count as usize).map(|k| free[k * free.len() / count as usize].to_array());
-    Place::Points(chosen.collect())
+    PointsPlace(chosen.collect()).into()
 }
 
 /// Checks that a body of the default size fits somewhere in an exit.

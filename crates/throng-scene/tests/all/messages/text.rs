@@ -40,7 +40,7 @@ fn an_unknown_choice_is_named_with_the_others() {
         &group("count = 3\nplace.circle = { radius = 7.0 }"),
         Kind::UnknownKey,
         r"
-a.toml:6:7: `circle` is not one of the choices here
+a.toml:6:7: group `walkers`: `circle` is not one of the choices here
   6 | place.circle = { radius = 7.0 }
     |       ^^^^^^
   hint: the choices here are: point, points, line, ring, sphere, grid, disc, rectangle, polygon, walkable",

@@ -14,7 +14,7 @@ impl Uses {
         Self(gallery::names().map(|name| (name, of_scene(gallery::text(name).unwrap(), &schema))).collect())
     }
 
-    /// Returns the scenes that use a name of a part of the registry: `Steer`, `Avoid`, `Flow`, `rules`.
+    /// Returns the scenes that use a name of a part of the registry: `Place`, `Goal`, `Steer`, `Avoid`, `Flow`, `rules`.
     pub fn scenes(&self, registry: &str, name: &str) -> Vec<&'static str> {
         let used = (registry.to_owned(), name.to_owned());
         self.0.iter().filter(|(_, uses)| uses.contains(&used)).map(|(scene, _)| *scene).collect()
@@ -34,7 +34,7 @@ fn of_scene(text: &str, schema: &Schema) -> BTreeSet<(String, String)> {
 /// Adds the choices in a value of this schema.
 fn find(value: &Value, at: &serde_json::Value, schema: &Schema, uses: &mut BTreeSet<(String, String)>) {
     if let Some(name) = reference(at) {
-        if let ("Steer" | "Avoid" | "Flow", Value::Table(choice)) = (name, value) {
+        if let ("Place" | "Goal" | "Steer" | "Avoid" | "Flow", Value::Table(choice)) = (name, value) {
             uses.extend(choice.keys().map(|chosen| (name.to_owned(), chosen.clone())));
         }
         find(value, schema.definition(name), schema, uses);
@@ -70,6 +70,7 @@ fn choices_are_found_wherever_they_are_and_keys_are_no_choices() {
         ] } }
         [[group]]
         place.point = [5, 0]
+        goal.journey = [{ goal.nearest = [{ area.disc = { center = [0, 5], radius = 1 } }] }, { goal.point = [5, 5] }]
         avoid.rvo = {}
         [[group]]
         place.point = [9, 0]
@@ -81,5 +82,7 @@ fn choices_are_found_wherever_they_are_and_keys_are_no_choices() {
     assert_eq!(of("Steer"), ["amortised", "flocking", "follow_flow", "priority", "switch", "weighted_sum"]);
     assert_eq!(of("Flow"), ["around_walls", "named", "noise", "sum", "whirl"]);
     assert_eq!(of("Avoid"), ["none", "orca", "rvo"]);
+    assert_eq!(of("Place"), ["point"]);
+    assert_eq!(of("Goal"), ["area", "journey", "nearest", "point"]);
     assert_eq!(of("rules"), ["soccer"]);
 }

@@ -25,6 +25,8 @@ pub fn tables(schema: &Schema, uses: &Uses) -> Vec<(String, String)> {
         (format!("what throng has: {name}"), table(&[key, "what it is", "scenes"], rows))
     };
     vec![
+        table("placements", "`place.`", "Place", choices("Place")),
+        table("goals", "`goal.`", "Goal", choices("Goal")),
         table("behaviours", "`steer.`", "Steer", behaviours),
         table("combinations", "`steer.`", "Steer", combinations),
         table("local models", "`avoid.`", "Avoid", choices("Avoid")),
