@@ -12,38 +12,36 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 import shapely
 import throng_sim as tg
 import throng_sim.envs
-
-gymnasium = pytest.importorskip("gymnasium")
-pettingzoo = pytest.importorskip("pettingzoo")
-
-from gymnasium.error import ResetNeeded  # noqa: E402
-from gymnasium.utils.env_checker import check_env  # noqa: E402
-from gymnasium.utils.env_match import check_environments_match  # noqa: E402
-from gymnasium.vector import AutoresetMode, SyncVectorEnv  # noqa: E402
-from gymnasium.vector.utils import batch_space  # noqa: E402
-from pettingzoo.test import parallel_api_test, parallel_seed_test  # noqa: E402
+from gymnasium.error import ResetNeeded
+from gymnasium.utils.env_checker import check_env
+from gymnasium.utils.env_match import check_environments_match
+from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from gymnasium.vector.utils import batch_space
+from pettingzoo.test import api_test, parallel_api_test, parallel_seed_test
+from pettingzoo.utils import parallel_to_aec
 
 ACTIONS = ["velocity", "speed-turn", "discrete"]
 
 
 def hall(n: int = 24, seed: int = 3) -> tg.Scene:
     """Two groups in a hall with a pillar; the left goes to a point, the right leaves by an exit."""
-    pillar = shapely.box(9, 3, 11, 5)
-    scene = tg.Scene(walkable="POLYGON ((0 0, 20 0, 20 8, 0 8))", obstacles=[pillar], seed=seed, limit=40.0)
-    scene.group("left", n=n // 2, area="POLYGON ((0.5 0.5, 6 0.5, 6 7.5, 0.5 7.5))", goal=(19, 4), gap=0.05)
-    scene.group("right", n=n // 2, area="POLYGON ((14 0.5, 19.5 0.5, 19.5 7.5, 14 7.5))", exit=shapely.box(0, 0, 1, 8))
+    ground = shapely.box(0, 0, 20, 8) - shapely.box(9, 3, 11, 5)
+    scene = tg.Scene(walkable=ground, seed=seed, limit=40.0)
+    scene.group("left", n=n // 2, area=shapely.box(0.5, 0.5, 6, 7.5), goal=(19, 4), gap=0.05)
+    scene.group("right", n=n // 2, area=shapely.box(14, 0.5, 19.5, 7.5), exit=shapely.box(0, 0, 1, 8))
     return scene
 
 
 def alone(model: str = "none", **keys: Any) -> tg.Scene:
-    """One agent on open ground, which heads along +x."""
+    """One agent on open ground, which obeys commands at once."""
     scene = tg.Scene(limit=20.0)
-    scene.group("one", at=[(0, 0)], goal=(6, 0), model=model, **keys)
+    scene.group("one", at=[(0, 0)], goal=(6, 0), model=model, preset="animation", acceleration=1000.0, **keys)
     return scene
 
 
@@ -96,20 +94,20 @@ def test_agents_that_arrive_leave_the_dictionaries() -> None:
 
 
 def test_the_vector_environment_equals_single_ones_side_by_side() -> None:
-    options: dict[str, Any] = {"observe": "nearest-4+walls-4", "limit": 6.0}
-    ours = throng_sim.envs.vector(hall(), 4, 13, threads=2, **options)
-    theirs = SyncVectorEnv([lambda: throng_sim.envs.single(hall(), 13, **options) for _ in range(4)])
+    options: dict[str, Any] = {"observe": "nearest-4+walls-4", "limit": 13.0}
+    ours = throng_sim.envs.vector(hall(), 4, 20, threads=2, **options)
+    theirs = SyncVectorEnv([lambda: throng_sim.envs.single(hall(), 20, **options) for _ in range(4)])
     assert ours.metadata["autoreset_mode"] == theirs.metadata["autoreset_mode"] == AutoresetMode.NEXT_STEP
     assert ours.observation_space == theirs.observation_space and ours.action_space == theirs.action_space
     rng = np.random.default_rng(5)
     ends = {"arrived": 0, "late": 0}
     (seen, infos), (seen_, infos_) = ours.reset(seed=11), theirs.reset(seed=11)
-    for step in range(80):
+    for step in range(150):
         assert (seen == seen_).all() and seen.dtype == seen_.dtype, step
         assert infos.keys() == infos_.keys()
         assert all((infos[key] == infos_[key]).all() for key in infos), step
         assert seen in ours.observation_space
-        actions = towards(seen) * rng.uniform(0.5, 1.0, (4, 1)) if step % 3 else rng.uniform(-1, 1, (4, 2))
+        actions = towards(seen) * rng.uniform(0.8, 1.0, (4, 1)) if step % 9 else rng.uniform(-1, 1, (4, 2))
         seen, rewards, arrived, late, infos = ours.step(actions.astype(np.float32))
         seen_, rewards_, arrived_, late_, infos_ = theirs.step(actions.astype(np.float32))
         assert (rewards == rewards_).all() and (arrived == arrived_).all() and (late == late_).all(), step
@@ -132,9 +130,20 @@ def test_vectors_are_the_same_for_any_threads_and_without_copies() -> None:
         assert (seen == runs[0][0]).all() and hashes == runs[0][1]
 
 
+def test_wrappers_take_the_environments() -> None:
+    several = parallel_to_aec(throng_sim.envs.parallel(hall(), "left", limit=5.0))
+    api_test(several, num_cycles=50)
+    many = throng_sim.envs.vector(hall(), 3, limit=2.0)
+    wrapped = gymnasium.wrappers.vector.NormalizeObservation(gymnasium.wrappers.vector.RecordEpisodeStatistics(many))
+    wrapped.reset(seed=1)
+    for _ in range(10):
+        *_, late, infos = wrapped.step(np.zeros((3, 2), dtype=np.float32))
+    assert late.all() and infos["episode"]["l"].tolist() == [10] * 3
+
+
 def test_gymnasium_makes_vectors() -> None:
     envs = gymnasium.make_vec("throng/Crowd-v0", num_envs=3, vectorization_mode="vector_entry_point", scene="crossing")
-    seen, infos = envs.reset(seed=1)
+    seen, _ = envs.reset(seed=1)
     assert seen.shape == (3, 54) and envs.num_envs == 3
     assert envs.observation_space == batch_space(envs.single_observation_space, 3)
     envs.close()
@@ -219,7 +228,7 @@ def test_agents_without_a_goal_or_neighbours_observe_zeros() -> None:
 )
 def test_an_action_is_a_velocity_in_the_frame_of_the_agent(action: str, given: Any, velocity: Any) -> None:
     turned = math.radians(30)
-    env = throng_sim.envs.single(alone(heading=30.0, acceleration=1000.0), action=action)
+    env = throng_sim.envs.single(alone(heading=30.0), action=action)
     env.reset()
     assert env.world.headings[0] == pytest.approx(turned)
     top = env.world.max_speeds[0]
@@ -331,6 +340,16 @@ def test_an_agent_that_leaves_by_an_exit_has_arrived() -> None:
     assert (observation == 0).all() and observation in env.observation_space
 
 
+def test_an_agent_that_the_program_removes_is_terminated() -> None:
+    env = throng_sim.envs.parallel(hall(), [3, 7])
+    env.reset(seed=1)
+    env.world.remove(3)
+    _, _, terminated, _, _ = env.step({"left_3": [1.0, 0.0], "left_7": [0.5, 0.0]})
+    assert terminated == {"left_3": True, "left_7": False} and env.agents == ["left_7"]
+    commanded = env.world.ids[~np.isnan(env.world.preferred).any(axis=1)]
+    assert commanded.tolist() == [7]
+
+
 def test_an_agent_that_arrives_between_two_actions_has_arrived() -> None:
     # 25 steps at 1.8 m/s are 1.8 m: it walks over the goal and on
     env = throng_sim.envs.single(alone(), repeat=25)
@@ -371,7 +390,7 @@ def test_the_seed_of_the_environment_is_that_of_the_first_episode_and_draws_a_fr
     env.reset()
     assert env.world.hash() == hall().build(seed=31).hash()
     chosen = {tuple(throng_sim.envs.parallel(hall(), 0.25, seed=k).possible_agents) for k in range(6)}
-    assert len(chosen) > 1 and {len(names) for names in chosen} == {6}
+    assert len(chosen) > 1 and {len(set(names)) for names in chosen} == {6}
     assert env.possible_agents == throng_sim.envs.parallel(hall(), 0.25, seed=31).possible_agents
 
 
@@ -411,7 +430,9 @@ def test_pictures() -> None:
         (lambda e: e.parallel(hall(), 1.5), ValueError, "control is 1.5"),
         (lambda e: e.parallel(hall(), True), TypeError, "control is a bool"),
         (lambda e: e.single(hall(), 99), ValueError, "no agent 99"),
-        (lambda e: e.single(tg.Scene()), ValueError, "no agents at its start"),
+        (lambda e: e.single(hall(), "left"), TypeError, "the number of one agent; `parallel` takes more"),
+        (lambda e: e.vector(hall(), 2, 0.5), TypeError, "the number of one agent"),
+        (lambda e: e.single(tg.Scene()), tg.SceneError, "the scene has no agents"),
         (lambda e: e.single(hall(), action="jump"), ValueError, "there are: velocity, speed-turn, discrete"),
         (lambda e: e.single(hall(), observe="nearest"), ValueError, "give `nearest-10`, `walls-8`"),
         (lambda e: e.single(hall(), sight=0.0), ValueError, "sight is 0.0"),
@@ -464,8 +485,8 @@ def test_wrong_actions_of_several_agents_are_refused() -> None:
     env.reset()
     good = {"left_3": [0.0, 0.0], "right_13": [0.0, 0.0]}
     for change, text in [
-        ({"left_3": [0.0]}, r"an action has the shape \(1,\), but must have \(2,\)"),
-        ({"left_3": [0.0, math.nan]}, "not finite"),
+        ({"left_3": [0.0]}, r"the action of `left_3` has the shape \(1,\), but must have \(2,\)"),
+        ({"right_13": [0.0, math.nan]}, "of `right_13` is not finite"),
         ({"left_4": [0.0, 0.0]}, "no agent `left_4`"),
     ]:
         with pytest.raises(ValueError, match=text):
@@ -483,7 +504,7 @@ def test_actions_after_the_end_are_refused() -> None:
     observations, _ = env.reset(seed=1)
     while len(env.agents) == 2:
         observations, *_ = env.step({agent: towards(observations[agent]) for agent in env.agents})
-    with pytest.raises(ValueError, match="whose episode is over"):
+    with pytest.raises(ValueError, match="but its episode is over"):
         env.step({agent: [0.0, 0.0] for agent in env.possible_agents})
     while env.agents:
         observations, *_ = env.step({agent: towards(observations[agent]) for agent in env.agents})
@@ -500,13 +521,16 @@ def test_a_vector_needs_a_reset_and_whole_actions() -> None:
     envs.reset()
     with pytest.raises(ValueError, match=r"shape \(3, 2\), but must have \(2, 2\)"):
         envs.step(np.zeros((3, 2)))
+    with pytest.raises(ValueError, match="of world 1 is not finite"):
+        envs.step(np.array([[0.0, 0.0], [math.nan, 0.0]]))
     envs.close()
     with pytest.raises(ResetNeeded, match="call `reset` first"):
         envs.step(np.zeros((2, 2)))
 
 
 @pytest.mark.parametrize(
-    ("returned", "text"), [([1.0, 2.0], r"returned the shape \(2,\)"), ([math.nan], "not finite"), (3.0, r"shape \(\)")]
+    ("returned", "text"),
+    [([1.0, 2.0], r"returned the shape \(2,\)"), ([math.nan], "infinity or NaN"), (3.0, r"shape \(\)")],
 )
 def test_wrong_rewards_are_refused(returned: Any, text: str) -> None:
     env = throng_sim.envs.single(hall(), reward=lambda now: returned)

@@ -20,6 +20,7 @@ from ._model import Each, Model, View, model
 from ._run import Run
 from ._scene import Scene, gallery, models, open, schema
 from ._summary import Summary
+from ._sweep import Results, sweep
 from ._throng import FileError, SceneError, WorldError
 from ._world import Event, Neighbors, Status, Stepper, World, step_all
 from . import measure, plot
@@ -31,6 +32,7 @@ __all__ = [
     "FileError",
     "Model",
     "Neighbors",
+    "Results",
     "Run",
     "Scene",
     "SceneError",
@@ -49,6 +51,7 @@ __all__ = [
     "plot",
     "schema",
     "step_all",
+    "sweep",
 ]
 
 # parts that need more than NumPy, or that most programs do not need, are imported when they are first used

@@ -10,6 +10,7 @@ mod model;
 mod place;
 mod run;
 mod scene;
+mod sweep;
 mod threads;
 mod world;
 mod writable;
@@ -27,6 +28,8 @@ mod _throng {
     use crate::run::{Recording, colors};
     #[pymodule_export]
     use crate::scene::{Scene, gallery, models, schema};
+    #[pymodule_export]
+    use crate::sweep::Plan;
     #[pymodule_export]
     use crate::world::{Stepper, World};
 }

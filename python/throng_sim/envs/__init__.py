@@ -1,10 +1,12 @@
-"""Environments for reinforcement learning: some agents of a scene are under control, its models move all others.
+"""Environments for reinforcement learning: some agents of a scene are under control.
 
-`single` and `vector` are for Gymnasium, `parallel` is for PettingZoo. An action is a velocity that the agent prefers.
-Its local model and the guard come after it, so agents never overlap, whatever the actions are. With the local model
-`none`, only the guard does: the policy then has to avoid others itself.
+`single` and `vector` are for Gymnasium, `parallel` is for PettingZoo. The scene moves all agents that are not under
+control. An action is a velocity that the agent prefers. Its local model and the guard come after it, so agents never
+overlap, whatever the actions are. With the local model `none` only the guard does, and the policy has to avoid other
+agents. An agent that looks ahead takes half a second to reach a velocity; without `look_ahead` only its acceleration
+limits it.
 
->>> import throng_sim as tg, throng_sim.envs
+>>> import throng_sim as tg
 >>> env = tg.envs.parallel("crossing", control="eastward", observe="nearest-4")
 >>> observations, infos = env.reset(seed=1)
 >>> len(env.agents), observations[env.agents[0]].shape
@@ -98,8 +100,8 @@ def vector(
 ) -> CrowdVectorEnv:
     """Returns a vector environment of Gymnasium: the agent with the number `control` in each of `num_envs` worlds.
 
-    `threads` worlds make their steps at the same time. Without `copy`, the observations are the same array in each step,
-    written anew.
+    `threads` worlds make their steps at the same time. Without `copy`, all steps return the same array of observations,
+    with new numbers.
 
     >>> envs = vector("crossing", num_envs=3, threads=2)
     >>> observations, infos = envs.reset(seed=1)

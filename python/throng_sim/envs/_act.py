@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import gymnasium
@@ -19,7 +20,7 @@ SPEEDS = (0.5, 1.0)
 """Speeds of discrete actions, as parts of the top speed."""
 
 
-class Kind(Protocol):
+class ActionKind(Protocol):
     """A kind of actions."""
 
     def space(self) -> gymnasium.Space[Any]:
@@ -67,18 +68,21 @@ class Discrete:
         return choices.take(actions, axis=0)
 
 
-KINDS: dict[str, Kind] = {"velocity": Velocity(), "speed-turn": SpeedTurn(), "discrete": Discrete()}
+KINDS: dict[str, ActionKind] = {"velocity": Velocity(), "speed-turn": SpeedTurn(), "discrete": Discrete()}
 
 
-def kind(name: str) -> Kind:
+def action_kind(name: str) -> ActionKind:
     """Returns a kind of actions by its name."""
     if name not in KINDS:
         raise ValueError(f"action is {name!r}; there are: {', '.join(KINDS)}")
     return KINDS[name]
 
 
-def checked(space: gymnasium.Space[Any], given: Any, count: int) -> npt.NDArray[Any]:
-    """Returns the actions of `count` agents as one array. Numbers beyond a box are not an error: they are cut off."""
+def checked(space: gymnasium.Space[Any], given: Any, count: int, name: Callable[[int], str]) -> npt.NDArray[Any]:
+    """Returns the actions of `count` agents as one array. Errors name the agent of a row.
+
+    Numbers beyond the limits of a box are not an error: they are cut off.
+    """
     shape = (count, *(space.shape or ()))
     try:
         actions = np.asarray(given)
@@ -89,19 +93,17 @@ def checked(space: gymnasium.Space[Any], given: Any, count: int) -> npt.NDArray[
         raise ValueError(f"the actions have the shape {actions.shape}, but must have {shape}: a row for each agent")
     if not np.isfinite(numbers).all():
         row = int(np.argwhere(~np.isfinite(numbers))[0][0])
-        raise ValueError(f"the action {actions[row].tolist()} of row {row} is not finite: check what chooses it")
+        raise ValueError(f"the action {actions[row].tolist()} of {name(row)} is not finite: check what chooses it")
     if not isinstance(space, gymnasium.spaces.Discrete):
         return numbers
     choices = numbers.astype(np.int64)
     wrong = (choices != numbers) | (choices < 0) | (choices >= space.n)
     if wrong.any():
         row = int(wrong.argmax())
-        raise ValueError(f"the action {actions[row]} of row {row} must be an integer from 0 to {space.n - 1}")
+        raise ValueError(f"the action {actions[row]} of {name(row)} must be an integer from 0 to {space.n - 1}")
     return choices
 
 
-def preferred(kind: Kind, actions: npt.NDArray[Any], headings: Floats, max_speeds: Floats) -> Floats:
-    """Returns actions as velocities in the world, m/s, no faster than the agents can: (a, 2)."""
-    ahead = kind.velocities(actions)
-    ahead = ahead / np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1.0)
-    return outwards(ahead, headings) * max_speeds[:, None]
+def preferred(kind: ActionKind, actions: npt.NDArray[Any], headings: Floats, max_speeds: Floats) -> Floats:
+    """Returns actions as velocities in the world, m/s: (a, 2). The engine limits them to the top speeds."""
+    return outwards(kind.velocities(actions), headings) * max_speeds[:, None]

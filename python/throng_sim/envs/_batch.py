@@ -13,7 +13,7 @@ from gymnasium.error import ResetNeeded
 
 from .._model import Model
 from .._scene import Scene
-from .._world import World, step_all
+from .._world import Stepper, World
 from . import _act, _reward
 from ._control import Control, chosen
 from ._observe import Observation
@@ -28,7 +28,7 @@ class Options(TypedDict, total=False):
     """Options of all environments."""
 
     observe: str
-    """What agents observe: `nearest-K`, `walls-R`, or both with a plus; see `Observation`. `nearest-10` if not given."""
+    """`nearest-K`, `walls-R`, or both with a plus; see `Observation`. `nearest-10` if not given."""
     action: str
     """`velocity`, `speed-turn` or `discrete`; see `Velocity`, `SpeedTurn` and `Discrete`. `velocity` if not given."""
     reward: RewardFunction
@@ -43,7 +43,7 @@ class Options(TypedDict, total=False):
     sight: float
     """How far agents see, metres. 20 if not given."""
     seed: int | None
-    """Seed of the first episode whose `reset` has none, and of the draw of a fraction; that of the scene if not given."""
+    """Seed of a first `reset` without one, and of the draw of a fraction; that of the scene if not given."""
     threads: int
     """Threads of a step; 0: one for each core. 1 if not given. They do not change the results."""
 
@@ -93,7 +93,7 @@ class Batch:
         if not self.limit > 0:
             raise ValueError(f"limit is {limit}, but must be more than 0 s")
         self.first_seed = self.scene.seed if seed is None else int(seed)
-        self._model, self._repeat, self._threads = model, repeat, threads
+        self._model, self._repeat, self._stepper = model, repeat, Stepper(threads)
         self._reward = Reward() if reward is None else reward
         self.seconds = repeat * self.scene.dt
         """Seconds of an action."""
@@ -104,7 +104,7 @@ class Batch:
         """Their names: group and number."""
         fastest = MARGIN * float(world.max_speeds.max())
         self.observation = Observation.parse(observe, sight=sight, fastest=fastest)
-        self._kind = _act.kind(action)
+        self._kind = _act.action_kind(action)
         self._space = self._kind.space()
         self.worlds: dict[int, World] = {}
         """The worlds that have been reset, by their indices."""
@@ -141,7 +141,7 @@ class Batch:
         self.live[index] = there
 
     def observe(self, slots: Ints) -> tuple[npt.NDArray[np.float32], dict[str, Floats]]:
-        """Returns the observations and infos of slots whose episodes begin: (a, size)."""
+        """Returns the observations, (a, size), and infos of slots at the start of their episodes."""
         look = self._look(slots)
         self._distance[tuple(slots.T)] = look.distance
         return look.observations, self._infos(slots, look.distance)
@@ -149,8 +149,12 @@ class Batch:
     def step(self, actions: Any) -> Outcome:
         """Makes a step of all worlds with live slots. Actions are a row for each live slot, in the order of `live`."""
         slots = np.argwhere(self.live)
-        self._command(slots, _act.checked(self._space, actions, len(slots)))
-        step_all([self.worlds[index] for index in _worlds(slots)], self._repeat, threads=self._threads)
+
+        def name(row: int) -> str:
+            return f"`{self.names[slots[row, 1]]}`"
+
+        self._command(slots, _act.checked(self._space, actions, len(slots), name))
+        self._stepper.step([self.worlds[index] for index in _worlds(slots)], self._repeat)
         arrived = self._arrivals(slots)
         look = self._look(slots)
         arrived |= ~look.there
@@ -176,9 +180,10 @@ class Batch:
 
     def _command(self, slots: Ints, actions: npt.NDArray[Any]) -> None:
         """Gives the agents the velocities that they prefer."""
-        state, rows, _ = self._rows(slots)
+        state, rows, there = self._rows(slots)
+        rows, actions = rows[there], actions[there]
         velocities = _act.preferred(self._kind, actions, state.headings[rows], state.max_speeds[rows])
-        owners = np.searchsorted(state.first, rows, side="right") - 1
+        owners = state.owners(rows)
         for index, world in enumerate(state.worlds):
             here = owners == index
             world.preferred[rows[here] - state.first[index]] = velocities[here]

@@ -29,6 +29,13 @@ def chosen(world: World, control: Control, seed: int) -> npt.NDArray[np.uint32]:
     return _numbers(world, [int(number) for number in control])
 
 
+def one(control: object) -> int:
+    """Returns the number of the one agent under control."""
+    if isinstance(control, bool) or not isinstance(control, int | np.integer):
+        raise TypeError(f"control is {control!r}, but must be the number of one agent; `parallel` takes more")
+    return int(control)
+
+
 def _group(world: World, name: str) -> npt.NDArray[np.uint32]:
     names = world.group_names
     if name not in names:

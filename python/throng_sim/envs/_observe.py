@@ -74,12 +74,12 @@ class Observation:
         out[:, 2:4] = inwards(to_goal * np.minimum(1.0, self.sight / np.maximum(distance, 1e-9)), headings)
         others, exist = near
         end = 4 + PER_NEIGHBOUR * self.neighbours
-        seen = out[:, 4:end].reshape(len(rows), self.neighbours, PER_NEIGHBOUR)
+        seen = np.empty((len(rows), self.neighbours, PER_NEIGHBOUR))
         seen[..., 0:2] = inwards(state.positions[others] - at[:, None], headings)
         seen[..., 2:4] = inwards(state.velocities[others] - state.velocities[rows][:, None], headings)
         seen[..., 4] = state.radii[others] + state.radii[rows][:, None]
         seen[~exist] = 0.0
-        out[:, 4:end] = seen.reshape(len(rows), -1)
+        out[:, 4:end] = seen.reshape(len(rows), end - 4)
         if self.rays:
             out[:, end:] = self._to_walls(state, rows, headings)
         np.clip(out, *self._bounds, out=out)
@@ -93,9 +93,5 @@ class Observation:
         angles = np.linspace(0, 2 * np.pi, self.rays, endpoint=False)
         ahead = np.broadcast_to(np.stack([np.cos(angles), np.sin(angles)], axis=1), (len(rows), self.rays, 2))
         rays, at = outwards(ahead, headings), state.positions[rows]
-        found = np.empty((len(rows), self.rays))
-        owners = np.searchsorted(state.first, rows, side="right") - 1
-        for index, world in enumerate(state.worlds):
-            here = owners == index
-            found[here] = _walls.distances(at[here], rays[here], world.walls(), self.sight)
+        found = _walls.distances(at, rays, state.walls, state.owners(rows), self.sight)
         return np.maximum(found - state.radii[rows][:, None], 0.0)

@@ -22,14 +22,15 @@ try:
 except ImportError:
     raise ImportError("environments with several agents need PettingZoo: pip install 'throng-sim[env]'") from None
 
-Observation = npt.NDArray[np.float32]
+Row = npt.NDArray[np.float32]
 
 
-class CrowdParallelEnv(ParallelEnv[str, Observation, Any]):  # type: ignore[misc]
+class CrowdParallelEnv(ParallelEnv[str, Row, Any]):  # type: ignore[misc]
     """Several agents of a scene; `parallel` makes it.
 
     The name of an agent is that of its group and its number, `left_3`. An agent that arrives is terminated: it then
-    decides itself again, or has left the scene. When the time is up, all are truncated.
+    decides itself again, or has left the scene. So is an agent that the program removes from `world`. When the time is
+    up, all agents are truncated.
     """
 
     def __init__(
@@ -64,7 +65,7 @@ class CrowdParallelEnv(ParallelEnv[str, Observation, Any]):  # type: ignore[misc
 
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[dict[str, Observation], dict[str, dict[str, Any]]]:
+    ) -> tuple[dict[str, Row], dict[str, dict[str, Any]]]:
         """Begins an episode. With a seed, the world is that of `scene.build(seed=seed)`."""
         if seed is None and self._generator is None:
             seed = self._batch.first_seed
@@ -79,16 +80,18 @@ class CrowdParallelEnv(ParallelEnv[str, Observation, Any]):  # type: ignore[misc
 
     def step(
         self, actions: dict[str, Any]
-    ) -> tuple[
-        dict[str, Observation], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
-    ]:
+    ) -> tuple[dict[str, Row], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         """Does an action of each agent of `agents`."""
         if not self.agents:
             raise ResetNeeded("the episode is over or has not begun: call `reset` first")
         if set(actions) != set(self.agents):
             self._refuse(actions)
         names = self.agents
-        made = self._batch.step(_stacked([actions[name] for name in names], self.action_spaces[names[0]]))
+        for name in names:
+            if np.shape(actions[name]) != self.action_spaces[name].shape:
+                shape, wanted = np.shape(actions[name]), self.action_spaces[name].shape
+                raise ValueError(f"the action of `{name}` has the shape {shape}, but must have {wanted}")
+        made = self._batch.step([actions[name] for name in names])
         self.agents = self._names(np.argwhere(self._batch.live))
         return (
             dict(zip(names, made.observations, strict=True)),
@@ -116,16 +119,8 @@ class CrowdParallelEnv(ParallelEnv[str, Observation, Any]):  # type: ignore[misc
             raise ValueError(f"there is no action for `{missing[0]}`: give one for each of `agents`")
         extra = next(name for name in actions if name not in self.agents)
         if extra in self.possible_agents:
-            raise ValueError(f"there is an action for `{extra}`, whose episode is over: give one for each of `agents`")
+            raise ValueError(f"there is an action for `{extra}`, but its episode is over: give none for it")
         raise ValueError(f"there is no agent `{extra}`; `agents` has those under control")
-
-
-def _stacked(actions: list[Any], space: gymnasium.Space[Any]) -> npt.NDArray[Any]:
-    shapes = {np.shape(action) for action in actions}
-    if shapes != {space.shape}:
-        wrong = next(shape for shape in shapes if shape != space.shape)
-        raise ValueError(f"an action has the shape {wrong}, but must have {space.shape}")
-    return np.array(actions)
 
 
 def _infos(names: list[str], infos: dict[str, Any]) -> dict[str, dict[str, Any]]:

@@ -19,8 +19,8 @@ class Transition:
     distance: Floats
     """Distance to the goal, metres: (a,). 0 for agents that have arrived; NaN for agents without a goal."""
     gap: Floats
-    """Distance between the body and the nearest one of the neighbours it observes, metres: (a,). Infinite if there is
-    none."""
+    """Distance between the bodies of the agent and of the nearest neighbour that it observes, metres: (a,). Infinite
+    without neighbours."""
     velocity: Floats
     """Velocity in the world, m/s: (a, 2)."""
     arrived: Bools
@@ -48,7 +48,7 @@ class Reward:
     closeness: float = 0.5
     """Cost of a second at a gap of 0; it falls to nothing at `comfort`."""
     comfort: float = 0.2
-    """The gap from which on others are not too close, metres."""
+    """The gap at which closeness begins to cost, metres."""
     arrival: float = 5.0
     """For arriving."""
 
@@ -69,5 +69,5 @@ def checked(reward: RewardFunction, now: Transition) -> Floats:
         wanted = f"an array of the shape {now.arrived.shape}, a number for each agent"
         raise ValueError(f"the reward function returned the shape {rewards.shape}, but must return {wanted}")
     if not np.isfinite(rewards).all():
-        raise ValueError("the reward function returned a number that is not finite: `gap` can be infinite, `distance` NaN")
+        raise ValueError("the reward function returned infinity or NaN: a `gap` can be infinite, a `distance` NaN")
     return rewards

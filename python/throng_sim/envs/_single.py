@@ -13,6 +13,7 @@ from .._scene import Scene
 from .._world import World
 from . import _draw, _seeds
 from ._batch import Batch, Options
+from ._control import one
 
 SLOT = np.zeros((1, 2), dtype=np.int64)
 
@@ -23,7 +24,7 @@ class CrowdEnv(gymnasium.Env[Any, Any]):
     def __init__(
         self, scene: Scene | str, control: int = 0, *, render_mode: str | None = None, **options: Unpack[Options]
     ) -> None:
-        self._batch = Batch(scene, int(control), 1, **options)
+        self._batch = Batch(scene, one(control), 1, **options)
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": 1.0 / self._batch.seconds}
         self.render_mode = _draw.checked_mode(render_mode)
         self.observation_space = self._batch.observation_space()
@@ -49,7 +50,7 @@ class CrowdEnv(gymnasium.Env[Any, Any]):
         """Does an action."""
         if not self._batch.live[0, 0]:
             raise ResetNeeded("the episode is over or has not begun: call `reset` first")
-        made = self._batch.step(np.asarray(action)[None])
+        made = self._batch.step([action])
         reward, arrived, late = float(made.rewards[0]), bool(made.arrived[0]), bool(made.late[0])
         return made.observations[0], reward, arrived, late, _first(made.infos)
 

@@ -56,6 +56,19 @@ class State:
         """The points to which agents go, of areas the nearest, metres: (n, 2). NaN: none."""
         return np.concatenate([world.targets() for world in self.worlds])
 
+    @cached_property
+    def walls(self) -> Floats:
+        """Walls, x and y of both ends, metres: (w, m, 4). Worlds with fewer walls have some of no length."""
+        each = [world.walls() for world in self.worlds]
+        padded = np.zeros((len(each), max(map(len, each)), 4))
+        for index, walls in enumerate(each):
+            padded[index, : len(walls)] = walls
+        return padded
+
+    def owners(self, rows: Ints) -> Ints:
+        """Returns the indices of the worlds of some agents."""
+        return np.searchsorted(self.first, rows, side="right") - 1
+
     def _joined(self, name: str) -> Floats:
         return np.concatenate([getattr(world, name) for world in self.worlds], dtype=np.float64)
 
@@ -77,7 +90,7 @@ class State:
         return rows, self._keys[rows] == wanted
 
     def near(self, rows: Ints, k: int, sight: float) -> tuple[Ints, Bools]:
-        """Returns the rows of the `k` nearest agents within `sight` metres of each of some agents, nearest first: (a, k).
+        """Returns the rows of the `k` nearest agents within `sight` metres of some agents, nearest first: (a, k).
 
         The second array says which of them exist.
         """

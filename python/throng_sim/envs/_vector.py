@@ -16,6 +16,7 @@ from .._scene import Scene
 from .._world import World
 from . import _act, _draw, _seeds
 from ._batch import Batch, Options
+from ._control import one
 from ._state import Bools, Floats, Ints
 
 Observations = npt.NDArray[np.float32]
@@ -40,7 +41,7 @@ class CrowdVectorEnv(VectorEnv[Observations, Any, npt.NDArray[Any]]):
     ) -> None:
         if num_envs < 1:
             raise ValueError(f"num_envs is {num_envs}, but must be at least 1")
-        self._batch = Batch(scene, int(control), num_envs, **options)
+        self._batch = Batch(scene, one(control), num_envs, **options)
         self.metadata = {
             "render_modes": ["rgb_array"],
             "render_fps": 1.0 / self._batch.seconds,
@@ -85,7 +86,7 @@ class CrowdVectorEnv(VectorEnv[Observations, Any, npt.NDArray[Any]]):
         """Does an action in each world, a row for each; begins episodes where one has ended in the last step."""
         if not self._batch.worlds:
             raise ResetNeeded("there is no episode yet: call `reset` first")
-        actions = _act.checked(self.single_action_space, actions, self.num_envs)
+        actions = _act.checked(self.single_action_space, actions, self.num_envs, "world {}".format)
         rewards, infos = np.zeros(self.num_envs), dict[str, Any]()
         arrived, late = np.zeros(self.num_envs, dtype=bool), np.zeros(self.num_envs, dtype=bool)
         alive = self._batch.live[:, 0].copy()
@@ -112,7 +113,7 @@ class CrowdVectorEnv(VectorEnv[Observations, Any, npt.NDArray[Any]]):
         self._batch.close()
 
     def _begin(self, indices: Ints, infos: dict[str, Any]) -> None:
-        """Observes worlds whose episodes begin."""
+        """Observes worlds at the start of their episodes."""
         observations, seen = self._batch.observe(np.stack([indices, np.zeros_like(indices)], axis=1))
         self._observations[indices] = observations
         self._inform(infos, indices, seen)

@@ -3,8 +3,8 @@
 use super::json::BIN;
 use super::people::People;
 use super::{Measured, MeasuredSubject, people, text};
-use throng_draw::page::{Height, Plot, TIME, document, escape, figure as sheet, fill, swatch};
 use std::f64::consts::{PI, TAU};
+use throng_draw::page::{Height, Plot, TIME, document, escape, figure as sheet, fill, swatch};
 use throng_draw::{Error, Figure};
 use throng_record::swarm::{Distribution, Swarm, SwarmMoment};
 

@@ -3,9 +3,9 @@
 use super::results::{ValidateResults, Validated, ValidationRow};
 use super::table::{HEADS, rows, verdict};
 use crate::failure::Failure;
-use throng_draw::page::{Dots, Height, Plot, document, escape, swatch};
 use std::fmt::Write;
 use std::time::Duration;
+use throng_draw::page::{Dots, Height, Plot, document, escape, swatch};
 use throng_record::validate::points;
 
 /// A plot of an experiment.

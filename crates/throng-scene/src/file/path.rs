@@ -64,8 +64,8 @@ impl Path {
     /// Returns the path with dots between all its steps, as it is in `--set`.
     pub fn dotted(&self) -> String {
         let steps = self.steps.iter().map(|step| match step {
-            Step::Key(key) => key.clone(),
-            Step::Index(index) => index.to_string(),
+            TomlStep::Key(key) => key.clone(),
+            TomlStep::Index(index) => index.to_string(),
         });
         steps.collect::<Vec<_>>().join(".")
     }

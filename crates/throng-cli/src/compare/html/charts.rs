@@ -1,7 +1,7 @@
 //! The plots of figures over time on the page.
 
-use throng_draw::page::{Height, Plot, TIME};
 use std::borrow::Cow;
+use throng_draw::page::{Height, Plot, TIME};
 use throng_record::series::{Series, SeriesPoint};
 
 /// The maximum number of points of a line of a plot.

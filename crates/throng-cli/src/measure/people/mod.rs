@@ -11,8 +11,8 @@ use super::args::MeasureArgs;
 use crate::failure::Failure;
 use crate::files::is;
 use crate::out::note;
-use throng_draw::page::Player;
 use std::path::Path;
+use throng_draw::page::Player;
 use throng_record::pedestrian::{self, Figures, Ground, Question};
 use throng_record::{Sample, Table, Trajectories};
 

@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use crate::interrupt;
-use throng_draw::page::{Player, Scenery};
 use crate::tracks::limit;
 use glam::DVec2;
 use std::collections::BTreeMap;
 use std::path::Path;
+use throng_draw::page::{Player, Scenery};
 use throng_draw::{Style, WorldBox, palette};
 use throng_record::pedestrian::Question;
 use throng_record::{Frame, Moments, Sample, Trajectories};

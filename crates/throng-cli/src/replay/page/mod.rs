@@ -7,8 +7,8 @@ use super::setup::Setup;
 use super::tables::tables;
 use super::text::facts;
 use crate::files::title;
-use throng_draw::page::{Player, Plot, Scenery, document, escape, fill, swatch, table};
 use std::sync::Arc;
+use throng_draw::page::{Player, Plot, Scenery, document, escape, fill, swatch, table};
 use throng_draw::{Style, WorldBox, palette};
 use throng_record::Frame;
 

@@ -1,7 +1,7 @@
 //! The plots of a replay: a line for the recording, for each model, and for the two predictors without interaction.
 
-use throng_draw::page::{Height, Plot, TIME};
 use crate::replay::report::{ModelResults, ReplayReport, mean_and_median};
+use throng_draw::page::{Height, Plot, TIME};
 use throng_record::pedestrian::replay::{Pair, PredictionSample, from_entry};
 use throng_record::pedestrian::{Figures, Instant, count};
 
