@@ -41,7 +41,7 @@ impl Plan {
         &self.plan.title
     }
 
-    /// The numbers of the runs whose results a folder does not keep.
+    /// The numbers of the runs that have no results in a folder.
     fn missing(&self, py: Python<'_>, folder: PathBuf) -> Vec<usize> {
         let folder = RunFolder::at(folder);
         py.detach(|| {
@@ -72,7 +72,7 @@ impl Plan {
         folder.keep(&row, Fingerprint::of(&run, &self.files)).map_err(|error| file_error(&error))
     }
 
-    /// Writes the table of the results in a folder. Returns the number of runs whose results it keeps, and the number of
+    /// Writes the table of the results in a folder. Returns the number of runs with results there, and the number of
     /// those that could not be made.
     fn write(&self, py: Python<'_>, folder: PathBuf, paths: Vec<PathBuf>) -> PyResult<(usize, usize)> {
         let folder = RunFolder::at(folder);

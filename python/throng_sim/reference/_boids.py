@@ -27,7 +27,7 @@ def separation(offsets: Floats) -> Array:
     x = np.asarray(offsets, float).reshape(-1, 2)
     squared = dot(x, x)[:, None]
     pushes: Array = np.divide(x, squared, out=np.zeros_like(x), where=squared > 0)
-    return 0.0 - pushes.sum(axis=0)
+    return np.asarray(0.0 - pushes.sum(axis=0))
 
 
 def alignment(velocity: Floats, velocities: Floats) -> Array:
@@ -87,12 +87,12 @@ def boids(
 ) -> Array:
     """A flock as a local model: new velocity = velocity + time x acceleration.
 
-    The preferred velocity is the migratory urge of 1987: write it with `world.preferred[:] = ...`. `max_acceleration` is
-    in m/s^2, `min_speed` a part of the top speed.
+    The preferred velocity is the migratory urge of 1987: that to the goal, or what you write to `world.preferred`.
+    `max_acceleration` is in m/s^2, `min_speed` a part of the top speed.
 
     >>> import throng_sim as tg
     >>> scene = tg.Scene()
-    >>> scene.group("birds", n=20, area="POLYGON ((0 0, 9 0, 9 9, 0 9))")
+    >>> scene.group("birds", n=20, place={"disc": {"radius": 5}})
     'birds'
     >>> scene.build(model=boids).step()
     """

@@ -1,7 +1,7 @@
 """Curl noise: Bridson, Hourihan, Nordenstam, Curl-noise for procedural fluid flow, SIGGRAPH 2007, sections 2.1 and 2.2.
 
-The velocity is the curl (d psi / dy, -d psi / dx) of a potential psi, so it has no sources and no sinks, whatever psi is.
-Here psi is a sum of random waves (Kraichnan, Diffusion by a random velocity field, Physics of Fluids 13(1), 1970), whose
+The velocity is the curl (d psi / dy, -d psi / dx) of a potential psi, so it has no sources and no sinks for any psi.
+Here psi is a sum of random waves (Kraichnan, Diffusion by a random velocity field, Physics of Fluids 13(1), 1970). Its
 gradient is exact. The engine uses simplex noise.
 """
 

@@ -59,13 +59,11 @@ def half_plane(
     return v + part * change, normal
 
 
-def linear_program(
-    points: Floats, normals: Floats, max_speed: float, preferred: Floats, hard: int = 0
-) -> Array:
+def linear_program(points: Floats, normals: Floats, max_speed: float, preferred: Floats, hard: int = 0) -> Array:
     """Returns the permitted velocity nearest to the preferred one (section 5.1).
 
-    Lines are added one after the other (de Berg et al., Computational Geometry, chapter 4). If no velocity is permitted,
-    the greatest violation is minimised (section 5.3); the first `hard` lines are still satisfied.
+    Lines are added one after the other (de Berg et al., Computational Geometry, chapter 4). If no velocity is
+    permitted, the greatest violation is minimised (section 5.3); the first `hard` lines are still satisfied.
 
     >>> linear_program([[0.5, 0.0]], [[-1.0, 0.0]], 2.0, [1.0, 1.0])
     array([0.5, 1. ])
@@ -146,9 +144,7 @@ def _closest(
     return velocity, None
 
 
-def _on_line(
-    points: Array, normals: Array, i: int, max_speed: float, aim: Array, to_point: bool
-) -> Array | None:
+def _on_line(points: Array, normals: Array, i: int, max_speed: float, aim: Array, to_point: bool) -> Array | None:
     """Returns the best velocity on line `i` within the top speed and the lines before it, if there is one."""
     point, direction = points[i], np.array([normals[i, 1], -normals[i, 0]])
     along = point @ direction
@@ -174,10 +170,8 @@ def _on_line(
     return np.asarray(point + t * direction)
 
 
-def _least_violation(
-    points: Array, normals: Array, max_speed: float, hard: int, failed: int, velocity: Array
-) -> Array:
-    """Returns the velocity of least greatest violation: a linear program in three dimensions, the third is the violation."""
+def _least_violation(points: Array, normals: Array, max_speed: float, hard: int, failed: int, velocity: Array) -> Array:
+    """Returns the velocity that minimises the greatest violation, the third unknown of the linear program."""
     violation = 0.0
     for i in range(failed, len(points)):
         point, normal = points[i], normals[i]
@@ -196,7 +190,10 @@ def _least_violation(
             else:
                 equal = (point + other) / 2
             lines.append((equal, unit(other_normal - normal)))
-        kept = np.array([line[0] for line in lines]).reshape(-1, 2), np.array([line[1] for line in lines]).reshape(-1, 2)
+        kept = (
+            np.array([line[0] for line in lines]).reshape(-1, 2),
+            np.array([line[1] for line in lines]).reshape(-1, 2),
+        )
         better, none = _closest(*kept, max_speed, normal, to_point=False)
         if none is None:
             velocity = better

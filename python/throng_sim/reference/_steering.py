@@ -45,9 +45,7 @@ def arrive(positions: Floats, targets: Floats, max_speed: Floats, slowing: float
     return unit(offset) * _column(max_speed) * np.minimum(length(offset) / slowing, 1.0)
 
 
-def pursue(
-    positions: Floats, quarry: Floats, quarry_velocities: Floats, max_speed: Floats, most: float = 2.0
-) -> Array:
+def pursue(positions: Floats, quarry: Floats, quarry_velocities: Floats, max_speed: Floats, most: float = 2.0) -> Array:
     """Returns velocities to where the quarry will be ("Pursuit"): at its velocity, after distance / top speed seconds,
     at most `most`.
 
@@ -58,9 +56,7 @@ def pursue(
     return seek(at, predicted(at, quarry, quarry_velocities, max_speed, most), max_speed)
 
 
-def evade(
-    positions: Floats, hunter: Floats, hunter_velocities: Floats, max_speed: Floats, most: float = 2.0
-) -> Array:
+def evade(positions: Floats, hunter: Floats, hunter_velocities: Floats, max_speed: Floats, most: float = 2.0) -> Array:
     """Returns velocities away from where the hunter will be ("Evasion").
 
     >>> evade([[0.0, 0.0]], [2.0, 0.0], [0.0, 1.0], 1.0).round(3)
@@ -86,8 +82,8 @@ def wander(
 ) -> tuple[Array, Array]:
     """Returns velocities, and the new `turns`, (n,), radians ("Wander").
 
-    Each agent steers to a point on a circle of radius 1 whose centre is sqrt(2) ahead of it. `turns` are the places of
-    the points on their circles, from straight ahead; each walks at random, by at most `rate` radians a call. So an agent
+    Each agent steers to a point on a circle of radius 1, with its centre sqrt(2) ahead. `turns` are the places of the
+    points on their circles, from straight ahead; each walks at random, by at most `rate` radians a call. So an agent
     turns by at most 45 degrees.
 
     >>> desired, turns = wander([0.0], [np.pi / 2], 1.0, 0.0, np.random.default_rng(1))
@@ -105,7 +101,7 @@ def follow_path(
 ) -> Array:
     """Returns velocities along a path, (k, 2), of this radius in metres ("Path following").
 
-    An agent whose place after `ahead` seconds is on the path keeps its direction. Else it seeks a point of the path as
+    An agent keeps its direction if its place after `ahead` seconds is on the path. Else it seeks a point of the path as
     far ahead as it walks in that time.
 
     >>> follow_path([[0.0, 0.0], [0.0, 3.0]], [[1.0, 0.0], [1.0, 0.0]], [[-9.0, 0.0], [9.0, 0.0]], 0.5, 1.0).round(3)

@@ -1,4 +1,4 @@
-"""Vectors in the plane: arrays whose last axis is x and y."""
+"""Vectors in the plane: arrays with x and y along the last axis."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ WALL_HORIZON = 0.7
 
 
 def candidates(view: View, angles: int = 36, speeds: int = 6) -> Array:
-    """Returns velocities to try for each agent, (n, c, 2): the preferred one, zero, the present one, and a polar grid."""
+    """Returns velocities to try, (n, c, 2): the preferred one, zero, the present one, and a polar grid."""
     preferred = limited(view.preferred.astype(float), view.max_speeds)
     angle = np.arange(angles) * (2 * np.pi / angles)
     speed = np.arange(1, speeds + 1) / speeds
@@ -50,8 +50,8 @@ def rvo(view: View, *, weight: float = 1.0, time_horizon: float = 5.0) -> Array:
     """Reciprocal velocity obstacles (van den Berg, Lin, Manocha, ICRA 2008): the velocity of least penalty.
 
     A velocity v' is in the reciprocal velocity obstacle if 2 v' - v_A is in the velocity obstacle (definition 4): the
-    agent does half of the change, the neighbour the other half. With a share s it is (v' - (1 - s) v_A) / s. The penalty
-    is weight / time to collision + |preferred - v'| (section V); `weight` is in metres.
+    agent does half of the change, the neighbour the other half. With a share s it is (v' - (1 - s) v_A) / s. The
+    penalty is weight / time to collision + |preferred - v'| (section V); `weight` is in metres.
 
     >>> import throng_sim as tg
     >>> tg.Scene("headon").build(model=rvo).step()
