@@ -164,6 +164,10 @@ class Each:
     """The neighbours, nearest first."""
     walls: list[tuple[npt.NDArray[np.float32], npt.NDArray[np.float32]]]
     """The walls near the agent: both ends, from its centre, metres."""
+    offsets: npt.NDArray[np.float32]
+    """The centres of the neighbours, from that of the agent, metres: (k, 2)."""
+    velocities: npt.NDArray[np.float32]
+    """The velocities of the neighbours, m/s: (k, 2)."""
     time: float
     dt: float
 
@@ -251,7 +255,8 @@ def each_of(view: View) -> list[Each]:
             float(view.max_speeds[k]),
             float(view.headings[k]),
         )
-        seen.append(Each(me, others, list(zip(walls.a[edges], walls.b[edges], strict=True)), view.time, view.dt))
+        sides = list(zip(walls.a[edges], walls.b[edges], strict=True))
+        seen.append(Each(me, others, sides, near.offsets[pairs], near.velocities[pairs], view.time, view.dt))
     return seen
 
 

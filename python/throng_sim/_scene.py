@@ -94,7 +94,7 @@ class Scene:
         at: Any = None,
         goal: Any = None,
         exit: Any = None,
-        speed: float | tuple[float, float] | None = None,
+        speed: float | tuple[float, float] | Mapping[str, Any] | None = None,
         model: str | None = None,
         gap: float = 0.0,
         parameters: Mapping[str, Any] | None = None,
@@ -104,7 +104,7 @@ class Scene:
 
         They start at random places of `area` (a shape), at least `gap` metres apart, or at the points `at`, (n, 2). They
         go to `goal`: a point, or an area, or a point for each. They leave at `exit`, an area. `speed` is in m/s: a
-        number, or mean and standard deviation. `model` is a local model, with `parameters`. Other keywords are keys of a
+        number, mean and standard deviation, or a dict with `preferred` and `max`. `model` is a local model, with `parameters`. Other keywords are keys of a
         group in scene files: `body={"radius": 0.2}`.
         """
         table: dict[str, Any] = {"name": name}
@@ -131,6 +131,8 @@ class Scene:
         match speed:
             case None:
                 pass
+            case Mapping():
+                table["speed"] = speed
             case (mean, deviation):
                 table["speed"] = {"preferred": {"normal": {"mean": mean, "deviation": deviation}}}
             case _:
