@@ -61,7 +61,7 @@ def test_a_run_is_a_table_of_every_library(run: tg.Run) -> None:
     assert polars.DataFrame(run).shape == (rows, 12)
     assert len(pandas.DataFrame(table.to_pandas())) == rows
     rows_of_run = table
-    assert duckdb.sql("select count(*) from rows_of_run").fetchone() == (rows,)
+    assert duckdb.sql("select count(*) from rows_of_run").fetchall() == [(rows,)]
     arrays = run.arrays()
     assert set(arrays["group"]) == {"left", "right"}
     assert set(arrays["status"]) <= {"walking", "waiting", "arrived", "stranded"}

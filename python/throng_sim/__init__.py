@@ -7,7 +7,7 @@ numbers. `Scene.run` makes a `Run`, which shows itself in a notebook and writes 
 >>> world = tg.Scene("circle").build()
 >>> world.step(25)
 >>> world.positions.shape
-(200, 2)
+(36, 2)
 
 Lengths are metres, times seconds, angles radians; in scene files angles are degrees.
 """

@@ -27,7 +27,7 @@ class Comparison:
         return pandas.DataFrame(self.rows)
 
     def _repr_html_(self) -> str:
-        return self.to_pandas().to_html()
+        return str(self.to_pandas().to_html())
 
     def __len__(self) -> int:
         return len(self.rows)

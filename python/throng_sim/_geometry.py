@@ -19,7 +19,8 @@ def is_geometry(given: Any) -> bool:
 def mapping(given: Any) -> Mapping[str, Any]:
     """Returns a shape as GeoJSON."""
     if hasattr(given, "__geo_interface__"):
-        return given.__geo_interface__
+        shape: Mapping[str, Any] = given.__geo_interface__
+        return shape
     if isinstance(given, Mapping) and given.get("type") in KINDS:
         return given
     if isinstance(given, str):
@@ -34,7 +35,7 @@ def _wkt(text: str) -> Mapping[str, Any]:
     except ImportError:
         raise ImportError("WKT text needs shapely: pip install shapely") from None
     try:
-        return shapely.from_wkt(text).__geo_interface__
+        return mapping(shapely.from_wkt(text))
     except shapely.errors.ShapelyError as error:
         raise ValueError(f"this is not WKT: {error}") from None
 

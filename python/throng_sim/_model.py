@@ -11,11 +11,13 @@ from typing import Any, overload
 import numpy as np
 import numpy.typing as npt
 
+from . import _throng
+
 
 class View:
     """What a model sees: its agents as they are at the start of a sub-step, a row for each, in the order of `ids`."""
 
-    def __init__(self, native: Any) -> None:
+    def __init__(self, native: _throng.View) -> None:
         self._native = native
 
     @property
@@ -188,7 +190,7 @@ class Model:
         functools.update_wrapper(self, function)
         self.function = function
         self.each, self.sees, self.reach, self.neighbors = each, sees, reach, neighbors
-        self.name: str = name or getattr(function, "__name__", type(function).__name__)
+        self.name: str = name or str(getattr(function, "__name__", type(function).__name__))
 
     def __call__(self, view: Any) -> Any:
         return self.function(view)
@@ -266,7 +268,7 @@ def _owners(start: npt.NDArray[np.int64]) -> npt.NDArray[np.int64]:
 
 def _where(function: Callable[..., Any]) -> str:
     try:
-        code = inspect.unwrap(function).__code__  # type: ignore[attr-defined]
+        code = inspect.unwrap(function).__code__
     except (AttributeError, ValueError):
         return ""
     return f" ({code.co_filename}, line {code.co_firstlineno})"

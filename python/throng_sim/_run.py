@@ -32,7 +32,7 @@ class Run:
     (2, True)
     """
 
-    def __init__(self, recording: Any, world: World) -> None:
+    def __init__(self, recording: _throng.Recording, world: World) -> None:
         self._recording, self.scene, self.world = recording, world._scene, world
         self.summary: Summary = world.summary
         """Statistics of the run."""

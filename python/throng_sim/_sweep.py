@@ -113,11 +113,13 @@ def _on_ray(text: str, folder: Path, missing: list[int], address: bool | str) ->
         import ray
     except ImportError:
         raise ImportError("a sweep on Ray needs it: pip install ray") from None
+    cluster: Any = ray
     if not ray.is_initialized():
         ray.init(address=address if isinstance(address, str) else None, log_to_driver=False)
     task = ray.remote(num_cpus=1)(make_run)
     # a bounded number of tasks waits, so that a sweep of a million runs does not fill the cluster's memory
-    most = max(4 * int(ray.cluster_resources().get("CPU", 1)), 8)
+    resources: dict[str, float] = cluster.cluster_resources()
+    most = max(4 * int(resources.get("CPU", 1)), 8)
     left = iter(missing)
     waiting = [task.remote(text, str(folder), index) for _, index in zip(range(most), left)]
     while waiting:

@@ -79,11 +79,11 @@ def widget(world: World) -> Any:
 
     steps = max(round(0.04 / world.dt), 1)
 
-    class WorldWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported]
+    class WorldWidget(anywidget.AnyWidget):
         _esm = SCRIPT
         frame = traitlets.Bytes().tag(sync=True)
         time = traitlets.Float().tag(sync=True)
-        bounds = traitlets.List().tag(sync=True)
+        bounds: Any = traitlets.List().tag(sync=True)
         palette = traitlets.List(_throng.palette(12)).tag(sync=True)
 
     shown = WorldWidget(frame=frame(world), time=world.time, bounds=world.bounds.ravel().tolist())

@@ -68,7 +68,7 @@ class World:
     `preferred` and `goals` are for you to write: the world obeys at its next step.
     """
 
-    _world: Any
+    _world: _throng.World
     _scene: Scene
     behavior: Callable[[World], npt.ArrayLike] | None
     """A behaviour in Python for all agents: before each step it gets the world and returns the velocities that the agents
@@ -78,7 +78,7 @@ class World:
         raise TypeError("a world is made by `Scene.build()`")
 
     @classmethod
-    def _of(cls, world: Any, scene: Scene) -> World:
+    def _of(cls, world: _throng.World, scene: Scene) -> World:
         made = cls.__new__(cls)
         made._world, made._scene, made.behavior = world, scene, None
         return made

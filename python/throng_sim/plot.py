@@ -51,7 +51,7 @@ def world(of: World, ax: Any = None, *, ids: bool = False) -> Any:
     )
     _walls(of, ax)
     tips = of.positions + of.radii[:, None] * np.stack([np.cos(of.headings), np.sin(of.headings)], axis=1)
-    ax.add_collection(LineCollection(np.stack([of.positions, tips], axis=1), colors="#222222", linewidths=0.8))
+    ax.add_collection(LineCollection(list(np.stack([of.positions, tips], axis=1)), colors="#222222", linewidths=0.8))
     if ids:
         for number, (x, y) in zip(of.ids, of.positions, strict=True):
             ax.annotate(str(number), (x, y), fontsize=7, ha="center", va="center", color="white")

@@ -250,7 +250,7 @@ impl Inner {
 }
 
 /// A world: agents that move, made from a scene.
-#[pyclass(frozen, subclass, module = "throng_sim._throng")]
+#[pyclass(frozen, module = "throng_sim._throng")]
 pub struct World {
     inner: Mutex<Inner>,
     calls: Mutex<Arc<Calls>>,

@@ -18,7 +18,7 @@ from ._control import Control
 from ._state import Ints
 
 try:
-    from pettingzoo import ParallelEnv  # type: ignore[import-untyped]
+    from pettingzoo import ParallelEnv
 except ImportError:
     raise ImportError("environments with several agents need PettingZoo: pip install 'throng-sim[env]'") from None
 
