@@ -8,7 +8,8 @@ use crate::parallel;
 use glam::{DVec3, Vec3};
 
 /// A local model that chooses the velocities of all of its agents together, once a sub-step: for models that work on
-/// arrays, or that are called from another language. A model says so with [`LocalModel::together`].
+/// arrays, or that are called from another language. A model says so with
+/// [`LocalModel::together`](super::LocalModel::together).
 ///
 /// ```
 /// use std::sync::Arc;
