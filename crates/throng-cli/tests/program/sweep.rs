@@ -4,7 +4,7 @@ use crate::shared::{call, folder, names, stderr, stdout};
 use serde_json::Value;
 use std::path::Path;
 
-/// A room with a door whose width is one number.
+/// A room with a door; one number is its width.
 const DOOR: &str = "\
 time = { step = 0.05, until = \"empty\", limit = 60.0 }
 
