@@ -10,8 +10,11 @@ use std::path::{Path, PathBuf};
 use throng_record::Cell;
 use throng_scene::{Kind, TomlFile};
 
-/// The measures that every run has: the name, and the value of a run.
-const MEASURES: [(&str, fn(&RunOutcome) -> f64); 25] = [
+/// A measure: the name, and the value of a run.
+type Measure = (&'static str, fn(&RunOutcome) -> f64);
+
+/// The measures that every run has.
+const MEASURES: [Measure; 25] = [
     ("arrived", |run| run.figure("arrived")),
     ("arrived_share", |run| run.figure("arrived") / run.figure("agents")),
     ("removed", |run| run.figure("removed")),

@@ -81,8 +81,8 @@ impl Plan {
         name_columns(at, &file, &mut axes)?;
         check_keys(at, file.limit, &set, &axes)?;
         let seeds = file.seeds.map_or_else(Vec::new, |seeds| seeds.0);
-        let sizes = axes.iter().map(|axis| axis.length).chain([seeds.len().max(1)]);
-        let length = sizes.fold(Some(file.scenes.0.len()), |all, size| all?.checked_mul(size));
+        let mut sizes = axes.iter().map(|axis| axis.length).chain([seeds.len().max(1)]);
+        let length = sizes.try_fold(file.scenes.0.len(), usize::checked_mul);
         let Some(length) = length.filter(|&length| length <= MOST_RUNS) else {
             let message = format!("the plan has more than {MOST_RUNS} runs");
             let place: Vec<TomlStep> = if axes.is_empty() { vec!["seeds".into()] } else { vec!["vary".into()] };

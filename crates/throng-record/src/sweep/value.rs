@@ -138,15 +138,17 @@ impl Range {
         let number = |key: &str| match &value[key] {
             Value::Number(number) => Ok(number.clone()),
             Value::Null => Err(format!("is a range without `{key}`")),
-            _ => Err(format!("is a range in which `{key}` is not a number")),
+            _ => Err(format!("is a range with a `{key}` that is not a number")),
         };
         let step = match (&value["by"], &value["count"]) {
             (Value::Null, Value::Null) => return Err("is a range without `by` or `count`".into()),
             (_, Value::Null) => Step::By(number("by")?),
             (Value::Null, count) => {
                 let least = |count: &u64| *count >= 2;
-                let count =
-                    count.as_u64().filter(least).ok_or("is a range in which `count` is not a whole number from 2")?;
+                let count = count
+                    .as_u64()
+                    .filter(least)
+                    .ok_or("is a range with a `count` that is not a whole number from 2")?;
                 Step::Count(count)
             }
             _ => return Err("is a range with both `by` and `count`".into()),
@@ -163,7 +165,7 @@ impl Range {
         }
         let by = match &self.step {
             Step::By(by) if real(by) > 0.0 => real(by),
-            Step::By(by) => return Err(format!("is a range in which `by` is {by}")),
+            Step::By(by) => return Err(format!("is a range with `by` = {by}")),
             Step::Count(count) => length / (count - 1) as f64,
         };
         // rounding must not cost the last value
@@ -217,12 +219,15 @@ mod tests {
         assert_eq!(values(&json!(["a", true])), Ok(vec![json!("a"), json!(true)]));
         for (range, wrong) in [
             (json!({ "from": 2, "to": 1, "by": 1 }), "`x` is a range from 2 to 1"),
-            (json!({ "from": 1, "to": 2, "by": 0 }), "`x` is a range in which `by` is 0"),
+            (json!({ "from": 1, "to": 2, "by": 0 }), "`x` is a range with `by` = 0"),
             (json!({ "from": 1, "to": 2, "by": 1e-9 }), "`x` has more than 1000 values"),
             (json!({ "from": 1, "to": 2 }), "`x` is a range without `by` or `count`"),
             (json!({ "from": 1, "by": 1 }), "`x` is a range without `to`"),
-            (json!({ "from": "a", "to": 2, "by": 1 }), "`x` is a range in which `from` is not a number"),
-            (json!({ "from": 1, "to": 2, "count": 1 }), "`x` is a range in which `count` is not a whole number from 2"),
+            (json!({ "from": "a", "to": 2, "by": 1 }), "`x` is a range with a `from` that is not a number"),
+            (
+                json!({ "from": 1, "to": 2, "count": 1 }),
+                "`x` is a range with a `count` that is not a whole number from 2",
+            ),
             (json!({ "from": 1, "to": 2, "count": 2, "by": 1 }), "`x` is a range with both `by` and `count`"),
             (json!([]), "`x` has no values"),
             (json!(3), "`x` is one value: nothing varies"),
