@@ -31,10 +31,13 @@ pub struct Placements(Entries<PlacementKind>);
 /// A kind of placements.
 #[derive(Clone, Copy)]
 struct PlacementKind {
-    make: fn(&Value, &PlacementContext<'_>) -> Result<Arc<dyn Placement>, Problem>,
+    make: MakePlacement,
     /// Checks the keys and the kinds of values.
     check_keys: fn(&Value, &Path) -> Result<(), Problem>,
 }
+
+/// Makes a placement from what the scene says in this context.
+type MakePlacement = fn(&Value, &PlacementContext<'_>) -> Result<Arc<dyn Placement>, Problem>;
 
 /// What placements of throng are made from, besides their parameters.
 #[derive(Clone)]
