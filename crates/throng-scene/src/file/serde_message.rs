@@ -149,7 +149,8 @@ fn in_plain_words(message: &str) -> String {
         .replace(": sequence", ": a list")
         .replace('`', "");
     if let Some(expected) = expected {
-        let plain = match expected.trim_matches('`') {
+        let bare = expected.strip_prefix('`').and_then(|expected| expected.strip_suffix('`'));
+        let plain = match bare.unwrap_or(expected) {
             "f64" | "f32" => "a number".to_owned(),
             "u8" | "u32" | "u64" | "usize" => "a whole number that is not negative".to_owned(),
             "a boolean" => "true or false".to_owned(),

@@ -274,8 +274,12 @@ fn misread<T: DeserializeOwned>(given: &Value, at: &Path, error: &toml::de::Erro
                 Segment::Map { key } | Segment::Enum { variant: key } => path.name(key),
                 Segment::Unknown => path,
             };
+            let message = &error.inner().message;
             let path = error.path().iter().fold(at.clone(), below);
-            let problem = placed(explain(&error.inner().message), &path);
+            // the path to an unknown key ends with the key, that to an unknown choice before it
+            let choice = message.strip_prefix("unknown variant `").and_then(|rest| rest.split_once('`'));
+            let path = choice.map_or_else(|| path.clone(), |(choice, _)| path.name(choice));
+            let problem = placed(explain(message), &path);
             Problem { is_key: problem.kind == Kind::UnknownKey, ..problem }
         }
         _ => placed(explain(error.message()), at),

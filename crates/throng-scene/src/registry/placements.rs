@@ -39,6 +39,9 @@ struct PlacementKind {
     check_keys: fn(&Value, &Path) -> Result<(), Problem>,
 }
 
+/// Makes a placement from what the scene says in this context.
+type MakePlacement = fn(&Value, &PlacementContext<'_>) -> Result<Arc<dyn Placement>, Problem>;
+
 /// What placements of throng are made from, besides their parameters.
 #[derive(Clone)]
 pub(crate) struct PlacementContext<'a> {

@@ -48,6 +48,45 @@ a.toml:6:7: group `walkers`: `circle` is not one of the choices here
 }
 
 #[test]
+fn an_unknown_choice_inside_a_choice_is_shown() {
+    assert_message(
+        &group("place.point = [0, 0]\ngoal.area = { dsic = { center = [5, 0], radius = 1 } }"),
+        Kind::UnknownKey,
+        r"
+a.toml:6:15: `dsic` is not one of the choices here
+  6 | goal.area = { dsic = { center = [5, 0], radius = 1 } }
+    |               ^^^^
+  hint: did you mean `disc`? the choices here are: disc, rectangle, polygon",
+    );
+    assert_message(
+        &group("place.point = [0, 0]\ngoal.journey = [{ goal.point = { at = [5, 0], tolernace = 1 } }]"),
+        Kind::UnknownKey,
+        r"
+a.toml:6:47: there is no key `tolernace` here
+  6 | goal.journey = [{ goal.point = { at = [5, 0], tolernace = 1 } }]
+    |                                               ^^^^^^^^^
+  hint: did you mean `tolerance`? the keys here are: at, tolerance",
+    );
+    let sketch = "flow.sketch = { stamps = [{ at = [0, 0], kind = \"vortx\", radius = 3 }] }";
+    let (kind, text) = message(&format!("[[field]]\nname = \"f\"\n{sketch}\n{}", group("place.point = [0, 0]")));
+    assert_eq!(kind, Kind::UnknownKey);
+    assert!(text.starts_with("a.toml:3:49: field `f`: `vortx` is not one of the choices here"), "{text}");
+}
+
+#[test]
+fn a_text_is_no_choice() {
+    assert_message(
+        &group("place.point = [0, 0]\ngoal = \"opposite\""),
+        Kind::WrongType,
+        r#"
+a.toml:6:8: this is the wrong type: the text "opposite", but should be a choice, as in `goal.point = [5, 0]`
+  6 | goal = "opposite"
+    |        ^^^^^^^^^^
+  hint: `goal`: Where the agents go. Without it, they stay."#,
+    );
+}
+
+#[test]
 fn a_missing_key_is_named() {
     assert_message(
         &group("count = 3\nplace.ring = {}"),
