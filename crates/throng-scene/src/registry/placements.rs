@@ -28,9 +28,6 @@ pub type Place = Choice<Placements>;
 #[derive(Clone, Debug)]
 pub struct Placements(Entries<PlacementKind>);
 
-/// Makes a placement from what the scene says in this context.
-type MakePlacement = fn(&Value, &PlacementContext<'_>) -> Result<Arc<dyn Placement>, Problem>;
-
 /// A kind of placements.
 #[derive(Clone, Copy)]
 struct PlacementKind {
