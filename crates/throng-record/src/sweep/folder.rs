@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// ```
 /// use throng_record::sweep::{FileFingerprints, Fingerprint, Plan, RunFolder, run_one};
 /// let place = tempfile::tempdir()?;
-/// let plan = Plan::parse("plan.toml", "scenes = 'headon'\nlimit = 1", "", &throng_scene::Plugins::new())?;
+/// let plan = Plan::parse("plan.toml", "scenes = 'headon'", "", &throng_scene::Plugins::new())?;
 /// let run = plan.run(0).expect("a plan has at least one run");
 /// let fingerprint = Fingerprint::of(&run, &FileFingerprints::default());
 /// let folder = RunFolder::create(place.path().join("runs"))?;
