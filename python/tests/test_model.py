@@ -1,9 +1,11 @@
 """Local models in Python."""
 
 import _thread
+import gc
 import signal
 import threading
 import time
+import weakref
 
 import numpy as np
 import pytest
@@ -180,6 +182,25 @@ def test_ctrl_c_ends_steps_after_a_whole_one() -> None:
         before = world.time
         world.step()
         assert world.time == pytest.approx(before + world.dt)
+
+
+def test_a_world_that_its_model_refers_to_is_collected() -> None:
+    class Token:
+        pass
+
+    token = Token()
+    gone = weakref.ref(token)
+    world = ring().build()
+
+    @tg.model
+    def selfish(view: tg.View, held: tg.World = world, token: Token = token) -> np.ndarray:
+        return view.preferred
+
+    world.set_model(selfish)
+    world.step()
+    del world, selfish, token
+    gc.collect()
+    assert gone() is None
 
 
 def test_what_is_not_a_model() -> None:

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use numpy::ndarray::Array2;
 use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::ThreadId;
@@ -35,14 +35,18 @@ impl Calls {
     }
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+/// Locks a mutex that is held for an instant only.
+pub fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// A function of a [`View`], which returns velocities: one reference for a world and its groups, so that Python can
+/// collect a world that its own model refers to. `None` after that.
+pub type Function = Arc<Mutex<Option<Py<PyAny>>>>;
+
 /// A local model in Python.
 pub struct PythonModel {
-    /// A function of a [`View`], which returns velocities.
-    pub function: Py<PyAny>,
+    pub function: Function,
     /// Metres in which an agent sees walls, from its body.
     pub sees: f32,
     pub calls: Arc<Calls>,
@@ -92,9 +96,10 @@ impl CrowdModel for PythonModel {
 
 impl PythonModel {
     fn call(&self, py: Python<'_>, crowd: &Crowd<'_>) -> PyResult<Vec<Vec2>> {
+        let function = lock(&self.function).as_ref().map(|function| function.clone_ref(py));
+        let Some(function) = function else { return Err(PyRuntimeError::new_err("the world has been collected")) };
         let view = Bound::new(py, View::new(py, crowd)?)?;
-        let returned = self.function.bind(py).call1((&view,))?;
-        velocities(&returned, crowd.len())
+        velocities(function.bind(py).call1((&view,))?.as_any(), crowd.len())
     }
 }
 

@@ -5,7 +5,7 @@ use crate::live::{
     Altitudes, Groups, Headings, Live, MaxSpeeds, Numbers, Positions, PreferredSpeeds, Present, Radii, Statuses,
     Velocities, VerticalVelocities,
 };
-use crate::model::{Calls, PythonModel, array2, list};
+use crate::model::{Calls, Function, PythonModel, array2, list, lock};
 use crate::place;
 use crate::threads::Threads;
 use crate::writable::{Goals, Preferred, Writable};
@@ -13,6 +13,7 @@ use glam::{DVec2, Vec2};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
 use pyo3::types::PyBytes;
@@ -37,7 +38,7 @@ pub struct Inner {
     present: Present,
     /// An agent of each group as it was at the start, for new ones.
     patterns: Vec<Agent>,
-    model: Option<(Py<PyAny>, ModelOptions)>,
+    model: Option<(Function, ModelOptions)>,
     calls: Arc<Calls>,
     arrays: Arrays,
     events: Vec<(f64, u32, EventKind)>,
@@ -108,10 +109,10 @@ impl Inner {
     }
 
     /// Gives all groups the Python model.
-    fn bind(&mut self, py: Python<'_>) -> PyResult<()> {
+    fn bind(&mut self) -> PyResult<()> {
         let Some((function, options)) = &self.model else { return Ok(()) };
         let calls = self.calls.clone();
-        let model = Arc::new(PythonModel { function: function.clone_ref(py), sees: options.sees, calls });
+        let model = Arc::new(PythonModel { function: function.clone(), sees: options.sees, calls });
         for built in &self.built.groups {
             let mut group = self.world.group(built.id).clone();
             group.model = model.clone();
@@ -238,13 +239,16 @@ impl Inner {
             threads: Threads::new(self.threads.count()),
             present: Present::default(),
             patterns: self.patterns.clone(),
-            model: self.model.as_ref().map(|(function, options)| (function.clone_ref(py), *options)),
+            model: self.model.as_ref().map(|(function, options)| {
+                let own = lock(function).as_ref().map(|function| function.clone_ref(py));
+                (Arc::new(Mutex::new(own)), *options)
+            }),
             calls: Arc::default(),
             arrays: Arrays::default(),
             events: self.events.clone(),
         };
         twin.present.find(&twin.world);
-        twin.bind(py)?;
+        twin.bind()?;
         Ok(twin)
     }
 }
@@ -558,7 +562,7 @@ impl World {
         let tuned = scene.tune(before, world, built).map_err(|error| scene_error(py, &error))?;
         if tuned {
             inner.scene = scene;
-            inner.bind(py)?;
+            inner.bind()?;
         }
         inner.changed(py)?;
         Ok(tuned)
@@ -575,8 +579,8 @@ impl World {
         neighbors: Option<usize>,
     ) -> PyResult<()> {
         let mut inner = self.lock(py)?;
-        inner.model = Some((function, ModelOptions { sees, reach, neighbors }));
-        inner.bind(py)
+        inner.model = Some((Arc::new(Mutex::new(Some(function))), ModelOptions { sees, reach, neighbors }));
+        inner.bind()
     }
 
     /// Returns the neighbours of all agents: those within `distance` metres, at most `k`, nearest first.
@@ -621,7 +625,7 @@ impl World {
         let mut inner = self.lock(py)?;
         inner.world.load(state).map_err(|error| world_error(&error))?;
         inner.watch = Expectations::new(&inner.scene.expect, &inner.world, &inner.built);
-        inner.bind(py)?;
+        inner.bind()?;
         inner.arrays.preferred.forget();
         inner.arrays.goals.forget();
         inner.changed(py)
@@ -637,6 +641,22 @@ impl World {
     /// The text of the scene as it is now.
     fn scene_toml(&self, py: Python<'_>) -> PyResult<String> {
         self.lock(py)?.scene.to_toml().map_err(|error| scene_error(py, &error))
+    }
+
+    /// Shows the collector the model, unless another thread uses the world: the world is then not garbage.
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        let Ok(inner) = self.inner.try_lock() else { return Ok(()) };
+        let Some((function, _)) = &inner.model else { return Ok(()) };
+        let Ok(function) = function.try_lock() else { return Ok(()) };
+        function.as_ref().map_or(Ok(()), |function| visit.call(function))
+    }
+
+    fn __clear__(&self) {
+        if let Ok(inner) = self.inner.try_lock() {
+            let held = inner.model.as_ref().and_then(|(function, _)| lock(function).take());
+            drop(inner);
+            drop(held);
+        }
     }
 
     /// The number of threads of a step.
