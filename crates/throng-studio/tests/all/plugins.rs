@@ -102,21 +102,10 @@ fn find<'a>(section: &'a Section, path: &str) -> Option<&'a throng_studio::tune:
 }
 
 #[test]
-fn its_places_and_goals_have_parameters_too_and_can_be_chosen() {
+fn its_places_and_goals_are_those_of_agents() {
     let text = "title = \"A walk\"\n[[group]]\ncount = 3\nplace.row = {}\ngoal.north = { far = 9 }\n";
     let plugins = Arc::new(Plugins::new().placement::<Row>().goal::<North>().scene("walk", text));
     let document = Document::named("walk", &plugins).unwrap();
-    let sections = Tunable::new(&plugins).groups(&document);
-    let number = |value, high| ParameterKind::Number { value, low: 0.0, high, whole: false };
-    let step = find(&sections[0], "group.0.place.row.step").unwrap();
-    assert_eq!((&step.kind, step.given), (&number(1.5, 50.0), false));
-    let far = find(&sections[0], "group.0.goal.north.far").unwrap();
-    assert_eq!((&far.kind, far.given), (&number(9.0, 60.0), true));
-    for (path, chosen) in [("group.0.place", "row"), ("group.0.goal", "north")] {
-        let choice = find(&sections[0], path).unwrap();
-        let ParameterKind::Choice { value, options } = &choice.kind else { panic!("{choice:?}") };
-        assert!(value == chosen && options.iter().any(|(name, _)| name == chosen), "{options:?}");
-    }
     let mut engine = Engine::default();
     engine.command(Command::Load { name: "walk".into(), scene: document.scene().unwrap().clone(), run: false });
     engine.command(Command::Seek(1000));
