@@ -257,7 +257,7 @@ impl Inner {
 #[pyclass(frozen, module = "throng_sim._throng")]
 pub struct World {
     inner: Mutex<Inner>,
-    calls: Mutex<Arc<Calls>>,
+    calls: Arc<Calls>,
 }
 
 /// An event: seconds, the number of the agent, and what happened.
@@ -273,12 +273,12 @@ impl World {
     }
 
     fn with(inner: Inner) -> Self {
-        Self { calls: Mutex::new(inner.calls.clone()), inner: Mutex::new(inner) }
+        Self { calls: inner.calls.clone(), inner: Mutex::new(inner) }
     }
 
     /// Waits until no other thread uses the world.
     pub fn lock(&self, py: Python<'_>) -> PyResult<MutexGuard<'_, Inner>> {
-        if self.calls.lock().unwrap_or_else(PoisonError::into_inner).is_inside() {
+        if self.calls.is_inside() {
             let text = "the world is making a step: a model reads its view, not the world";
             return Err(PyRuntimeError::new_err(text));
         }
