@@ -2,7 +2,7 @@
 
 Usage: python cost.py [PROGRAM]     (the program `throng`, built with --release, for the steps in Rust)
 
-Each figure is the median of five repetitions in one process, on one thread.
+All on one thread. Durations of steps are the least of nine repetitions in turn, others the median of five.
 """
 
 from __future__ import annotations
@@ -60,36 +60,41 @@ def steps_in_rust(program: str, scene: tg.Scene, steps: int) -> float:
 
 def main() -> None:
     """Prints all figures."""
-    warm, steps = 20, 40
+    warm, steps = 20, 20
     scene = crowd(10_000)
 
-    def rounds(read: bool, whole: bool) -> float:
+    def step_by_step(read: bool) -> float:
+        """Returns the duration of a step in Python, seconds."""
         world = scene.build()
         world.step(warm)
-        positions = world.positions if read else None
+        begin = time.perf_counter()
+        for _ in range(steps):
+            world.step()
+            if read:
+                np.sum(world.positions[0])
+        return (time.perf_counter() - begin) / steps
 
-        def work() -> None:
-            if whole:
-                world.step(steps)
-            else:
-                for _ in range(steps):
-                    world.step()
-                    if read:
-                        np.sum(world.positions[0])
+    def at_once() -> float:
+        world = scene.build()
+        world.step(warm)
+        begin = time.perf_counter()
+        world.step(steps)
+        return (time.perf_counter() - begin) / steps
 
-        # the crowd changes while it moves: one repetition in each of five worlds
-        del positions
-        return median(work, 1) / steps
-
-    whole = statistics.median(rounds(False, True) for _ in range(5))
-    single = statistics.median(rounds(False, False) for _ in range(5))
-    reading = statistics.median(rounds(True, False) for _ in range(5))
-    print(f"10,000 agents, a step: {1e3 * whole:.3f} ms in one call, {1e3 * single:.3f} ms each, {1e3 * reading:.3f} ms with positions")
-    if len(sys.argv) > 1:
-        first = statistics.median(steps_in_rust(sys.argv[1], scene, warm) for _ in range(5)) * warm
-        both = statistics.median(steps_in_rust(sys.argv[1], scene, warm + steps) for _ in range(5)) * (warm + steps)
-        rust = (both - first) / steps
-        print(f"the same in the program: {1e3 * rust:.3f} ms; Python over Rust: {whole / rust:.3f}, with positions {reading / rust:.3f}")
+    # other programs of the machine only slow down: the least of several alternating repetitions
+    spent: dict[str, list[float]] = {"in one call": [], "each": [], "each, with positions": [], "the program": []}
+    for _ in range(9):
+        spent["in one call"].append(at_once())
+        spent["each"].append(step_by_step(False))
+        spent["each, with positions"].append(step_by_step(True))
+        if len(sys.argv) > 1:
+            whole = (warm + steps) * steps_in_rust(sys.argv[1], scene, warm + steps)
+            spent["the program"].append((whole - warm * steps_in_rust(sys.argv[1], scene, warm)) / steps)
+    least = {name: min(all) for name, all in spent.items() if all}
+    for name, seconds in least.items():
+        over = f": {seconds / least['the program']:.3f} times the program" if "the program" in least else ""
+        print(f"10,000 agents, a step, {name}: {1e3 * seconds:.3f} ms{over}")
+    reading = least["each, with positions"]
 
     many = crowd(100_000).build(threads=0)
     many.step()
@@ -97,28 +102,42 @@ def main() -> None:
     spent = []
     for _ in range(5):
         many.step()
-        ids = many.ids
-        # a move of one agent writes all arrays that exist anew: positions and ids
+        # a change of one agent writes all arrays anew that exist: the positions
         begin = time.perf_counter()
-        many.push(int(ids[0]), (0.0, 0.0))
+        many.push(0, (0.0, 0.0))
         spent.append(time.perf_counter() - begin)
-    print(f"100,000 agents, writing positions and ids anew: {1e3 * statistics.median(spent):.3f} ms ({held.nbytes} bytes)")
+    print(f"100,000 agents, reading positions: {1e3 * statistics.median(spent):.3f} ms ({held.nbytes} bytes)")
 
-    @tg.model
+    inside = [0.0, 0]
+
     def push(view: tg.View) -> np.ndarray:
         near = view.near
-        away = near.offsets / np.maximum((near.offsets**2).sum(axis=1, keepdims=True), 1e-6)
+        away = near.offsets / (near.distances**2)[:, None]
         return view.preferred - 0.1 * view.sum(away)
 
-    thousand = crowd(1_000)
-    durations = {}
-    for name, model in (("python", push), ("none", "none")):
-        world = thousand.build(model=model)
+    def timed(view: tg.View) -> np.ndarray:
+        begin = time.perf_counter()
+        chosen = push(view)
+        inside[0] += time.perf_counter() - begin
+        inside[1] += 1
+        return chosen
+
+    # the model `none` of the engine does the same as an empty one in Python
+    for sub_steps in (1, 2):
+        thousand = crowd(1_000)
+        thousand["time.sub_steps"] = sub_steps
+        around = {}
+        for name, model in (("empty", tg.model(lambda view: view.preferred)), ("none", "none")):
+            world = thousand.build(model=model)
+            world.step(warm)
+            around[name] = median(lambda world=world: world.step(20)) / 20
+        world = thousand.build(model=tg.model(timed))
         world.step(warm)
-        durations[name] = median(lambda world=world: world.step(20)) / 20
-    sub_steps = world.summary.sub_steps / world.summary.steps
-    own = (durations["python"] - durations["none"]) * 1e3
-    print(f"1,000 agents, a model in Python: {own:.3f} ms a step of its own ({sub_steps:.1f} sub-steps)")
+        inside[:] = [0.0, 0]
+        world.step(40)
+        call = 1e3 * inside[0] / 40
+        between = 1e3 * (around["empty"] - around["none"])
+        print(f"1,000 agents, {sub_steps} sub-steps: a model in Python takes {call:.3f} ms a step, calling it {between:.3f} ms more")
 
     peers(warm, steps, reading)
 

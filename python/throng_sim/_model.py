@@ -68,10 +68,8 @@ class View:
     @functools.cached_property
     def near(self) -> Near:
         """The neighbours of all agents."""
-        start = self._native.near_start
         return Near(
-            start=start,
-            row=_owners(start),
+            start=self._native.near_start,
             ids=self._native.near_ids,
             offsets=self._native.near_offsets,
             velocities=self._native.near_velocities,
@@ -82,17 +80,21 @@ class View:
     @functools.cached_property
     def walls(self) -> Walls:
         """The walls near all agents."""
-        start, ends = self._native.wall_start, self._native.walls
-        return Walls(start=start, row=_owners(start), a=ends[:, :2], b=ends[:, 2:])
+        ends = self._native.walls
+        return Walls(start=self._native.wall_start, a=ends[:, :2], b=ends[:, 2:])
 
     def __len__(self) -> int:
         return len(self.ids)
 
     def sum(self, values: npt.ArrayLike) -> npt.NDArray[Any]:
         """Returns, for each agent, the sum of values that are given for each neighbour of `near`."""
-        values = np.asarray(values)
+        values, start = np.asarray(values), self.near.start
+        if len(values) != len(self.near.ids):
+            raise ValueError(f"there are {len(values)} values, but must be one for each of {len(self.near.ids)} neighbours")
         total = np.zeros((len(self), *values.shape[1:]), dtype=np.result_type(values, np.float32))
-        np.add.at(total, self.near.row, values)
+        some = start[:-1] < start[1:]
+        if some.any():
+            total[some] = np.add.reduceat(values, start[:-1][some], axis=0, dtype=total.dtype)
         return total
 
 
@@ -102,8 +104,6 @@ class Near:
 
     start: npt.NDArray[np.int64]
     """Where the neighbours of each agent begin, and the end: (n + 1,)."""
-    row: npt.NDArray[np.int64]
-    """The row of the agent in the view: (m,)."""
     ids: npt.NDArray[np.uint32]
     """Numbers of the neighbours: (m,)."""
     offsets: npt.NDArray[np.float32]
@@ -115,6 +115,16 @@ class Near:
     shares: npt.NDArray[np.float32]
     """The agent's share of the avoidance, 0 to 1: (m,)."""
 
+    @functools.cached_property
+    def row(self) -> npt.NDArray[np.int64]:
+        """The row of the agent in the view: (m,)."""
+        return _owners(self.start)
+
+    @functools.cached_property
+    def distances(self) -> npt.NDArray[np.float32]:
+        """The distances between both centres, metres: (m,)."""
+        return np.hypot(self.offsets[:, 0], self.offsets[:, 1])
+
 
 @dataclass(frozen=True)
 class Walls:
@@ -122,12 +132,15 @@ class Walls:
 
     start: npt.NDArray[np.int64]
     """Where the walls of each agent begin, and the end: (n + 1,)."""
-    row: npt.NDArray[np.int64]
-    """The row of the agent in the view: (m,)."""
     a: npt.NDArray[np.float32]
     """One end, from the centre of the agent, metres: (m, 2)."""
     b: npt.NDArray[np.float32]
     """The other end: (m, 2)."""
+
+    @functools.cached_property
+    def row(self) -> npt.NDArray[np.int64]:
+        """The row of the agent in the view: (m,)."""
+        return _owners(self.start)
 
 
 @dataclass(frozen=True)
@@ -195,11 +208,11 @@ class Model:
     def __call__(self, view: Any) -> Any:
         return self.function(view)
 
-    def called(self, native: Any) -> Any:
+    def called(self, native: Any) -> npt.NDArray[np.float64]:
         """Returns the velocities for a view of the engine."""
         view = View(native)
         try:
-            return self._one_by_one(view) if self.each else self.function(view)
+            return self._one_by_one(view) if self.each else _checked(self.function(view), len(view))
         except Exception as error:
             error.add_note(f"in the model `{self.name}`{_where(self.function)}, at {view.time:.2f} s")
             raise
@@ -226,6 +239,24 @@ class Model:
 
     def __reduce__(self) -> Any:
         raise TypeError(f"the model `{self.name}` cannot be pickled: define it in a module, and give its name to workers")
+
+
+def _checked(returned: Any, count: int) -> npt.NDArray[np.float64]:
+    """Returns what a model returned for `count` agents as an array."""
+    wanted = f"an array of {count} by 2 numbers, a velocity in m/s for each agent of the view"
+    if returned is None:
+        raise TypeError(f"the model returned None; return {wanted}")
+    try:
+        chosen = np.asarray(returned, np.float64)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"the model returned an object of type {type(returned).__name__}; return {wanted}") from error
+    if chosen.shape != (count, 2):
+        raise ValueError(f"the model returned an array of shape {chosen.shape}; return {wanted}")
+    if not np.isfinite(chosen).all():
+        row = int(np.argmin(np.isfinite(chosen).all(axis=1)))
+        x, y = chosen[row]
+        raise ValueError(f"the model returned [{x}, {y}] for row {row} of the view; velocities must be finite")
+    return chosen
 
 
 def each_of(view: View) -> list[Each]:

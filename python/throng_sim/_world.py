@@ -201,8 +201,9 @@ class World:
 
     @property
     def summary(self) -> Summary:
-        """Statistics of the run so far: those of `throng run`."""
-        return Summary(json.loads(self._world.summary_json()))
+        """Statistics of the run so far: those of `throng run`. NaN stands for what is unknown."""
+        known = json.loads(self._world.summary_json())
+        return Summary({name: np.nan if value is None else value for name, value in known.items()})
 
     @property
     def expectations(self) -> Summary:

@@ -233,8 +233,8 @@ fn stroke(stroke: Stroke) -> String {
     text
 }
 
-/// Escapes text for XML.
-fn escape(text: &str) -> String {
+/// Escapes text for XML, between tags.
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

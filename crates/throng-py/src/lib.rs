@@ -4,12 +4,15 @@
 
 mod arrow;
 mod error;
+mod inner;
 mod live;
 mod measure;
 mod model;
+mod neighbours;
 mod place;
 mod run;
 mod scene;
+mod stepper;
 mod sweep;
 mod threads;
 mod world;
@@ -29,7 +32,9 @@ mod _throng {
     #[pymodule_export]
     use crate::scene::{Scene, gallery, models, schema};
     #[pymodule_export]
+    use crate::stepper::Stepper;
+    #[pymodule_export]
     use crate::sweep::Plan;
     #[pymodule_export]
-    use crate::world::{Stepper, World};
+    use crate::world::World;
 }

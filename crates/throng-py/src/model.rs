@@ -2,12 +2,12 @@
 
 use glam::Vec2;
 use numpy::ndarray::Array2;
-use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use numpy::{Element, PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::ThreadId;
-use throng::avoid::{AvoidanceInput, Crowd, CrowdModel, LocalModel, Workspace};
+use throng::avoid::{AvoidanceInput, Crowd, CrowdArrays, CrowdModel, LocalModel, Workspace};
 
 /// What a world and its Python model tell each other during a step.
 #[derive(Default)]
@@ -40,7 +40,7 @@ pub fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A function of a [`View`], which returns velocities: one reference for a world and its groups, so that Python can
+/// A function of a [`View`], which returns velocities, an array of `float64` with two columns: one reference for a world and its groups, so that Python can
 /// collect a world that its own model refers to. `None` after that.
 pub type Function = Arc<Mutex<Option<Py<PyAny>>>>;
 
@@ -83,10 +83,7 @@ impl CrowdModel for PythonModel {
             *lock(&self.calls.inside) = None;
             match called {
                 Ok(velocities) => {
-                    velocities.into_iter().enumerate().for_each(|(k, velocity)| {
-                        let up = crowd.input(k).preferred_vertical_velocity;
-                        crowd.set(k, velocity.extend(up));
-                    });
+                    velocities.into_iter().enumerate().for_each(|(k, velocity)| crowd.set_horizontal(k, velocity));
                 }
                 Err(error) => *lock(&self.calls.raised) = Some(error),
             }
@@ -99,52 +96,17 @@ impl PythonModel {
         let function = lock(&self.function).as_ref().map(|function| function.clone_ref(py));
         let Some(function) = function else { return Err(PyRuntimeError::new_err("the world has been collected")) };
         let view = Bound::new(py, View::new(py, crowd)?)?;
-        velocities(function.bind(py).call1((&view,))?.as_any(), crowd.len())
-    }
-}
-
-/// Reads the velocities that a model returned for `count` agents.
-fn velocities(returned: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<Vec2>> {
-    let wanted = format!("an array of {count} by 2 numbers, a velocity in m/s for each agent of the view");
-    let py = returned.py();
-    if returned.is_none() {
-        return Err(PyTypeError::new_err(format!("the model returned None; return {wanted}")));
-    }
-    let array = py.import("numpy")?.call_method1("asarray", (returned, "float64"));
-    let array = array.map_err(|error| {
-        let text = format!("the model returned {}; return {wanted}", kind(returned));
-        let raised = PyTypeError::new_err(text);
-        raised.set_cause(py, Some(error));
-        raised
-    })?;
-    let array: PyReadonlyArray2<'_, f64> = match array.extract() {
-        Ok(array) => array,
-        Err(_) => {
-            let shape = array.getattr("shape")?.str()?.to_string();
+        let returned: PyReadonlyArray2<'_, f64> = function.bind(py).call1((&view,))?.extract()?;
+        let rows = returned.as_array();
+        if rows.dim() != (crowd.len(), 2) {
             return Err(PyValueError::new_err(format!(
-                "the model returned an array of shape {shape}; return {wanted}"
+                "the shape is {:?}, but must be ({}, 2)",
+                rows.dim(),
+                crowd.len()
             )));
         }
-    };
-    if array.shape() != [count, 2] {
-        let shape = array.shape();
-        let text = format!("the model returned an array of {} by {} numbers; return {wanted}", shape[0], shape[1]);
-        return Err(PyValueError::new_err(text));
+        Ok(rows.rows().into_iter().map(|row| Vec2::new(row[0] as f32, row[1] as f32)).collect())
     }
-    let all = array.as_array();
-    if let Some(row) = all.rows().into_iter().position(|row| !row.iter().all(|number| number.is_finite())) {
-        let text = format!(
-            "the model returned [{}, {}] for row {row} of the view; velocities must be finite",
-            all[[row, 0]],
-            all[[row, 1]]
-        );
-        return Err(PyValueError::new_err(text));
-    }
-    Ok(all.rows().into_iter().map(|row| Vec2::new(row[0] as f32, row[1] as f32)).collect())
-}
-
-fn kind(object: &Bound<'_, PyAny>) -> String {
-    object.get_type().name().map_or_else(|_| "an object".to_owned(), |name| format!("an object of type {name}"))
 }
 
 /// What the agents of a model see at the start of a sub-step. Each array has a row for each agent. `near_start[k]` to
@@ -189,73 +151,27 @@ pub struct View {
 
 impl View {
     fn new(py: Python<'_>, crowd: &Crowd<'_>) -> PyResult<Self> {
-        let count = crowd.len();
-        let mut near = Near::default();
-        let mut agents: Vec<AgentRow> = Vec::with_capacity(count);
-        let (mut walls, mut wall_start) = (Vec::new(), vec![0]);
-        near.start.push(0);
-        for k in 0..count {
-            let input = crowd.input(k);
-            near.ids.extend(crowd.neighbour_numbers(k));
-            for other in input.neighbours {
-                near.offsets.push(other.offset);
-                near.velocities.push(other.velocity);
-                near.radii.push(other.radii);
-                near.shares.push(other.share);
-            }
-            near.start.push(near.ids.len() as i64);
-            walls.extend(input.edges.iter().map(|edge| [edge.start.x, edge.start.y, edge.end.x, edge.end.y]));
-            wall_start.push(walls.len() as i64);
-            agents.push(AgentRow::of(&input));
-        }
-        let column = |read: fn(&AgentRow) -> f32| list(py, agents.iter().map(read).collect());
-        let pairs = |read: fn(&AgentRow) -> Vec2| table(py, &agents.iter().map(read).collect::<Vec<_>>());
+        let arrays = CrowdArrays::of(crowd);
         Ok(Self {
-            time: crowd.time(),
-            dt: crowd.seconds(),
-            ids: list(py, (0..count).map(|k| crowd.number(k)).collect()),
-            positions: array2(py, (0..count).flat_map(|k| crowd.position(k).truncate().to_array()).collect(), 2)?,
-            velocities: pairs(|agent| agent.velocity)?,
-            preferred: pairs(|agent| agent.preferred)?,
-            radii: column(|agent| agent.radius),
-            max_speeds: column(|agent| agent.max_speed),
-            headings: column(|agent| agent.heading),
-            near_start: list(py, near.start),
-            near_ids: list(py, near.ids),
-            near_offsets: table(py, &near.offsets)?,
-            near_velocities: table(py, &near.velocities)?,
-            near_radii: list(py, near.radii),
-            near_shares: list(py, near.shares),
-            wall_start: list(py, wall_start),
-            walls: array2(py, walls.into_iter().flatten().collect(), 4)?,
+            time: arrays.time,
+            dt: arrays.seconds,
+            ids: list(py, arrays.numbers),
+            positions: array2(py, arrays.positions.iter().flat_map(|at| at.to_array()).collect(), 2)?,
+            velocities: table(py, &arrays.velocities)?,
+            preferred: table(py, &arrays.preferred)?,
+            radii: list(py, arrays.radii),
+            max_speeds: list(py, arrays.max_speeds),
+            headings: list(py, arrays.headings),
+            near_start: list(py, arrays.near_start),
+            near_ids: list(py, arrays.near_numbers),
+            near_offsets: table(py, &arrays.near_offsets)?,
+            near_velocities: table(py, &arrays.near_velocities)?,
+            near_radii: list(py, arrays.near_radii),
+            near_shares: list(py, arrays.near_shares),
+            wall_start: list(py, arrays.wall_start),
+            walls: array2(py, arrays.walls.into_iter().flatten().collect(), 4)?,
         })
     }
-}
-
-/// What is the same for all neighbours of an agent.
-struct AgentRow {
-    velocity: Vec2,
-    preferred: Vec2,
-    radius: f32,
-    max_speed: f32,
-    heading: f32,
-}
-
-impl AgentRow {
-    fn of(input: &AvoidanceInput<'_>) -> Self {
-        let &AvoidanceInput { velocity, preferred, radius, max_speed, heading, .. } = input;
-        Self { velocity, preferred, radius, max_speed, heading }
-    }
-}
-
-#[derive(Default)]
-struct Near {
-    start: Vec<i64>,
-    ids: Vec<u32>,
-    offsets: Vec<Vec2>,
-    velocities: Vec<Vec2>,
-    radii: Vec<f32>,
-    shares: Vec<f32>,
 }
 
 /// Returns an array with one dimension.

@@ -2,7 +2,8 @@
 
 use crate::arrow;
 use crate::error::FileError;
-use crate::world::{Inner, World};
+use crate::inner::Inner;
+use crate::world::World;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use throng_draw::page::{Player, Scenery, document, escape};
 use throng_draw::record::{Files, Plan, Recorder};
-use throng_draw::{Still, Style, WorldBox, palette, points_to_go};
+use throng_draw::{Still, Style, palette};
 use throng_record::{Choice, Format, Frame, Output, Setting, moment};
 use throng_scene::Scene as Described;
 
@@ -125,37 +126,8 @@ impl Recording {
     }
 
     /// Returns a web page that plays the recording, without a network.
-    fn player(&self) -> PyResult<String> {
-        let frames = self.frames();
-        let Some(first) = frames.first() else { return Ok(String::new()) };
-        let style = Style::said(&self.scene);
-        let [min, max] = self.bounds;
-        let all = WorldBox::of(&self.setting, first).unwrap_or(WorldBox { min, max });
-        let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
-        let numbers = frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number as usize + 1);
-        let scenery = Scenery {
-            view: style.view.unwrap_or(all),
-            all,
-            colors: (0..self.setting.groups.len()).map(color).collect(),
-            trails: style.trails,
-            points: points_to_go(&self.setting, first).collect(),
-            marked: vec![],
-            counted: vec![],
-            agents: first.total,
-            gone: "arrived",
-            start: first.time,
-            setting: self.setting.clone(),
-        };
-        let mut player = Player::new(scenery, 1, numbers.max().unwrap_or(0), self.every);
-        for frame in frames.iter() {
-            let moments = ((frame.time - first.time) / self.every).round();
-            player.push(moments as u64, [(0, frame)]);
-        }
-        if let Some(last) = frames.last() {
-            player.end(0, last);
-        }
-        let title = escape(&self.setting.title);
-        Ok(document(&title, &player.section(std::slice::from_ref(&title), ""), &player.script()))
+    fn player(&self, py: Python<'_>) -> String {
+        py.detach(|| self.page())
     }
 
     /// Writes files of the kinds that `throng run` writes.
@@ -179,6 +151,24 @@ impl Recording {
 }
 
 impl Recording {
+    fn page(&self) -> String {
+        let frames = self.frames();
+        let Some(first) = frames.first() else { return String::new() };
+        let style = Style::said(&self.scene);
+        let scenery = Scenery::of_scene(self.setting.clone(), &style, first, self.bounds, first.total);
+        let numbers = frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number as usize + 1);
+        let mut player = Player::new(scenery, 1, numbers.max().unwrap_or(0), self.every);
+        for frame in frames.iter() {
+            let moments = ((frame.time - first.time) / self.every).round();
+            player.push(moments as u64, [(0, frame)]);
+        }
+        if let Some(last) = frames.last() {
+            player.end(0, last);
+        }
+        let title = escape(&self.setting.title);
+        document(&title, &player.section(std::slice::from_ref(&title), ""), &player.script())
+    }
+
     fn write(
         &self,
         paths: &[PathBuf],

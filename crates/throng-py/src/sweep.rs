@@ -54,7 +54,8 @@ impl Plan {
     fn make(&self, py: Python<'_>, index: usize) -> PyResult<String> {
         let run = self.run(index)?;
         let goes_on = || !self.stopped.load(Ordering::Relaxed);
-        let made = py.detach(|| Threads::new(1).run(|| run_one(&run, goes_on)))?;
+        let threads = Threads::new(1).start()?;
+        let made = py.detach(|| threads.install(|| run_one(&run, goes_on)));
         let Some(row) = made else { return Err(PyRuntimeError::new_err("the run was stopped")) };
         serde_json::to_string(&row.results).map_err(|error| PyValueError::new_err(error.to_string()))
     }

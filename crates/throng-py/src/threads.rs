@@ -3,12 +3,13 @@
 use pyo3::PyResult;
 use pyo3::exceptions::PyRuntimeError;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::Arc;
 
 /// Threads that belong to a process. After a fork the child starts its own: it has none of its parent's.
 pub struct Threads {
     count: usize,
     process: u32,
-    pool: Option<ThreadPool>,
+    pool: Option<Arc<ThreadPool>>,
 }
 
 impl Threads {
@@ -22,27 +23,26 @@ impl Threads {
         self.count
     }
 
-    /// Calls `work` on the threads.
+    /// Returns the threads, and starts them if they do not run.
     ///
     /// # Errors
     /// The threads cannot be started.
-    pub fn run<T: Send>(&mut self, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    pub fn start(&mut self) -> PyResult<Arc<ThreadPool>> {
         let process = std::process::id();
         if self.process != process {
             // the threads of the parent do not exist here: to end them would wait for ever
             std::mem::forget(self.pool.take());
             self.process = process;
         }
-        if self.pool.is_none() {
-            let built = ThreadPoolBuilder::new().num_threads(self.count).build();
-            let count = self.count;
-            self.pool = Some(built.map_err(|error| {
-                PyRuntimeError::new_err(format!("cannot start {count} threads: {error}; give fewer threads"))
-            })?);
+        if let Some(pool) = &self.pool {
+            return Ok(pool.clone());
         }
-        match &self.pool {
-            Some(pool) => Ok(pool.install(work)),
-            None => unreachable!("the threads were started above"),
-        }
+        let count = self.count;
+        let built = ThreadPoolBuilder::new().num_threads(count).build();
+        let pool = Arc::new(built.map_err(|error| {
+            PyRuntimeError::new_err(format!("cannot start {count} threads: {error}; give fewer threads"))
+        })?);
+        self.pool = Some(pool.clone());
+        Ok(pool)
     }
 }

@@ -1,257 +1,23 @@
 //! Worlds: state as arrays, steps without the global lock, changes.
 
 use crate::error::{scene_error, world_error};
-use crate::live::{
-    Altitudes, Groups, Headings, Live, MaxSpeeds, Numbers, Positions, PreferredSpeeds, Present, Radii, Statuses,
-    Velocities, VerticalVelocities,
-};
-use crate::model::{Calls, Function, PythonModel, array2, list, lock};
+use crate::inner::{Arrays, Inner, ModelOptions};
+use crate::live::Live;
+use crate::model::{Calls, array2, list, lock};
+use crate::neighbours::nearest;
 use crate::place;
-use crate::threads::Threads;
-use crate::writable::{Goals, Preferred, Writable};
 use glam::{DVec2, Vec2};
-use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
 use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
 use pyo3::types::PyBytes;
-use std::num::NonZero;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
 use throng::{Agent, AgentId, EventKind};
 use throng_draw::{Figure, Style, Theme};
-use throng_record::{Frame, moment};
-use throng_scene::{Built, Expectations, Scene as Described};
-
-/// Time between two looks for Ctrl-C.
-const PATIENCE: Duration = Duration::from_millis(50);
-
-/// A world and what its Python program holds of it.
-pub struct Inner {
-    pub world: throng::World,
-    pub built: Built,
-    pub scene: Described,
-    pub watch: Expectations,
-    pub threads: Threads,
-    present: Present,
-    /// An agent of each group as it was at the start, for new ones.
-    patterns: Vec<Agent>,
-    model: Option<(Function, ModelOptions)>,
-    calls: Arc<Calls>,
-    arrays: Arrays,
-    events: Vec<(f64, u32, EventKind)>,
-}
-
-/// What a Python model asks of the engine.
-#[derive(Clone, Copy)]
-pub struct ModelOptions {
-    sees: f32,
-    reach: Option<f32>,
-    neighbors: Option<usize>,
-}
-
-#[derive(Default)]
-struct Arrays {
-    positions: Live<Positions>,
-    altitudes: Live<Altitudes>,
-    velocities: Live<Velocities>,
-    vertical_velocities: Live<VerticalVelocities>,
-    headings: Live<Headings>,
-    radii: Live<Radii>,
-    speeds: Live<PreferredSpeeds>,
-    max_speeds: Live<MaxSpeeds>,
-    status: Live<Statuses>,
-    groups: Live<Groups>,
-    ids: Live<Numbers>,
-    preferred: Writable<Preferred>,
-    goals: Writable<Goals>,
-}
-
-/// Calls a function for each array that follows the steps.
-macro_rules! each_live {
-    ($arrays:expr, |$array:ident| $work:expr) => {{
-        let Arrays { positions, altitudes, velocities, vertical_velocities, headings, .. } = $arrays;
-        each_live!(@ |$array| $work, positions altitudes velocities vertical_velocities headings);
-        let Arrays { radii, speeds, max_speeds, status, groups, ids, .. } = $arrays;
-        each_live!(@ |$array| $work, radii speeds max_speeds status groups ids);
-    }};
-    (@ |$array:ident| $work:expr, $($name:ident)*) => { $({ let $array = $name; $work; })* };
-}
-
-impl Inner {
-    fn new(scene: &Described, threads: usize) -> Result<Self, throng_scene::Error> {
-        let (world, built) = scene.build()?;
-        let watch = Expectations::new(&scene.expect, &world, &built);
-        let plan = |group: usize| world.agents().find(|agent| agent.group() == built.groups[group].id);
-        let patterns = (0..built.groups.len())
-            .map(|group| {
-                let id = built.groups[group].id;
-                plan(group).map_or_else(|| Agent { group: id, ..Agent::default() }, |agent| agent.to_agent())
-            })
-            .collect();
-        let mut present = Present::default();
-        present.find(&world);
-        Ok(Self {
-            watch,
-            patterns,
-            present,
-            world,
-            built,
-            scene: scene.clone(),
-            threads: Threads::new(threads),
-            model: None,
-            calls: Arc::default(),
-            arrays: Arrays::default(),
-            events: vec![],
-        })
-    }
-
-    /// Gives all groups the Python model.
-    fn bind(&mut self) -> PyResult<()> {
-        let Some((function, options)) = &self.model else { return Ok(()) };
-        let calls = self.calls.clone();
-        let model = Arc::new(PythonModel { function: function.clone(), sees: options.sees, calls });
-        for built in &self.built.groups {
-            let mut group = self.world.group(built.id).clone();
-            group.model = model.clone();
-            group.neighbour_distance = options.reach.unwrap_or(group.neighbour_distance);
-            group.neighbours = options.neighbors.unwrap_or(group.neighbours);
-            self.world.set_group(built.id, group).map_err(|error| world_error(&error))?;
-        }
-        Ok(())
-    }
-
-    /// Finds the agents that are present, after a change.
-    fn changed(&mut self, py: Python<'_>) -> PyResult<()> {
-        let before = self.present.numbers.clone();
-        if self.present.find(&self.world) {
-            each_live!(&mut self.arrays, |array| array.release());
-            self.arrays.preferred.carry_over(py, &before, &self.present)?;
-            self.arrays.goals.carry_over(py, &before, &self.present)?;
-        }
-        let Self { world, present, arrays, .. } = self;
-        each_live!(&mut *arrays, |array| array.write(py, world, present)?);
-        arrays.goals.refresh(py, world, present)
-    }
-
-    /// Makes a step.
-    fn one_step(&mut self) {
-        self.world.step();
-        self.watch.step(&self.world);
-        let events = self.world.events().iter().map(|event| (event.time, event.number, event.kind));
-        self.events.extend(events);
-    }
-
-    /// Makes at most `most` steps, and stops after [`PATIENCE`] or when `ends`. Returns the number of steps.
-    fn steps(
-        &mut self,
-        most: u64,
-        ends: impl Fn(&Self) -> bool + Send + Sync,
-        mut after: impl FnMut(&Self) + Send,
-    ) -> PyResult<u64> {
-        let begin = Instant::now();
-        let mut threads = std::mem::replace(&mut self.threads, Threads::new(1));
-        let made = threads.run(|| {
-            let mut made = 0;
-            while made < most && !ends(self) {
-                self.one_step();
-                after(self);
-                made += 1;
-                if begin.elapsed() > PATIENCE || self.calls.has_raised() {
-                    break;
-                }
-            }
-            made
-        });
-        self.threads = threads;
-        made
-    }
-
-    /// Makes steps until `ends`, at most `most`. Calls `after` after each.
-    pub fn go(
-        &mut self,
-        py: Python<'_>,
-        most: u64,
-        ends: impl Fn(&Self) -> bool + Send + Sync,
-        mut after: impl FnMut(&Self) + Send,
-    ) -> PyResult<()> {
-        self.events.clear();
-        self.obey(py)?;
-        let mut left = most;
-        let result = loop {
-            let made = py.detach(|| self.steps(left, &ends, &mut after));
-            let made = match made {
-                Ok(made) => made,
-                Err(error) => break Err(error),
-            };
-            left -= made;
-            if let Some(error) = self.calls.take() {
-                break Err(error);
-            }
-            if left == 0 || ends(self) {
-                break Ok(());
-            }
-            if let Err(error) = py.check_signals() {
-                break Err(error);
-            }
-        };
-        self.changed(py)?;
-        result
-    }
-
-    /// Whether the scene is over, or `until` seconds have passed.
-    pub fn is_at_end(&self, until: Option<f64>) -> bool {
-        match until {
-            Some(until) => self.world.time() + 0.5 * self.world.settings().step >= until,
-            None => self.scene.time.over(&self.world),
-        }
-    }
-
-    /// Gives the world what the program wrote into arrays.
-    fn obey(&mut self, py: Python<'_>) -> PyResult<()> {
-        let Self { world, present, arrays, .. } = self;
-        arrays.preferred.obey(py, world, present)?;
-        arrays.goals.obey(py, world, present)
-    }
-
-    fn id(&self, number: u32) -> PyResult<AgentId> {
-        let found = self.present.index(number).map(|index| self.present.ids[index]);
-        found.ok_or_else(|| PyIndexError::new_err(format!("agent {number} is not present; `ids` has those that are")))
-    }
-
-    fn group(&self, group: &str) -> PyResult<usize> {
-        let names = || self.built.groups.iter().map(|group| group.name.as_str());
-        let by_number = || group.parse().ok().filter(|&k: &usize| k < self.built.groups.len());
-        names().position(|name| name == group).or_else(by_number).ok_or_else(|| {
-            let all: Vec<&str> = names().collect();
-            PyValueError::new_err(format!("there is no group `{group}`; there are: {}", all.join(", ")))
-        })
-    }
-
-    fn twin(&self, py: Python<'_>) -> PyResult<Self> {
-        let mut twin = Self {
-            world: self.world.clone(),
-            built: self.built.clone(),
-            scene: self.scene.clone(),
-            watch: self.watch.clone(),
-            threads: Threads::new(self.threads.count()),
-            present: Present::default(),
-            patterns: self.patterns.clone(),
-            model: self.model.as_ref().map(|(function, options)| {
-                let own = lock(function).as_ref().map(|function| function.clone_ref(py));
-                (Arc::new(Mutex::new(own)), *options)
-            }),
-            calls: Arc::default(),
-            arrays: Arrays::default(),
-            events: self.events.clone(),
-        };
-        twin.present.find(&twin.world);
-        twin.bind()?;
-        Ok(twin)
-    }
-}
+use throng_record::{Frame, moment, summary_cells};
+use throng_scene::{Expectations, Scene as Described};
 
 /// A world: agents that move, made from a scene.
 #[pyclass(frozen, module = "throng_sim._throng")]
@@ -466,7 +232,11 @@ impl World {
 
     /// Statistics of the run so far, as JSON.
     fn summary_json(&self, py: Python<'_>) -> PyResult<String> {
-        json(&self.lock(py)?.world.summary())
+        let summary = self.lock(py)?.world.summary();
+        let counted = [("sub_steps", summary.sub_steps.into()), ("agent_steps", summary.agent_steps.into())];
+        let walls = [("least_wall_separation", summary.least_wall_separation.into())];
+        let all = summary_cells(&summary).into_iter().chain(counted).chain(walls);
+        json(&all.map(|(name, cell)| (name.to_owned(), cell.json())).collect::<serde_json::Map<_, _>>())
     }
 
     /// The checks of the scene's expectations, as JSON.
@@ -688,77 +458,4 @@ fn rows_of(array: &PyReadonlyArray2<'_, f64>, name: &str, count: usize) -> PyRes
         return Err(PyValueError::new_err(text));
     }
     Ok(points)
-}
-
-/// Returns the neighbours of all places: the start of each list and the end, the rows, and the distances.
-fn nearest(places: &[[f64; 2]], k: usize, distance: f64) -> (Vec<i64>, Vec<i64>, Vec<f64>) {
-    let (mut start, mut rows, mut distances) = (vec![0], vec![], vec![]);
-    let most = NonZero::new(k.saturating_add(1).min(places.len().max(1))).unwrap_or(NonZero::<usize>::MIN);
-    let Ok(tree) = ImmutableKdTree::<f64, 2>::new_from_slice(places) else {
-        return (vec![0; places.len() + 1], rows, distances);
-    };
-    for (own, place) in places.iter().enumerate() {
-        let found = tree.query(place).nearest_n::<SquaredEuclidean<f64>>(most).execute();
-        let mut found: Vec<(f64, i64)> = found.iter().map(|near| (near.distance, i64::from(near.item))).collect();
-        found.retain(|&(squared, _)| squared <= distance * distance);
-        // equal distances in the order of rows
-        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let others = found.into_iter().filter(|&(_, row)| row != own as i64).take(k);
-        for (squared, row) in others {
-            rows.push(row);
-            distances.push(squared.sqrt());
-        }
-        start.push(rows.len() as i64);
-    }
-    (start, rows, distances)
-}
-
-/// Threads that step several worlds side by side.
-#[pyclass(frozen, module = "throng_sim._throng")]
-pub struct Stepper {
-    threads: Mutex<Threads>,
-}
-
-#[pymethods]
-impl Stepper {
-    /// Prepares this number of threads; 0 stands for the number of cores.
-    #[new]
-    #[pyo3(signature = (threads=0))]
-    fn new(threads: usize) -> Self {
-        Self { threads: Mutex::new(Threads::new(threads)) }
-    }
-
-    /// Makes `n` steps of each world. Each gets the same bits as alone.
-    #[pyo3(signature = (worlds, n=1))]
-    fn step(&self, py: Python<'_>, worlds: Vec<Py<World>>, n: u64) -> PyResult<()> {
-        use rayon::prelude::*;
-        let mut guards = vec![];
-        for (k, world) in worlds.iter().enumerate() {
-            if worlds[..k].iter().any(|other| other.is(world)) {
-                return Err(PyValueError::new_err(format!("world {k} is given twice")));
-            }
-            let mut guard = world.get().lock(py)?;
-            guard.events.clear();
-            guard.obey(py)?;
-            guards.push(guard);
-        }
-        let mut inners: Vec<&mut Inner> = guards.iter_mut().map(|guard| &mut **guard).collect();
-        let mut threads = self.threads.lock_py_attached(py).unwrap_or_else(PoisonError::into_inner);
-        let threads = &mut *threads;
-        let made: Vec<PyResult<()>> = py.detach(|| {
-            threads.run(|| {
-                let steps = |inner: &mut &mut Inner| {
-                    for _ in 0..n {
-                        inner.one_step();
-                    }
-                    inner.calls.take().map_or(Ok(()), Err)
-                };
-                inners.par_iter_mut().map(steps).collect()
-            })
-        })?;
-        for inner in &mut inners {
-            inner.changed(py)?;
-        }
-        made.into_iter().collect()
-    }
 }

@@ -1,13 +1,13 @@
 //! The command line of `throng compare`.
 
+use super::contender::Contender;
 use crate::failure::Failure;
-use crate::models::models;
+use crate::models::distinct;
 use crate::options::{EndArgs, FilmArgs, ReportArgs, ThreadArgs};
 use crate::seeds::seeds;
 use crate::source::SceneArgs;
 use clap::Args;
 use std::path::PathBuf;
-use throng_scene::Model;
 
 /// The examples for `-h`.
 pub const COMPARE_SHORT: &str = "\
@@ -62,6 +62,8 @@ Examples:
       one model with several settings
   throng compare lab.toml --models rvo,orca --seeds 1..5 --bounds lab.bounds.toml --junit grades.xml
       grades: a run outside the bounds fails, by the exit code and in the report of tests
+  throng compare lab.toml --models mine.py,orca --bounds lab.bounds.toml
+      a model in Python beside one of the engine
   throng compare station.wkt --exit 10,0,2,4 --people 500 --models rvo,orca -o station.csv";
 
 /// The arguments of `throng compare`.
@@ -76,6 +78,9 @@ pub struct CompareArgs {
     /// The names are those of `avoid.NAME` in scene files (`-` is `_`). Values of a model's keys come after colons:
     /// orca:time_horizon=4:neighbours=20. A model replaces the model of every group and keeps the group's `neighbours`
     /// and `neighbour_distance`; a group that already has the model keeps all its values.
+    ///
+    /// mine.py is the model of a file of Python, mine.py:NAME one of several. They are functions with @throng_sim.model, of
+    /// the Python package. The program runs `python3`, or the program that the environment variable PYTHON names.
     #[arg(short, long, value_name = "MODEL,..", value_delimiter = ',', default_value = "vo,rvo,hrvo,orca")]
     pub models: Vec<String>,
 
@@ -121,8 +126,10 @@ impl CompareArgs {
     ///
     /// # Errors
     /// A model does not exist, has no such key, or is given twice.
-    pub fn models(&self) -> Result<Vec<Model>, Failure> {
-        models("--models", &self.models)
+    pub fn models(&self) -> Result<Vec<Contender>, Failure> {
+        let models = self.models.iter().map(|text| Contender::named(text)).collect::<Result<Vec<_>, _>>()?;
+        distinct("--models", models.iter().map(Contender::label))?;
+        Ok(models)
     }
 
     /// Returns the seeds, in order; `default` where none are given.

@@ -2,6 +2,7 @@
 
 mod args;
 mod bounds;
+mod contender;
 mod figures;
 mod grade;
 mod html;
@@ -10,6 +11,7 @@ mod outputs;
 mod race;
 mod sheet;
 mod table;
+mod worker;
 
 pub use args::{COMPARE, COMPARE_SHORT, CompareArgs};
 
@@ -17,7 +19,6 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::out::{Out, complain, note};
 use crate::progress::{Progress, waiting};
-use crate::source::Loaded;
 use crate::threads::Workers;
 use bounds::Bounds;
 use figures::CompareResults;
@@ -55,7 +56,7 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
     let mut outputs = CompareOutputs::create(args, &plan, race.leaders())?;
     if outputs.watch() {
         outputs.push(race.leaders())?;
-        while race.step() {
+        while race.step()? {
             outputs.push(race.leaders())?;
         }
         outputs.end(race.leaders())?;
@@ -94,16 +95,4 @@ pub fn compare(args: &CompareArgs, out: &mut Out) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
-}
-
-/// Returns the scene with one of the models and one of the seeds.
-fn variant(plan: &ComparePlan, model: usize, seed: u64) -> Result<Loaded, Failure> {
-    let model = &plan.models[model];
-    let mut loaded = plan.loaded.clone();
-    loaded.scene = loaded.scene.with_model(model).map_err(|mut error| {
-        error.file = Some(format!("--models {model}").into());
-        error
-    })?;
-    loaded.scene.seed = seed;
-    Ok(loaded)
 }

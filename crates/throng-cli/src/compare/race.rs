@@ -2,7 +2,8 @@
 //! other runs start as threads become free.
 
 use super::bounds::figure_name;
-use super::variant;
+use super::contender::Contender;
+use super::worker::WorkerModel;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::{Progress, share};
@@ -17,14 +18,14 @@ use throng::World;
 use throng_bench::clock::thread_time;
 use throng_record::series::Series;
 use throng_record::{Frame, Pool, moment};
-use throng_scene::{Built, Model, Time};
+use throng_scene::{Built, Time};
 
 /// The models and seeds to compare.
 pub struct ComparePlan {
     /// The scene; its seed is the first of `seeds`.
     pub loaded: Loaded,
     /// The models.
-    pub models: Vec<Model>,
+    pub models: Vec<Contender>,
     /// The seeds; at least one.
     pub seeds: Vec<u64>,
     /// Whether the figures over time of all runs are needed, and not only those that an output shows.
@@ -48,6 +49,8 @@ pub struct ModelRun {
     pub series: Series,
     time: Time,
     stepping: Duration,
+    /// The model, if it is in Python.
+    python: Option<Arc<WorkerModel>>,
 }
 
 /// The result of a run.
@@ -75,14 +78,16 @@ impl RunOutcome {
 
 impl ModelRun {
     fn build(plan: &ComparePlan, model: usize, seed: u64) -> Result<Self, Failure> {
-        let loaded = variant(plan, model, seed)?;
-        let (world, built) = loaded.build(true).map_err(|failure| match failure {
-            Failure::Error(text) => Failure::Error(format!("{} with seed {seed}: {text}", plan.models[model])),
+        let contender = &plan.models[model];
+        let mut loaded = plan.loaded.clone();
+        loaded.scene.seed = seed;
+        let (world, built, python) = contender.build(loaded).map_err(|failure| match failure {
+            Failure::Error(text) => Failure::Error(format!("{contender} with seed {seed}: {text}")),
             other => other,
         })?;
-        let time = loaded.scene.time;
+        let time = plan.loaded.scene.time.clone();
         let (frame, frames, series) = (Arc::default(), Pool::default(), Series::default());
-        Ok(Self { model, seed, world, built, frame, frames, series, time, stepping: Duration::ZERO })
+        Ok(Self { model, seed, world, built, frame, frames, series, time, stepping: Duration::ZERO, python })
     }
 
     /// Whether the run has ended.
@@ -90,10 +95,15 @@ impl ModelRun {
         self.time.over(&self.world)
     }
 
-    fn step(&mut self) {
+    /// Makes a step.
+    ///
+    /// # Errors
+    /// The model is in Python and has failed.
+    fn step(&mut self) -> Result<(), Failure> {
         let begin = thread_time();
         self.world.step();
         self.stepping += thread_time().saturating_sub(begin);
+        self.python.as_ref().map_or(Ok(()), |python| python.check(self.seed))
     }
 
     /// Captures the current moment.
@@ -153,25 +163,30 @@ impl<'a> Race<'a> {
     }
 
     /// Makes one step of the leaders that have not ended. Returns whether there were any.
-    pub fn step(&mut self) -> bool {
+    ///
+    /// # Errors
+    /// A model in Python has failed.
+    pub fn step(&mut self) -> Result<bool, Failure> {
         let running: Vec<&mut ModelRun> = self.leaders.iter_mut().filter(|run| !run.over()).collect();
         if running.is_empty() || interrupt::asked() {
-            return false;
+            return Ok(false);
         }
         let done = &self.done;
-        self.workers.map(running, |run| {
-            run.step();
+        let step = |run: &mut ModelRun| {
+            run.step()?;
             run.show();
             note(&done[run.model], run);
-        });
+            Ok(())
+        };
+        self.workers.map(running, step).into_iter().collect::<Result<(), Failure>>()?;
         self.show();
-        true
+        Ok(true)
     }
 
     /// Completes all runs: the leaders that have not ended, and the runs of the other seeds.
     ///
     /// # Errors
-    /// A world cannot be built.
+    /// A world cannot be built, or a model in Python has failed.
     pub fn finish(mut self) -> Result<Vec<RunOutcome>, Failure> {
         let models = self.leaders.len();
         let leaders = std::mem::take(&mut self.leaders).into_iter().map(Some);
@@ -194,7 +209,7 @@ impl<'a> Race<'a> {
                 }
             };
             while !run.over() && !interrupt::asked() {
-                run.step();
+                run.step()?;
                 show(&mut run);
                 note(&race.done[k], &run);
                 race.show();

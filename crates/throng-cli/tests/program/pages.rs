@@ -14,7 +14,7 @@ use std::sync::Mutex;
 const SKIPPED: &[(&str, usize, &str)] = &[
     ("README.md", 1, "cargo"),
     ("blender.md", 1, "Blender"),
-    ("compare.md", 1, "minutes"),
+    ("compare.md", 2, "minutes, the Python package"),
     ("flocks.md", 1, "cargo, minutes"),
     ("gallery.md", 1, "minutes"),
     ("peers.md", 1, "the network, minutes"),

@@ -45,18 +45,7 @@ pub fn fill(template: &str, parts: &[(&str, String)]) -> String {
 
 /// Escapes text for HTML, between tags and in attributes.
 pub fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
+    crate::svg::escape(text).replace('"', "&quot;")
 }
 
 /// Returns the line sample of a model for legends.

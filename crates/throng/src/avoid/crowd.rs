@@ -5,7 +5,7 @@ use super::avoidance::{Avoiding, Visibility};
 use crate::agent::AgentId;
 use crate::intend::{Velocities, set};
 use crate::parallel;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 /// A local model that chooses the velocities of all of its agents together, once a sub-step: for models that work on
 /// arrays, or that are called from another language. A model says so with
@@ -135,6 +135,11 @@ impl Crowd<'_> {
     /// do not fly ignore z.
     pub fn set(&mut self, k: usize, velocity: Vec3) {
         self.chosen[k] = velocity;
+    }
+
+    /// Sets the horizontal velocity of agent `k`, m/s; its vertical velocity is the one it prefers.
+    pub fn set_horizontal(&mut self, k: usize, velocity: Vec2) {
+        self.chosen[k] = velocity.extend(self.input(k).preferred_vertical_velocity);
     }
 }
 

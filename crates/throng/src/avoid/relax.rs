@@ -12,13 +12,13 @@ impl Avoiding<'_> {
     /// the preferred velocity: a = (preferred - v) / time, as an implicit Euler step (Helbing, Molnár, Social force
     /// model for pedestrian dynamics, PRE 51:4282 (1995), equation 2). Across the path the time is half of the
     /// relaxation time, so crossing streams do not sweep the agent aside. At the end of its path the agent brakes as
-    /// hard as it must. A vehicle has a response of its own.
+    /// hard as it must. A vehicle has a response of its own, and a command of the program is the velocity to approach.
     #[inline]
     pub fn relaxed_velocity(&self, row: usize, seconds: f32) -> Vec2 {
         let (agents, wanted) = (&self.state.agents, self.preferred.ground[row]);
         let group = &self.state.local_groups[agents.group[row].index()];
-        let relaxes = group.relaxes() && agents.vehicle[row].is_none();
-        if !relaxes || !self.around.way(row).walks() || agents.script[row].is_some() {
+        let is_led = agents.script[row].is_some() || agents.commanded[row].is_some();
+        if is_led || !group.relaxes() || agents.vehicle[row].is_some() || !self.around.way(row).walks() {
             return wanted;
         }
         let (velocity, way) = (agents.velocity[row], self.around.way(row).direction);

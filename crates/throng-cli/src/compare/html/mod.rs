@@ -10,7 +10,6 @@ use super::table::{ComparisonRow, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
 use throng_draw::page::{Player, Scenery, document, escape, fill, swatch};
-use throng_draw::{Style, WorldBox, palette, points_to_go};
 use throng_record::series::Series;
 use throng_record::{Frame, moment};
 
@@ -28,28 +27,13 @@ impl ComparePage {
     /// # Errors
     /// The camera's view is empty.
     pub fn new(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<Self, Failure> {
-        let Style { view, trails, groups, .. } = args.look.style(&plan.loaded.scene, runs[0].built.bounds)?;
+        let style = args.look.style(&plan.loaded.scene, runs[0].built.bounds)?;
         let setting = moment::setting(&runs[0].world, &runs[0].built, plan.loaded.title());
-        let [min, max] = runs[0].built.bounds;
-        let all = WorldBox::of(&setting, &runs[0].frame).unwrap_or(WorldBox { min, max });
-        let color = |k: usize| groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
         let agents = runs[0].built.agents;
         // Scripted bodies have numbers too, beyond those of the agents.
         let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);
         let numbers = present.chain([agents]).max().unwrap_or(0);
-        let scenery = Scenery {
-            view: view.unwrap_or(all),
-            all,
-            colors: (0..setting.groups.len()).map(color).collect(),
-            trails,
-            points: points_to_go(&setting, &runs[0].frame).collect(),
-            marked: Vec::new(),
-            counted: Vec::new(),
-            agents,
-            gone: "arrived",
-            start: 0.0,
-            setting,
-        };
+        let scenery = Scenery::of_scene(setting, &style, &runs[0].frame, runs[0].built.bounds, agents);
         Ok(Self { player: Player::new(scenery, runs.len(), numbers, runs[0].world.settings().step), agents })
     }
 

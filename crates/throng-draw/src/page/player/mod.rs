@@ -4,7 +4,7 @@ mod place;
 mod tracks;
 
 use super::fill;
-use crate::{WorldBox, columns};
+use crate::{Style, WorldBox, columns, palette, points_to_go};
 use glam::DVec2;
 use place::place;
 use serde_json::json;
@@ -38,6 +38,28 @@ pub struct Scenery {
     pub gone: &'static str,
     /// The time of the first moment, seconds.
     pub start: f64,
+}
+
+impl Scenery {
+    /// Returns the scenery of runs of a scene with so many agents that begin with a frame. `min` and `max` are the corners
+    /// of the scene.
+    pub fn of_scene(setting: Setting, style: &Style, first: &Frame, [min, max]: [DVec2; 2], agents: usize) -> Self {
+        let all = WorldBox::of(&setting, first).unwrap_or(WorldBox { min, max });
+        let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
+        Self {
+            view: style.view.unwrap_or(all),
+            all,
+            colors: (0..setting.groups.len()).map(color).collect(),
+            trails: style.trails,
+            points: points_to_go(&setting, first).collect(),
+            marked: vec![],
+            counted: vec![],
+            agents,
+            gone: "arrived",
+            start: first.time,
+            setting,
+        }
+    }
 }
 
 /// A player under construction.

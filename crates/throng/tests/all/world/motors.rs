@@ -236,6 +236,26 @@ fn a_commanded_vehicle_keeps_to_its_limits() {
     assert!((travelled - 2.0).abs() < 0.05, "v²/2a + 1 s at 1 m/s: {travelled} m");
 }
 
+/// A command is not a walker's own plan: neither its path nor its goal bends it or slows it down.
+#[test]
+fn an_agent_that_looks_ahead_goes_where_it_is_commanded() {
+    let mut draw = Draw::new(2804);
+    for case in 0..20 {
+        let mut world = world(0.05, DVec2::ZERO);
+        let group = world.add_group(Group { look_ahead: true, ..Group::default() }).unwrap();
+        let goal = DVec2::from_angle(draw.between(0.0, TAU)) * draw.between(0.5, 9.0);
+        let id = world.add_agent(Agent { group, ..Agent::at([0.0, 0.0]) }.goal(goal)).unwrap();
+        let command = Vec2::from_angle(draw.between(0.0, TAU) as f32) * draw.between(0.5, 1.2) as f32;
+        world.set_preferred_velocity(id, command.extend(0.0)).unwrap();
+        for _ in 0..30 {
+            world.step();
+            let velocity = world.relative_columns().velocity[0];
+            assert!(velocity.angle_to(command).abs() < 1e-3, "case {case}: {velocity} of {command}");
+        }
+        assert!((world.relative_columns().velocity[0] - command).length() < 1e-3, "case {case}");
+    }
+}
+
 /// A behaviour that goes east and faces north.
 #[derive(Clone, Debug)]
 struct Sidestep;
