@@ -235,14 +235,14 @@ proptest! {
         let axis = Vec3::from(axis);
         prop_assume!(axis.length() > 0.1);
         let turn = Quat::from_axis_angle(axis.normalize(), angle);
-        let scene = |by: Quat| {
+        let scene = |by: Quat, aside: Vec3| {
             let prey = Prey(Kinematics { position: by * Vec3::new(1.0, 2.0, 3.0), velocity: by * Vec3::X, ..Kinematics::default() });
             let neighbours: Vec<SteeringNeighbour> = others.iter().zip(0..).map(|(&(offset, velocity), number)| {
-                neighbour(by * Vec3::from(offset), by * Vec3::from(velocity), number)
+                neighbour(by * (Vec3::from(offset) - aside), by * Vec3::from(velocity), number)
             }).collect();
             let forward = by * Vec3::Y;
             let motion = Motion {
-                position: by * Vec3::from(position),
+                position: by * (Vec3::from(position) + aside),
                 velocity: by * Vec3::new(0.3, 0.5, -0.2),
                 basis: Basis { forward, side: by * Vec3::NEG_X, up: by * Vec3::Z },
                 ..Motion::default()
@@ -263,9 +263,17 @@ proptest! {
             ];
             all.map(|guide| fresh(&*guide, &view))
         };
-        for (index, (chosen, turned)) in scene(Quat::IDENTITY).into_iter().zip(scene(turn)).enumerate() {
-            prop_assert!((turn * chosen.velocity).distance(turned.velocity) < 1e-4, "{index}: {chosen:?} {turned:?}");
-            prop_assert!((chosen.noise - turned.noise).abs() < 1e-5);
+        let here = scene(Quat::IDENTITY, Vec3::ZERO);
+        // a guide may jump at the edge of a zone or half way between two paths: there rounding chooses the side
+        let near = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().flat_map(|axis| [axis, -axis]);
+        let near: Vec<_> = near.map(|axis| scene(Quat::IDENTITY, axis * 2e-5)).collect();
+        for (index, (chosen, turned)) in here.into_iter().zip(scene(turn, Vec3::ZERO)).enumerate() {
+            let changes = near.iter().map(|all| (all[index].velocity - chosen.velocity).length());
+            let velocity = 1e-4 + changes.fold(0.0, f32::max);
+            let changes = near.iter().map(|all| (all[index].noise - chosen.noise).abs());
+            let noise = 1e-5 + changes.fold(0.0, f32::max);
+            prop_assert!((turn * chosen.velocity).distance(turned.velocity) < velocity, "{index}: {chosen:?} {turned:?}");
+            prop_assert!((chosen.noise - turned.noise).abs() < noise, "{index}: {chosen:?} {turned:?}");
         }
     }
 }
