@@ -1,7 +1,7 @@
 """A model in Python for the program: `python -m throng_sim._worker FILE [NAME]`.
 
 The program runs the world. It writes what the agents see to standard input, once a sub-step, and reads their velocities
-from standard output. All numbers are little-endian.
+from standard output. Numbers have the byte order of the machine.
 
 At the start the worker writes a line of JSON: the number of this protocol and the options of the model, or `{"error": ".."}`.
 The program writes a head (`HEAD`) and the arrays (`ARRAYS`). The worker answers with a byte 0 and a velocity for each agent, two
@@ -29,25 +29,25 @@ from ._model import Model, model
 PROTOCOL = 1
 """The program refuses a worker with another number."""
 
-HEAD = struct.Struct("<QQQdf")
+HEAD = struct.Struct("=QQQdf")
 """The numbers of agents, neighbours and walls; the time and the duration of the sub-step, seconds."""
 
 ARRAYS = [
-    ("ids", "<u4", "agents", ()),
-    ("positions", "<f8", "agents", (2,)),
-    ("velocities", "<f4", "agents", (2,)),
-    ("preferred", "<f4", "agents", (2,)),
-    ("radii", "<f4", "agents", ()),
-    ("max_speeds", "<f4", "agents", ()),
-    ("headings", "<f4", "agents", ()),
-    ("near_start", "<i8", "ends", ()),
-    ("near_ids", "<u4", "near", ()),
-    ("near_offsets", "<f4", "near", (2,)),
-    ("near_velocities", "<f4", "near", (2,)),
-    ("near_radii", "<f4", "near", ()),
-    ("near_shares", "<f4", "near", ()),
-    ("wall_start", "<i8", "ends", ()),
-    ("walls", "<f4", "walls", (4,)),
+    ("ids", "u4", "agents", ()),
+    ("positions", "f8", "agents", (2,)),
+    ("velocities", "f4", "agents", (2,)),
+    ("preferred", "f4", "agents", (2,)),
+    ("radii", "f4", "agents", ()),
+    ("max_speeds", "f4", "agents", ()),
+    ("headings", "f4", "agents", ()),
+    ("near_start", "i8", "ends", ()),
+    ("near_ids", "u4", "near", ()),
+    ("near_offsets", "f4", "near", (2,)),
+    ("near_velocities", "f4", "near", (2,)),
+    ("near_radii", "f4", "near", ()),
+    ("near_shares", "f4", "near", ()),
+    ("wall_start", "i8", "ends", ()),
+    ("walls", "f4", "walls", (4,)),
 ]
 """Name, type, what there is a row for, and shape of a row. `ends`: a row for each agent, and one more."""
 
@@ -72,9 +72,9 @@ def main(arguments: list[str]) -> None:
             velocities = served.called(view)
         except Exception as error:
             text = told(error, path).encode()
-            answers.write(b"\1" + struct.pack("<I", len(text)) + text)
+            answers.write(b"\1" + struct.pack("=I", len(text)) + text)
         else:
-            answers.write(b"\0" + velocities.astype("<f4").tobytes())
+            answers.write(b"\0" + velocities.astype("f4").tobytes())
         answers.flush()
 
 

@@ -1,5 +1,6 @@
 //! The studio with the model of the lab in its gallery.
 
+mod half_plane;
 mod orca;
 
 fn main() -> std::process::ExitCode {

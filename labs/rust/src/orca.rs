@@ -1,10 +1,9 @@
 //! The local model `my_orca`: van den Berg, Guy, Lin, Manocha, Reciprocal n-body collision avoidance, ISRR 2009.
 
+use super::half_plane::half_plane;
 use glam::Vec2;
 use throng::Error;
-use throng::avoid::{
-    AvoidanceInput, AvoidanceNeighbour, AvoidanceReason, Cause, HalfPlane, LocalModel, Workspace, closest_velocity,
-};
+use throng::avoid::{AvoidanceInput, AvoidanceReason, Cause, LocalModel, Workspace, closest_velocity};
 use throng::parameters::{Value, parameters};
 
 /// The nearest velocity that all neighbours permit.
@@ -14,17 +13,6 @@ pub struct MyOrca {
     /// Seconds ahead for which a velocity must be safe.
     #[parameter(default = 2.0, unit = "s", above = 0)]
     pub time_horizon: f32,
-}
-
-/// Returns the half-plane that a neighbour permits: the velocities on a line or to its left.
-///
-/// With `relative = velocity - other.velocity` and `w = relative - other.offset / horizon`, the nearest boundary of the
-/// truncated cone is the disc round `offset / horizon` with the radius `radii / horizon`, or a leg. `u` is the smallest
-/// change of `relative` to it. The line goes through `velocity + 0.5 * u`, and its direction is the outward normal, turned
-/// to the right by a right angle.
-fn half_plane(velocity: Vec2, other: &AvoidanceNeighbour, horizon: f32) -> HalfPlane {
-    let _ = (velocity, other, horizon);
-    todo!("return the line through velocity + u / 2")
 }
 
 impl LocalModel for MyOrca {
@@ -59,7 +47,7 @@ impl LocalModel for MyOrca {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use throng::avoid::Outline;
+    use throng::avoid::{AvoidanceNeighbour, Outline};
 
     /// A thousand pairs of discs that do not overlap.
     #[test]

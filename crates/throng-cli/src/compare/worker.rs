@@ -2,6 +2,7 @@
 //! tell each other.
 
 use crate::failure::Failure;
+use bytemuck::{cast_slice, cast_slice_mut};
 use glam::Vec2;
 use serde::Deserialize;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
@@ -110,21 +111,18 @@ impl Worker {
     fn ask(&mut self, crowd: &Crowd<'_>) -> io::Result<Result<Vec<Vec2>, String>> {
         write(&mut self.to, &CrowdArrays::of(crowd))?;
         self.to.flush()?;
-        if self.bytes(1)? == [0] {
-            let bytes = self.bytes(crowd.len() * 8)?;
-            let float = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
-            return Ok(Ok(bytes.chunks_exact(8).map(|pair| Vec2::new(float(pair), float(&pair[4..]))).collect()));
+        let mut failed = [0];
+        self.from.read_exact(&mut failed)?;
+        if failed == [0] {
+            let mut velocities = vec![Vec2::ZERO; crowd.len()];
+            self.from.read_exact(cast_slice_mut(&mut velocities))?;
+            return Ok(Ok(velocities));
         }
         let mut length = [0; 4];
         self.from.read_exact(&mut length)?;
-        let text = self.bytes(u32::from_le_bytes(length) as usize)?;
+        let mut text = vec![0; u32::from_ne_bytes(length) as usize];
+        self.from.read_exact(&mut text)?;
         Ok(Err(String::from_utf8_lossy(&text).into_owned()))
-    }
-
-    fn bytes(&mut self, count: usize) -> io::Result<Vec<u8>> {
-        let mut bytes = vec![0; count];
-        self.from.read_exact(&mut bytes)?;
-        Ok(bytes)
     }
 }
 
@@ -138,31 +136,27 @@ impl Drop for Worker {
 
 /// Writes the head and the arrays, in the order of `_worker.py`.
 fn write(to: &mut impl Write, crowd: &CrowdArrays) -> io::Result<()> {
-    for count in [crowd.numbers.len(), crowd.near_numbers.len(), crowd.walls.len()] {
-        to.write_all(&(count as u64).to_le_bytes())?;
-    }
-    to.write_all(&crowd.time.to_le_bytes())?;
-    to.write_all(&crowd.seconds.to_le_bytes())?;
-    let vectors = |vectors: &[Vec2]| vectors.iter().flat_map(|vector| vector.to_array()).collect::<Vec<_>>();
-    all(to, &crowd.numbers, |number| number.to_le_bytes())?;
-    all(to, &crowd.positions.iter().flat_map(|at| at.to_array()).collect::<Vec<_>>(), |number| number.to_le_bytes())?;
-    all(to, &vectors(&crowd.velocities), |number| number.to_le_bytes())?;
-    all(to, &vectors(&crowd.preferred), |number| number.to_le_bytes())?;
-    all(to, &crowd.radii, |number| number.to_le_bytes())?;
-    all(to, &crowd.max_speeds, |number| number.to_le_bytes())?;
-    all(to, &crowd.headings, |number| number.to_le_bytes())?;
-    all(to, &crowd.near_start, |number| number.to_le_bytes())?;
-    all(to, &crowd.near_numbers, |number| number.to_le_bytes())?;
-    all(to, &vectors(&crowd.near_offsets), |number| number.to_le_bytes())?;
-    all(to, &vectors(&crowd.near_velocities), |number| number.to_le_bytes())?;
-    all(to, &crowd.near_radii, |number| number.to_le_bytes())?;
-    all(to, &crowd.near_shares, |number| number.to_le_bytes())?;
-    all(to, &crowd.wall_start, |number| number.to_le_bytes())?;
-    all(to, crowd.walls.as_flattened(), |number| number.to_le_bytes())
-}
-
-fn all<T, const N: usize>(to: &mut impl Write, numbers: &[T], bytes: impl Fn(&T) -> [u8; N]) -> io::Result<()> {
-    numbers.iter().try_for_each(|number| to.write_all(&bytes(number)))
+    let counts = [crowd.numbers.len(), crowd.near_numbers.len(), crowd.walls.len()].map(|count| count as u64);
+    let head: [&[u8]; 3] = [cast_slice(&counts), &crowd.time.to_ne_bytes(), &crowd.seconds.to_ne_bytes()];
+    let agents: [&[u8]; 7] = [
+        cast_slice(&crowd.numbers),
+        cast_slice(&crowd.positions),
+        cast_slice(&crowd.velocities),
+        cast_slice(&crowd.preferred),
+        cast_slice(&crowd.radii),
+        cast_slice(&crowd.max_speeds),
+        cast_slice(&crowd.headings),
+    ];
+    let near: [&[u8]; 6] = [
+        cast_slice(&crowd.near_start),
+        cast_slice(&crowd.near_numbers),
+        cast_slice(&crowd.near_offsets),
+        cast_slice(&crowd.near_velocities),
+        cast_slice(&crowd.near_radii),
+        cast_slice(&crowd.near_shares),
+    ];
+    let walls: [&[u8]; 2] = [cast_slice(&crowd.wall_start), cast_slice(&crowd.walls)];
+    [&head[..], &agents, &near, &walls].into_iter().flatten().try_for_each(|bytes| to.write_all(bytes))
 }
 
 /// A local model in Python. An error is kept until the step ends: a model cannot report one.

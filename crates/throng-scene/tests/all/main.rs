@@ -11,6 +11,7 @@ mod gallery;
 mod games;
 mod grounds;
 mod import;
+mod lab;
 mod layout;
 mod levels;
 mod menge;
