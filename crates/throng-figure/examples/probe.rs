@@ -32,7 +32,7 @@ fn main() {
         let r = m.report();
         let mut mx = measure::FeetMeasure::new(&person);
         if !live { let walk = Walk::recorded(&person, &samples).unwrap(); let mut t = start; while t < end { mx.push(t, &skeleton.world(&walk.pose(t))); t += 0.01; } }
-        let rx = mx.report(); print!("[{:.2} {:.2}] ", rx.mean_slide*100.0, rx.largest_slide*100.0);
+        let rx = mx.report(); print!("[{:.2} {:.2} pen {:.1}] path {:.2} ", rx.mean_slide*100.0, rx.largest_slide*100.0, rx.penetration*1000., r.mean_path*100.);
         println!("{name:20} {:3} {:.2} {:.2} {:.2} | {:.3} {:.1} {:.3} {:.1} {:.1} | {:.1} ({} {:.2}) {:.1} {:.3} {:.3} {:.1}cm", r.steps, r.mean_slide*100., r.p95_slide*100., r.largest_slide*100., r.skating_ratio, r.penetration*1000., r.airborne, r.least_gap*100., r.least_distance*100., vang, Joint::ALL[who.0].name(), who.1, acc, lo, hi, (hi-lo)*person.height*100.);
       }
     }

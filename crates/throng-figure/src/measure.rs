@@ -72,12 +72,14 @@ impl FootPoints {
 pub struct FeetReport {
     /// Number of contacts of a foot with the ground.
     pub steps: usize,
-    /// Path of the point of contact in a step, m: the mean, the 95th percentile and the largest.
+    /// How far the point of contact, first the heel and then the ball, gets from where it touched the ground in a step, m: the mean over the steps.
     pub mean_slide: f64,
-    /// See [`FeetReport::mean_slide`].
+    /// The 95th percentile of the same over the steps, m.
     pub p95_slide: f64,
-    /// See [`FeetReport::mean_slide`].
+    /// The largest of the same over the steps, m.
     pub largest_slide: f64,
+    /// Length of the path of the point of contact in a step, m: the mean over the steps. Every tremble counts, those of interpolation too.
+    pub mean_path: f64,
     /// Share of moments at which a foot is lower than 5 cm and faster than 0.5 m/s (skating ratio of Guided Motion Diffusion).
     pub skating_ratio: f64,
     /// How far a foot is below the ground at most, m.
@@ -120,7 +122,7 @@ impl FeetMeasure {
         if moments.is_empty() {
             return FeetReport::default();
         }
-        let mut slides: Vec<f64> = Side::BOTH.iter().flat_map(|&side| self.slides(side)).collect();
+        let (mut slides, paths): (Vec<f64>, Vec<f64>) = Side::BOTH.iter().flat_map(|&side| self.slides(side)).unzip();
         slides.sort_by(f64::total_cmp);
         let steps = slides.len();
         let share = |count: usize| count as f64 / moments.len() as f64;
@@ -132,6 +134,7 @@ impl FeetMeasure {
             mean_slide: slides.iter().sum::<f64>() / steps.max(1) as f64,
             p95_slide: slides.get((steps * 95).div_ceil(100).max(1) - 1).copied().unwrap_or(0.0),
             largest_slide: slides.last().copied().unwrap_or(0.0),
+            mean_path: paths.iter().sum::<f64>() / steps.max(1) as f64,
             skating_ratio: share(skating),
             penetration: -least(&|m| m.feet[0].lowest().min(m.feet[1].lowest())).min(0.0),
             airborne: share(airborne),
@@ -140,34 +143,17 @@ impl FeetMeasure {
         }
     }
 
-    /// Returns the path of the point of contact in each step of a side.
-    fn slides(&self, side: Side) -> Vec<f64> {
+    /// Returns, for each step of a side, how far the point of contact gets from where it touched, and the length of its path.
+    fn slides(&self, side: Side) -> Vec<(f64, f64)> {
         let mut slides = Vec::new();
-        let (mut since, mut path) = (None, 0.0);
-        let mut end = |since: &mut Option<f64>, path: &mut f64, time: f64| {
-            if since.take().is_some_and(|since| time - since >= SHORTEST) {
-                slides.push(*path);
-            }
-            *path = 0.0;
-        };
-        for pair in self.moments.windows(2) {
-            let [before, after] = [pair[0].feet[side.index()], pair[1].feet[side.index()]];
-            let of = |point: fn(&FootPoints) -> DVec3| {
-                let (a, b) = (point(&before), point(&after));
-                (a.z < CONTACT && b.z < CONTACT).then(|| (b - a).truncate().length())
-            };
-            match (of(|foot| foot.heel), of(|foot| foot.ball)) {
-                (None, None) => end(&mut since, &mut path, pair[0].time),
-                (Some(a), Some(b)) => path += a.min(b),
-                (Some(a), None) | (None, Some(a)) => path += a,
-            }
-            if of(|foot| foot.heel).is_some() || of(|foot| foot.ball).is_some() {
-                since.get_or_insert(pair[0].time);
+        let mut contact = Contact::default();
+        for moment in &self.moments {
+            let foot = moment.feet[side.index()];
+            if !contact.continues(moment.time, [foot.heel, foot.ball]) {
+                slides.extend(std::mem::take(&mut contact).step());
             }
         }
-        if let Some(last) = self.moments.last() {
-            end(&mut since, &mut path, last.time);
-        }
+        slides.extend(contact.step());
         slides
     }
 
@@ -180,6 +166,52 @@ impl FeetMeasure {
         let duration = window[window.len() - 1].time - window[0].time;
         let path: f64 = window.windows(2).map(|pair| (of(&pair[1]) - of(&pair[0])).truncate().length()).sum();
         window.iter().all(|m| of(m).z < SKATING_HEIGHT) && duration > 0.0 && path / duration > SKATING_SPEED
+    }
+}
+
+/// A contact of a foot with the ground.
+#[derive(Debug, Clone, Copy, Default)]
+struct Contact {
+    since: Option<f64>,
+    last: f64,
+    /// Where the heel and the ball touched the ground, and where they were last, while they touch it.
+    points: [Option<(DVec3, DVec3)>; 2],
+    slide: f64,
+    path: f64,
+}
+
+impl Contact {
+    /// Adds a moment. Returns whether the foot touches the ground.
+    fn continues(&mut self, time: f64, points: [DVec3; 2]) -> bool {
+        // where both points are on the ground, the steadier counts
+        let (mut slide, mut path) = (f64::INFINITY, f64::INFINITY);
+        let mut touches = false;
+        for (state, point) in self.points.iter_mut().zip(points) {
+            if point.z >= CONTACT {
+                *state = None;
+                continue;
+            }
+            touches = true;
+            if let Some((first, last)) = state {
+                slide = slide.min((point - *first).truncate().length());
+                path = path.min((point - *last).truncate().length());
+            }
+            *state = Some((state.map_or(point, |(first, _)| first), point));
+        }
+        if slide.is_finite() {
+            self.slide = self.slide.max(slide);
+            self.path += path;
+        }
+        if touches {
+            self.since.get_or_insert(time);
+            self.last = time;
+        }
+        touches
+    }
+
+    /// Returns the slide and the path, if the contact was long enough for a step.
+    fn step(self) -> Option<(f64, f64)> {
+        (self.last - self.since? >= SHORTEST).then_some((self.slide, self.path))
     }
 }
 

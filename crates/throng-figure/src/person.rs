@@ -84,7 +84,7 @@ pub struct Person {
     /// Number of the look, in 0..16: the colours of skin, hair and clothes.
     pub look: u8,
     /// The number from which the times of glances and shifts of weight come.
-    pub(crate) seed: u64,
+    pub seed: u64,
 }
 
 impl Person {

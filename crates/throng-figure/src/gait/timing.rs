@@ -4,9 +4,9 @@ use crate::person::Person;
 
 /// Speeds between which neither walking nor running begins, m/s, for a leg of 0.86 m: a walker runs above the second, a runner walks below
 /// the first. Source: the transition is at a Froude number v²/(g L) of about 0.5.
-pub(crate) const RUN_TO: f64 = 1.9;
+pub(crate) const RUN_TO: f64 = 1.8;
 /// See [`RUN_TO`].
-pub(crate) const RUN_FROM: f64 = 2.2;
+pub(crate) const RUN_FROM: f64 = 2.0;
 /// The shortest cycle of a walk, s.
 const SHORTEST: f64 = 0.7;
 /// The longest cycle of a walk, s: at low speeds steps become shorter at the same cadence. Source: the walk ratio is constant only above
@@ -61,7 +61,7 @@ pub fn running_duty(speed: f64) -> f64 {
 /// Returns the cycle of a person.
 ///
 /// `forward` and `sideways` are the speeds along and across the heading, m/s; `turning` is the angular speed, rad/s.
-/// Steps backwards are shorter; steps sideways are no longer than 0.45 m; a step turns by at most 43°.
+/// Steps backwards are shorter; steps sideways are no longer than 0.25 m; a step turns by at most 43°.
 pub fn cycle(person: &Person, forward: f64, sideways: f64, turning: f64, runs: bool) -> Cycle {
     let speed = forward.hypot_of(sideways);
     let leg = person.leg();
@@ -71,7 +71,7 @@ pub fn cycle(person: &Person, forward: f64, sideways: f64, turning: f64, runs: b
     let backwards = if speed > 1e-6 { (-forward / speed).max(0.0) } else { 0.0 };
     let mut duration = cycle_duration(speed, leg) * person.stride * (1.0 - 0.3 * backwards);
     if sideways.abs() > 1e-6 {
-        duration = duration.min(0.9 / sideways.abs());
+        duration = duration.min(0.5 / sideways.abs());
     }
     if turning.abs() > 1e-6 {
         duration = duration.min(2.0 * TURN_OF_STEP / turning.abs());

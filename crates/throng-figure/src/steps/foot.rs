@@ -13,7 +13,8 @@ pub(crate) const STEEPEST: f64 = 1.25;
 
 /// The share of a swing after which the foot is above its plant: it then only comes down.
 const OVER: f64 = 0.95;
-/// The speed at which a foot comes down, m/s.
+/// The speeds at which a foot leaves the ground and comes down, m/s.
+const RISE: f64 = 0.2;
 const FALL: f64 = 0.3;
 
 /// Where a foot is.
@@ -131,7 +132,7 @@ impl Swing {
             duration,
             x: Quintic::new(from.ankle.x, rate.ankle.x * duration * OVER, end.ankle.x, 0.0),
             y: Quintic::new(from.ankle.y, rate.ankle.y * duration * OVER, end.ankle.y, 0.0),
-            z: Quintic::new(from.ankle.z, rate.ankle.z * duration, end.ankle.z, -FALL * duration),
+            z: Quintic::new(from.ankle.z, (rate.ankle.z + RISE) * duration, end.ankle.z, -FALL * duration),
             yaw: line(from.yaw, rate.yaw, turned),
             pitch: line(from.pitch, rate.pitch, end.pitch),
             toes: line(from.toes, rate.toes, end.toes),
