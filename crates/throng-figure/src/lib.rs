@@ -1,0 +1,28 @@
+//! People on foot: from trajectories of agents to poses of a skeleton whose feet do not slide.
+//!
+//! Footfalls are planned: a foot is put where the body *will be* and stays there until it is lifted. So turns, side steps, steps backwards, starts, stops
+//! and queues need no cases of their own. [`Walk`] is a person on a recorded trajectory, whose future is known. [`Live`] follows an agent while
+//! it moves and extrapolates its motion. Both use the same laws ([`gait`]). And [`measure`] says how far feet
+//! slide in any motion.
+//!
+//! Coordinates are metres, with z up; angles are radians. The same input gives the same bits on every machine.
+
+mod error;
+pub mod gait;
+mod live;
+mod math;
+pub mod measure;
+mod path;
+mod person;
+mod pose;
+mod steps;
+mod walk;
+
+pub use error::Error;
+pub use live::Live;
+pub use math::slerp;
+pub use path::Sample;
+pub use person::{Build, Person, Side};
+pub use pose::{JOINTS, Joint, Placed, Pose, Skeleton};
+pub use steps::Plant;
+pub use walk::Walk;

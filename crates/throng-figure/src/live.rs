@@ -1,0 +1,263 @@
+//! A person that follows an agent while it moves.
+
+use crate::error::Error;
+use crate::math::{direction, mix, smooth};
+use crate::path::{Ahead, Extrapolated, Sample, Tracker};
+use crate::person::{Person, Side};
+use crate::pose::{BodyState, Pose, hip_joints, pose};
+use crate::steps::{FootPose, Plant, Planner, Swing, along, foot_at, stance};
+use crate::walk::{FASTEST, check_sample, free_height, lift_of_foot, reachable_height, sway};
+use glam::DVec2;
+
+/// The longest step of the laws, s: longer steps are divided.
+const LONGEST_STEP: f64 = 0.02;
+/// After a gap of more than this, the person stands where the agent is, s.
+const LONGEST_GAP: f64 = 2.0;
+/// The largest angular speed of a foot on the ground, rad/s.
+const FASTEST_ROLL: f64 = 14.0;
+
+/// A person that follows an agent whose future is not known.
+///
+/// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes its aim.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng_figure::{Live, Person, Sample};
+///
+/// let at = |time: f64| Sample { time, position: DVec2::new(1.3 * time, 0.0), heading: 0.0 };
+/// let mut live = Live::new(Person::new(1, 7), at(0.0))?;
+/// let mut pose = live.pose();
+/// for moment in 1..=250 {
+///     pose = live.step(at(f64::from(moment) / 25.0))?;
+/// }
+/// assert!((pose.hips.x - 13.0).abs() < 0.1);
+/// # Ok::<(), throng_figure::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Live {
+    person: Person,
+    last: Sample,
+    samples: usize,
+    tracker: Tracker,
+    planner: Planner,
+    feet: [Foot; 2],
+    state: BodyState,
+    velocity: DVec2,
+    height_speed: f64,
+    /// Times and phases of the last strike or lift, and of the next one.
+    knots: [(f64, f64); 2],
+    pose: Pose,
+}
+
+#[derive(Debug, Clone)]
+struct Foot {
+    plant: Plant,
+    swing: Option<Swing>,
+    pose: FootPose,
+    rate: FootPose,
+}
+
+impl Live {
+    /// Returns a person that stands at a sample.
+    ///
+    /// # Errors
+    /// A number of the sample is not finite.
+    pub fn new(person: Person, sample: Sample) -> Result<Live, Error> {
+        check_sample(&sample, 0)?;
+        let tracker = Tracker::new(sample);
+        let planner = Planner::new(person, tracker.motion, sample.time);
+        let mut state = BodyState {
+            time: sample.time,
+            pelvis: sample.position.extend(0.0),
+            heading: sample.heading,
+            forward: 0.0,
+            relative_speed: 0.0,
+            acceleration: [0.0; 2],
+            phase: 0.0,
+            run: 0.0,
+            still: 1.0,
+            gaze: 0.0,
+        };
+        state.pelvis.z = free_height(&person, &state) - 0.01;
+        let feet = planner.plants.map(|plant| {
+            let pose = foot_at(&person, plant.ankle, plant.yaw, 0.0);
+            Foot { plant, swing: None, pose, rate: FootPose::rate(&pose, &pose, 1.0) }
+        });
+        let stands = pose(&person, &state, &[feet[0].pose, feet[1].pose]);
+        Ok(Live {
+            person,
+            last: sample,
+            samples: 1,
+            tracker,
+            planner,
+            feet,
+            state,
+            velocity: DVec2::ZERO,
+            height_speed: 0.0,
+            knots: [(sample.time, 0.0); 2],
+            pose: stands,
+        })
+    }
+
+    /// Returns the person.
+    pub fn person(&self) -> &Person {
+        &self.person
+    }
+
+    /// Returns the pose at the last sample.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// Takes the next sample of the agent and returns the pose at it. If the agent jumped, the person stands where it is.
+    ///
+    /// # Errors
+    /// A number of the sample is not finite, or it is not after the last sample; the person is then unchanged.
+    pub fn step(&mut self, sample: Sample) -> Result<Pose, Error> {
+        check_sample(&sample, self.samples)?;
+        let gap = sample.time - self.last.time;
+        if gap <= 0.0 {
+            return Err(Error::Time { index: self.samples, time: sample.time });
+        }
+        let samples = self.samples + 1;
+        if gap > LONGEST_GAP || self.last.position.distance(sample.position) > FASTEST * gap {
+            *self = Live::new(self.person, sample)?;
+        } else {
+            let parts = libm::ceil(gap / LONGEST_STEP).max(1.0);
+            let from = self.last;
+            let turn = crate::math::wrapped(sample.heading - from.heading);
+            for part in 1..=parts as usize {
+                let share = part as f64 / parts;
+                self.advance(Sample {
+                    time: from.time + gap * share,
+                    position: from.position + (sample.position - from.position) * share,
+                    heading: from.heading + turn * share,
+                });
+            }
+            self.last = sample;
+            self.pose = pose(&self.person, &self.state, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
+        }
+        self.samples = samples;
+        Ok(self.pose)
+    }
+
+    fn advance(&mut self, sample: Sample) {
+        let step = sample.time - self.tracker.time;
+        if step <= 0.0 {
+            return;
+        }
+        self.tracker.push(sample);
+        let ahead = Extrapolated { time: sample.time, motion: self.tracker.motion };
+        self.land_and_lift(&ahead, sample.time);
+        self.follow(&ahead, sample.time, step);
+        self.move_feet(&ahead, sample.time, step);
+    }
+
+    /// Begins and ends steps.
+    fn land_and_lift(&mut self, ahead: &Extrapolated, time: f64) {
+        for foot in &mut self.feet {
+            if foot.swing.is_some() && time >= foot.plant.strike {
+                foot.swing = None;
+            }
+        }
+        let flies = self.feet.iter().any(|foot| foot.swing.is_some());
+        if time < self.planner.ready || flies && !self.planner.runs() {
+            return;
+        }
+        let Some(next) = self.planner.decide(ahead, time) else {
+            // the step that was expected does not come
+            for foot in &mut self.feet {
+                foot.plant.lift = f64::INFINITY;
+            }
+            return;
+        };
+        let other = self.feet[next.side.other().index()].plant.ankle;
+        let foot = &mut self.feet[next.side.index()];
+        let raise = lift_of_foot(&self.person, self.state.relative_speed);
+        foot.swing = Some(Swing::new(&self.person, next.side, (foot.pose, foot.rate), time, &next.plant, other, raise));
+        foot.plant = next.plant;
+        self.knots = [(time, next.phases[0]), (next.plant.strike, next.phases[1])];
+        // the other foot is expected to be lifted next, if the body goes on
+        let goes = ahead.at(self.planner.ready).velocity.length() > 0.15;
+        let stays = &mut self.feet[next.side.other().index()].plant;
+        stays.lift = if goes { self.planner.ready } else { f64::INFINITY };
+        stays.roll = next.roll;
+        stays.rolling = next.rolling;
+    }
+
+    /// Lets the body follow the agent.
+    fn follow(&mut self, ahead: &Extrapolated, time: f64, step: f64) {
+        let person = &self.person;
+        let motion = ahead.motion;
+        let leg = person.leg();
+        let near = |constant: f64| 1.0 - libm::exp(-step / constant);
+        let (forward, _) = along(&motion);
+        let change = (motion.velocity - self.velocity) / step;
+        self.velocity = motion.velocity;
+        let facing = direction(motion.heading);
+        let state = &mut self.state;
+        for (own, new) in state.acceleration.iter_mut().zip([facing.dot(change), facing.perp().dot(change)]) {
+            *own = mix(*own, new, near(0.2));
+        }
+        let way = ahead.at(time + 0.8).position - motion.position;
+        let (ahead_of, left) = (facing.dot(way), facing.perp().dot(way));
+        let gaze = if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
+        state.time = time;
+        state.heading = motion.heading;
+        state.forward = forward / leg;
+        state.relative_speed = motion.velocity.length() / leg;
+        state.gaze = mix(state.gaze, gaze, near(0.25));
+        state.run = mix(state.run, if self.planner.runs() { 1.0 } else { 0.0 }, near(0.15));
+        state.still = mix(state.still, 1.0 - smooth(motion.velocity.length() / 0.2), near(0.3));
+        let [from, to] = self.knots;
+        let share = if to.0 > from.0 { ((time - from.0) / (to.0 - from.0)).clamp(0.0, 1.3) } else { 0.0 };
+        state.phase = mix(state.phase, mix(from.1, to.1, share), near(0.05));
+        // the pelvis: as the gait has it, but in reach of the feet on the ground, now and shortly
+        let height = state.pelvis.z;
+        state.pelvis = motion.position.extend(height);
+        state.pelvis += sway(person, state);
+        let mut aim = free_height(person, state);
+        for later in [0.0, 0.06] {
+            let at = (state.pelvis.truncate() + motion.velocity * later).extend(height);
+            let hips = hip_joints(person, at, state.pelvis_rotation(person));
+            for (foot, hip) in self.feet.iter().zip(hips) {
+                if foot.swing.is_none() || time + later >= foot.plant.strike {
+                    aim = aim.min(reachable_height(person, &foot.plant, time + later, hip));
+                }
+            }
+        }
+        let rate = 1.0 / 0.045;
+        let pull = rate * rate * (aim - height) - 2.0 * rate * self.height_speed;
+        // implicit, so that it is stable for any step
+        self.height_speed += step * pull / (1.0 + 2.0 * rate * step + rate * rate * step * step);
+        state.pelvis.z = height + step * self.height_speed;
+    }
+
+    /// Moves the feet.
+    fn move_feet(&mut self, ahead: &Extrapolated, time: f64, step: f64) {
+        let person = self.person;
+        let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation(&person));
+        for side in Side::BOTH {
+            let other = self.feet[side.other().index()].plant.ankle;
+            let foot = &mut self.feet[side.index()];
+            let before = foot.pose;
+            foot.pose = if let Some(swing) = &mut foot.swing {
+                // the aim changes with the motion until shortly before the strike
+                if time < foot.plant.strike - 0.12 {
+                    let aim = self.planner.replan(ahead, side, foot.plant.strike);
+                    if aim.ankle.distance(foot.plant.ankle) > 0.004 || (aim.yaw - foot.plant.yaw).abs() > 0.03 {
+                        foot.plant = aim;
+                        *swing = Swing::new(&person, side, (before, foot.rate), time - step, &aim, other, 0.0);
+                    }
+                }
+                swing.at(time)
+            } else {
+                let aim = stance(&person, &foot.plant, time, hips[side.index()]).pitch;
+                let most = FASTEST_ROLL * step;
+                let pitch = before.pitch + (aim - before.pitch).clamp(-most, most);
+                foot_at(&person, foot.plant.ankle, foot.plant.yaw, pitch)
+            };
+            foot.rate = FootPose::rate(&before, &foot.pose, step);
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! The skeleton: joints, lengths, the pose at rest.
+
+use super::Pose;
+use crate::person::{Build, Person};
+use glam::{DMat4, DQuat, DVec3};
+
+/// Number of joints.
+pub const JOINTS: usize = 19;
+
+/// A joint of the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Joint {
+    Hips,
+    Spine,
+    Spine1,
+    Neck,
+    Head,
+    LeftArm,
+    LeftForeArm,
+    LeftHand,
+    RightArm,
+    RightForeArm,
+    RightHand,
+    LeftUpLeg,
+    LeftLeg,
+    LeftFoot,
+    LeftToeBase,
+    RightUpLeg,
+    RightLeg,
+    RightFoot,
+    RightToeBase,
+}
+
+use Joint::{
+    Head, Hips, LeftArm, LeftFoot, LeftForeArm, LeftHand, LeftLeg, LeftToeBase, LeftUpLeg, Neck, RightArm, RightFoot,
+    RightForeArm, RightHand, RightLeg, RightToeBase, RightUpLeg, Spine, Spine1,
+};
+
+impl Joint {
+    /// All joints. A parent is before its children.
+    pub const ALL: [Joint; JOINTS] = [
+        Hips, Spine, Spine1, Neck, Head, LeftArm, LeftForeArm, LeftHand, RightArm, RightForeArm, RightHand, LeftUpLeg,
+        LeftLeg, LeftFoot, LeftToeBase, RightUpLeg, RightLeg, RightFoot, RightToeBase,
+    ];
+
+    /// Returns the name of the joint, which is that of Mixamo's rigs without their prefix.
+    pub fn name(self) -> &'static str {
+        match self {
+            Hips => "Hips",
+            Spine => "Spine",
+            Spine1 => "Spine1",
+            Neck => "Neck",
+            Head => "Head",
+            LeftArm => "LeftArm",
+            LeftForeArm => "LeftForeArm",
+            LeftHand => "LeftHand",
+            RightArm => "RightArm",
+            RightForeArm => "RightForeArm",
+            RightHand => "RightHand",
+            LeftUpLeg => "LeftUpLeg",
+            LeftLeg => "LeftLeg",
+            LeftFoot => "LeftFoot",
+            LeftToeBase => "LeftToeBase",
+            RightUpLeg => "RightUpLeg",
+            RightLeg => "RightLeg",
+            RightFoot => "RightFoot",
+            RightToeBase => "RightToeBase",
+        }
+    }
+
+    /// Returns the parent of the joint: none for the hips.
+    pub fn parent(self) -> Option<Joint> {
+        Some(match self {
+            Hips => return None,
+            Spine | LeftUpLeg | RightUpLeg => Hips,
+            Spine1 => Spine,
+            Neck | LeftArm | RightArm => Spine1,
+            Head => Neck,
+            LeftForeArm => LeftArm,
+            LeftHand => LeftForeArm,
+            RightForeArm => RightArm,
+            RightHand => RightForeArm,
+            LeftLeg => LeftUpLeg,
+            LeftFoot => LeftLeg,
+            LeftToeBase => LeftFoot,
+            RightLeg => RightUpLeg,
+            RightFoot => RightLeg,
+            RightToeBase => RightFoot,
+        })
+    }
+
+    /// Returns the number of the joint in [`Joint::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// Lengths of a body as fractions of its height.
+///
+/// Source: Boulic 1990; ankles and hands: Winter, "Biomechanics and Motor Control of Human Movement"; children of about six years: own estimate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Proportions {
+    pub head: f64,
+    pub neck: f64,
+    pub torso: f64,
+    pub thigh: f64,
+    pub shank: f64,
+    /// Height of the ankle.
+    pub ankle: f64,
+    /// Length of the foot.
+    pub foot: f64,
+    /// From the heel to below the ankle.
+    pub heel: f64,
+    /// From below the ankle to the joint of the toes.
+    pub ball: f64,
+    /// Height of the joint of the toes.
+    pub toe_height: f64,
+    /// Half the distance of the hip joints.
+    pub hip: f64,
+    /// Half the distance of the shoulder joints.
+    pub shoulder: f64,
+    pub upper_arm: f64,
+    pub forearm: f64,
+}
+
+/// The angle of the arms to the vertical at rest is 45°: its sine and cosine.
+pub(crate) const ARM_AT_REST: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+impl Proportions {
+    pub const fn of(build: Build) -> Proportions {
+        const MAN: Proportions = Proportions {
+            head: 0.130,
+            neck: 0.052,
+            torso: 0.288,
+            thigh: 0.245,
+            shank: 0.246,
+            ankle: 0.039,
+            foot: 0.150,
+            heel: 0.030,
+            ball: 0.072,
+            toe_height: 0.012,
+            hip: 0.0535,
+            shoulder: 0.108,
+            upper_arm: 0.176,
+            forearm: 0.148,
+        };
+        match build {
+            Build::Man => MAN,
+            Build::Woman => Proportions { hip: 0.0545, shoulder: 0.098, ..MAN },
+            Build::Child => Proportions {
+                head: 0.170,
+                neck: 0.045,
+                torso: 0.300,
+                thigh: 0.220,
+                shank: 0.222,
+                ankle: 0.043,
+                shoulder: 0.105,
+                upper_arm: 0.165,
+                forearm: 0.138,
+                ..MAN
+            },
+        }
+    }
+}
+
+/// Where a joint is in the world, and how it is turned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// Position, m.
+    pub position: DVec3,
+    /// Rotation against the pose at rest.
+    pub rotation: DQuat,
+}
+
+/// The lengths of the bones of a person.
+///
+/// At rest the person faces along the x axis, with y to the left and z up, the arms 45° from the body. All joints then have no rotation, so the
+/// matrix of a joint at rest is a translation, and none mirrors.
+///
+/// ```
+/// use throng_figure::{Joint, Person, Skeleton};
+///
+/// let skeleton = Skeleton::new(&Person::new(1, 1).with_height(1.8));
+/// let joints = skeleton.world(&skeleton.rest());
+/// assert!(joints[Joint::LeftHand.index()].position.y > 0.0);
+/// assert!(joints.iter().all(|joint| joint.position.z > 0.0 && joint.position.z < 1.8));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Skeleton {
+    offsets: [DVec3; JOINTS],
+}
+
+impl Skeleton {
+    /// Returns the skeleton of a person.
+    pub fn new(person: &Person) -> Skeleton {
+        Skeleton::scaled(person.build, person.height)
+    }
+
+    /// Returns the skeleton of a build, with this height (m).
+    pub fn scaled(build: Build, height: f64) -> Skeleton {
+        let body = Proportions::of(build);
+        let mut offsets = [DVec3::ZERO; JOINTS];
+        let mut put = |joint: Joint, x: f64, y: f64, z: f64| offsets[joint.index()] = DVec3::new(x, y, z) * height;
+        put(Hips, 0.0, 0.0, body.thigh + body.shank + body.ankle);
+        put(Spine, -0.006, 0.0, 0.058);
+        put(Spine1, -0.006, 0.0, 0.100);
+        put(Neck, -0.004, 0.0, body.torso - 0.158);
+        put(Head, 0.016, 0.0, body.neck);
+        let down = ARM_AT_REST;
+        for (sign, [arm, forearm, hand, up_leg, leg, foot, toes]) in [
+            (1.0, [LeftArm, LeftForeArm, LeftHand, LeftUpLeg, LeftLeg, LeftFoot, LeftToeBase]),
+            (-1.0, [RightArm, RightForeArm, RightHand, RightUpLeg, RightLeg, RightFoot, RightToeBase]),
+        ] {
+            put(arm, -0.002, sign * body.shoulder, body.torso - 0.158 - 0.022);
+            put(forearm, 0.0, sign * body.upper_arm * down, -body.upper_arm * down);
+            put(hand, 0.0, sign * body.forearm * down, -body.forearm * down);
+            put(up_leg, 0.0, sign * body.hip, 0.0);
+            put(leg, 0.0, 0.0, -body.thigh);
+            put(foot, 0.0, 0.0, -body.shank);
+            put(toes, body.ball, 0.0, body.toe_height - body.ankle);
+        }
+        Skeleton { offsets }
+    }
+
+    /// Returns the position of a joint against its parent at rest, m: of the hips, against the ground.
+    pub fn offset(&self, joint: Joint) -> DVec3 {
+        self.offsets[joint.index()]
+    }
+
+    /// Returns the pose at rest, at the origin of the world.
+    pub fn rest(&self) -> Pose {
+        Pose { hips: self.offset(Hips), rotations: [DQuat::IDENTITY; JOINTS] }
+    }
+
+    /// Returns where each joint is in a pose, in the order of [`Joint::ALL`].
+    pub fn world(&self, pose: &Pose) -> [Placed; JOINTS] {
+        let mut placed = [Placed { position: pose.hips, rotation: pose.rotations[0] }; JOINTS];
+        for joint in &Joint::ALL[1..] {
+            let i = joint.index();
+            let parent = placed[joint.parent().map_or(0, Joint::index)];
+            placed[i] = Placed {
+                position: parent.position + parent.rotation * self.offsets[i],
+                rotation: parent.rotation * pose.rotations[i],
+            };
+        }
+        placed
+    }
+
+    /// Returns the matrix of each joint at rest, as files of skins need it (its inverse is the inverse bind matrix).
+    pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
+        self.world(&self.rest()).map(|joint| DMat4::from_translation(joint.position))
+    }
+}
