@@ -23,8 +23,12 @@ pub fn palette(index: usize) -> [u8; 3] {
 /// Returns the same colour as linear light, 0 to 1, the unit of materials.
 #[cfg(any(feature = "glb", feature = "usda"))]
 pub(crate) fn linear(index: usize) -> [f32; 3] {
-    palette(index).map(|c| {
-        let c = f32::from(c) / 255.0;
-        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-    })
+    palette(index).map(light)
+}
+
+/// Returns the linear light, 0 to 1, of a part of a colour (sRGB).
+#[cfg(any(feature = "glb", feature = "usda"))]
+pub(crate) fn light(part: u8) -> f32 {
+    let part = f32::from(part) / 255.0;
+    if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
 }

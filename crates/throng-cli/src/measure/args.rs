@@ -59,6 +59,10 @@ Keys of --json (one object on standard output; metres, seconds):
   files            the files written
 Unknown values are null.
 
+Keys of --json with --feet (metres, shares of moments): people, steps, mean_slide, p95_slide, largest_slide: how far the
+point of contact of a foot gets from where it touched the ground; skating_ratio, penetration, airborne, least_gap (less
+than 0: feet cross); each: the same for each person, with number, height and build.
+
 Examples:
   throng measure flocking
   throng measure flocking --group birds --from 5 --to 20 -o flock.html
@@ -67,6 +71,8 @@ Examples:
       a table with the columns number, time, x, y, and optionally group and z
   throng measure AO_300_bottleneck.txt --area=-0.1,-2,2,2 --line=-0.6,0,2.4,0 -o bottleneck.html -o bottleneck.csv
       recorded people: a page of plots, and a table of all moments
+  throng run circle -o circle.glb && throng measure circle.glb --feet
+      whether the feet of the exported people stand still on the ground
   throng measure hall.h5 --area \"0,0 4,0 2,3\" --walkable hall.wkt --cut-off 1";
 
 /// The arguments of `throng measure`.
@@ -95,6 +101,10 @@ pub struct MeasureArgs {
     /// The largest lag of the autocorrelation of velocities, seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 2.0)]
     pub lag: f64,
+
+    /// Measures how far the feet of the figures in a .glb file slide, read at four times its frames
+    #[arg(long, conflicts_with_all = ["group", "area", "line", "output", "walkable", "cut_off"])]
+    pub feet: bool,
 
     /// Options for measuring people.
     #[command(flatten)]

@@ -1,6 +1,7 @@
 //! `throng measure`: figures of swarms and crowds.
 
 pub mod args;
+mod feet;
 mod gather;
 mod json;
 mod page;
@@ -47,6 +48,9 @@ pub struct MeasuredSubject {
 /// The scene or the file cannot be read, there is no such group, no agent is present in the measured time, or a file
 /// cannot be written.
 pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
+    if args.feet {
+        return feet::measure(args, out);
+    }
     distinct(&args.output)?;
     if let Some(path) = args.output.iter().find(|path| !ENDINGS.iter().any(|ending| is(path, ending))) {
         let text =

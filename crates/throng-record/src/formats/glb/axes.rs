@@ -1,6 +1,6 @@
 //! Converts between the axes of the scene (z up, x ahead) and those of glTF (y up, z ahead in a body's own space).
 
-use glam::{DVec3, Quat, Vec3};
+use glam::{DQuat, DVec3, Quat, Vec3};
 use std::f32::consts::FRAC_1_SQRT_2;
 
 /// Rotates the scene's axes to those of glTF.
@@ -28,6 +28,11 @@ pub fn turn(rotation: Quat) -> Quat {
     UP * rotation * AHEAD
 }
 
+/// Converts a rotation of glTF (a body faces +z) to the scene (a body faces +x).
+pub fn body(turn: DQuat) -> DQuat {
+    UP.as_dquat().conjugate() * turn * AHEAD.as_dquat().conjugate()
+}
+
 /// Returns the direction, in the scene, that an agent with a glTF rotation faces.
 pub fn ahead(turn: Quat) -> Vec3 {
     let ahead = turn * Vec3::Z;
@@ -51,6 +56,7 @@ mod tests {
             prop_assert!(there.distance(point(at + rotation * corner)) < 1e-5);
             prop_assert!(ahead(turn(rotation)).distance(rotation * Vec3::X) < 1e-6);
             prop_assert_eq!(place(point(at).as_dvec3()), at.as_dvec3());
+            prop_assert!(body(turn(rotation).as_dquat()).angle_between(rotation.as_dquat()) < 1e-5);
         }
     }
 

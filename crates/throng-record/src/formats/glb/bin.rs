@@ -1,9 +1,9 @@
 //! The binary chunk of a file, which waits on disk until the JSON is written, and its views and accessors.
 
-use super::json::{Accessor, BufferView, FLOAT, SHORT, UNSIGNED_INT, Word};
+use super::json::{Accessor, BufferView, FLOAT, SHORT, UNSIGNED_BYTE, UNSIGNED_INT, Word};
 use crate::Output;
 use crate::formats::spill::beside;
-use glam::{Quat, Vec3};
+use glam::{Mat4, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, Write};
@@ -122,6 +122,23 @@ impl Bin {
         let bytes = turns.iter().flat_map(|turn| turn.to_array()).flat_map(|value| short(value).to_le_bytes());
         let bytes: Vec<u8> = bytes.collect();
         self.accessor(Accessor { normalized: true, ..of(SHORT, "VEC4", turns.len()) }, &bytes)
+    }
+
+    /// Adds four values per point: numbers of joints, or parts of 1 in 255ths.
+    ///
+    /// # Errors
+    /// A system error, or [`TOO_LARGE`].
+    pub fn fours(&mut self, fours: &[[u8; 4]], normalized: bool) -> io::Result<usize> {
+        self.accessor(Accessor { normalized, ..of(UNSIGNED_BYTE, "VEC4", fours.len()) }, fours.as_flattened())
+    }
+
+    /// Adds transforms.
+    ///
+    /// # Errors
+    /// A system error, or [`TOO_LARGE`].
+    pub fn matrices(&mut self, matrices: &[Mat4]) -> io::Result<usize> {
+        let bytes = matrices.iter().flat_map(|matrix| matrix.to_cols_array()).flat_map(f32::to_le_bytes);
+        self.accessor(of(FLOAT, "MAT4", matrices.len()), &bytes.collect::<Vec<_>>())
     }
 
     /// Adds triangles of point indices.

@@ -32,6 +32,8 @@ pub struct Root {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub materials: Vec<Value>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub skins: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub accessors: Vec<Accessor>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub buffer_views: Vec<BufferView>,
@@ -57,6 +59,9 @@ pub struct Node {
     pub children: Vec<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<usize>,
+    /// The joints that bend the mesh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub skin: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub matrix: Option<[f64; 16]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,6 +97,9 @@ pub struct Person {
     pub from: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to: Option<f64>,
+    /// The build of the figure, if it has one: `woman`, `man` or `child`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub build: Option<String>,
 }
 
 #[derive(Debug, Default, Serialize, Deserialize)]

@@ -28,15 +28,18 @@ mod axes;
 mod bin;
 mod by_agent;
 mod data;
+mod figures;
 mod json;
 mod kept;
 mod motion;
+mod people;
 mod read;
 mod sampler;
 #[cfg(test)]
 mod tests;
 mod write;
 
+pub use figures::{Figure, Figures, figures};
 pub use write::GlbWriter;
 
 use super::Format;

@@ -5,7 +5,7 @@ use super::bin::Bin;
 use super::json::{Animation, Channel, Node, Sampler, Target};
 use super::kept::kept;
 use crate::formats::spill::{SpilledAgent, SpilledState};
-use glam::{Quat, Vec3};
+use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::io;
 
@@ -46,8 +46,15 @@ impl<'a> GlbMotion<'a> {
         Ok(self.animation)
     }
 
+    /// Returns the frames in which an agent is there.
+    pub fn visit(&self, track: &[(u32, SpilledState)]) -> Visit {
+        let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
+        let seconds = moments.iter().map(|&moment| f64::from(self.seconds[moment])).collect();
+        Visit { moments, seconds }
+    }
+
     /// Adds an agent: sets its node to its first position and adds the channels that move it. `at` is the index of the
-    /// node, `scale` its size.
+    /// node, `scale` its size. Returns the positions and rotations as readers restore them, at each frame of the visit.
     ///
     /// # Errors
     /// A system error, or the file becomes too large.
@@ -56,37 +63,76 @@ impl<'a> GlbMotion<'a> {
         bin: &mut Bin,
         (at, node): (usize, &mut Node),
         scale: Vec3,
-        (agent, track): (&SpilledAgent, &[(u32, SpilledState)]),
-    ) -> io::Result<()> {
-        let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
-        let times: Vec<f64> = moments.iter().map(|&moment| f64::from(self.seconds[moment])).collect();
+        (agent, track, visit): (&SpilledAgent, &[(u32, SpilledState)], &Visit),
+    ) -> io::Result<(Vec<Vec3>, Vec<Quat>)> {
         let points: Vec<Vec3> = track.iter().map(|(_, state)| axes::point(state.place)).collect();
-        let turns = turns(track);
-
+        let turns: Vec<Quat> = track.iter().map(|(_, state)| axes::turn(state.rotation)).collect();
         let rest = (axes::point(agent.first.place).as_dvec3() * 1e4).round() / 1e4;
         node.translation = Some(rest.to_array());
-        if points.iter().any(|point| (point.as_dvec3() - rest).abs().max_element() > PLACE) {
-            let way = |from: usize, to: usize| points[to].as_dvec3() - points[from].as_dvec3();
-            let kept = self.cheaper(&moments, 12, kept(&times, PLACE, f64::INFINITY, way));
-            let values: Vec<Vec3> = kept.iter().map(|&k| points[k]).collect();
-            let values = bin.vectors(&values, false)?;
-            self.channel(bin, (at, "translation"), kept.iter().map(|&k| moments[k]).collect(), values, None)?;
-        }
-        node.rotation = Some(axes::turn(agent.first.rotation).to_array());
-        let way = |from: usize, to: usize| (turns[from].conjugate() * turns[to]).to_scaled_axis().as_dvec3();
-        if (0..turns.len()).any(|to| way(0, to).abs().max_element() > TURN) {
-            let kept = self.cheaper(&moments, 8, kept(&times, TURN, REACH, way));
-            let values: Vec<Quat> = kept.iter().map(|&k| turns[k]).collect();
-            let values = bin.turns(&values)?;
-            self.channel(bin, (at, "rotation"), kept.iter().map(|&k| moments[k]).collect(), values, None)?;
-        }
+        let points = self.translate(bin, (at, rest), visit, points, PLACE)?;
+        let rest = axes::turn(agent.first.rotation);
+        node.rotation = Some(rest.to_array());
+        let turns = self.rotate(bin, (at, rest), visit, turns, TURN)?;
         node.scale = Some(scale.to_array());
-        let (changes, sizes) = self.presence(&moments, scale);
+        let (changes, sizes) = self.presence(&visit.moments, scale);
         if changes.len() > 1 {
             let values = bin.vectors(&sizes, false)?;
             self.channel(bin, (at, "scale"), changes, values, Some("STEP"))?;
         }
-        Ok(())
+        Ok((points, turns))
+    }
+
+    /// Adds a channel that moves a node through these points, unless it stays at its position `rest`. Positions between
+    /// written samples are within `error` along each axis, metres. Returns the points as readers restore them.
+    ///
+    /// # Errors
+    /// A system error, or the file becomes too large.
+    pub fn translate(
+        &mut self,
+        bin: &mut Bin,
+        (node, rest): (usize, DVec3),
+        visit: &Visit,
+        points: Vec<Vec3>,
+        error: f64,
+    ) -> io::Result<Vec<Vec3>> {
+        if !points.iter().any(|point| (point.as_dvec3() - rest).abs().max_element() > error) {
+            return Ok(vec![rest.as_vec3(); points.len()]);
+        }
+        let way = |from: usize, to: usize| points[to].as_dvec3() - points[from].as_dvec3();
+        let kept = self.cheaper(&visit.moments, 12, kept(&visit.seconds, error, f64::INFINITY, way));
+        let values: Vec<Vec3> = kept.iter().map(|&k| points[k]).collect();
+        let values = bin.vectors(&values, false)?;
+        self.channel(bin, (node, "translation"), kept.iter().map(|&k| visit.moments[k]).collect(), values, None)?;
+        Ok(visit.restored(&kept, |from, to, part| points[from].lerp(points[to], part as f32)))
+    }
+
+    /// Adds a channel that turns a node, unless it keeps its rotation `rest`. Rotations between written samples are within
+    /// `error` about each axis, radians. Returns the rotations as readers restore them.
+    ///
+    /// # Errors
+    /// A system error, or the file becomes too large.
+    pub fn rotate(
+        &mut self,
+        bin: &mut Bin,
+        (node, rest): (usize, Quat),
+        visit: &Visit,
+        mut turns: Vec<Quat>,
+        error: f64,
+    ) -> io::Result<Vec<Quat>> {
+        // each with the sign closer to the one before, so that interpolation takes the shorter way
+        for k in 1..turns.len() {
+            turns[k] = if turns[k - 1].dot(turns[k]) < 0.0 { -turns[k] } else { turns[k] };
+        }
+        let angles = |from: Quat, to: Quat| (from.conjugate() * to).to_scaled_axis().as_dvec3();
+        if !turns.iter().any(|&turn| angles(rest, turn).abs().max_element() > error) {
+            return Ok(vec![rest; turns.len()]);
+        }
+        let way = |from: usize, to: usize| angles(turns[from], turns[to]);
+        let kept = self.cheaper(&visit.moments, 8, kept(&visit.seconds, error, REACH, way));
+        let values: Vec<Quat> = kept.iter().map(|&k| turns[k]).collect();
+        let values = bin.turns(&values)?;
+        self.channel(bin, (node, "rotation"), kept.iter().map(|&k| visit.moments[k]).collect(), values, None)?;
+        Ok(visit.restored(&kept, |from, to, part| turns[from].slerp(turns[to], part as f32)))
     }
 
     /// Returns the samples to write, of `size` bytes each: the needed samples with their own times, or all samples with
@@ -142,14 +188,28 @@ fn is_run(moments: &[usize]) -> bool {
     moments.windows(2).all(|two| two[0] + 1 == two[1])
 }
 
-/// Returns the rotations of an agent in glTF, each with the sign closer to the one before, so that interpolation takes
-/// the shorter way.
-fn turns(track: &[(u32, SpilledState)]) -> Vec<Quat> {
-    let mut turns: Vec<Quat> = Vec::with_capacity(track.len());
-    for (_, state) in track {
-        let turn = axes::turn(state.rotation);
-        let other = turns.last().is_some_and(|last| last.dot(turn) < 0.0);
-        turns.push(if other { -turn } else { turn });
+/// The frames in which an agent is there.
+#[derive(Debug)]
+pub struct Visit {
+    /// The indices of the frames.
+    pub moments: Vec<usize>,
+    /// Their seconds.
+    pub seconds: Vec<f64>,
+}
+
+impl Visit {
+    /// Returns the values at all frames, interpolated between the frames that are kept: `mix` gets the kept frames before
+    /// and after, and the part of the way between them.
+    fn restored<T>(&self, kept: &[usize], mix: impl Fn(usize, usize, f64) -> T) -> Vec<T> {
+        let mut next = 0;
+        let value = |k: usize| {
+            while next + 1 < kept.len() && kept[next + 1] <= k {
+                next += 1;
+            }
+            let (from, to) = (kept[next], kept[(next + 1).min(kept.len() - 1)]);
+            let whole = self.seconds[to] - self.seconds[from];
+            mix(from, to, if whole > 0.0 { (self.seconds[k] - self.seconds[from]) / whole } else { 0.0 })
+        };
+        (0..self.seconds.len()).map(value).collect()
     }
-    turns
 }

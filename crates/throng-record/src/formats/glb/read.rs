@@ -14,7 +14,7 @@ const HINT: &str =
     "supported is binary glTF 2.0 with an animation that moves nodes, as `throng run -o NAME.glb` writes it";
 /// Greatest number of samples per byte of the file. Agents that hardly move take little space, but no recorded crowd
 /// takes less than this.
-const MOST: usize = 32;
+pub(super) const MOST: usize = 32;
 
 /// Reads a file that throng or another program wrote.
 pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
@@ -66,7 +66,7 @@ fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, String> {
 }
 
 /// Returns the times of the frames of a file that throng wrote; empty for files of other programs.
-fn moments(data: &Data) -> Result<Vec<f64>, String> {
+pub(super) fn moments(data: &Data) -> Result<Vec<f64>, String> {
     let Some(view) = data.root.asset.extras.get(TIMES) else { return Ok(Vec::new()) };
     let view = view.as_u64().and_then(|view| usize::try_from(view).ok());
     let (bytes, _) = data.view(view.ok_or_else(|| format!("{TIMES} is no buffer view"))?)?;
@@ -77,7 +77,7 @@ fn moments(data: &Data) -> Result<Vec<f64>, String> {
 }
 
 /// Returns the nodes that are agents, with the transform from the parent node to the scene. A node is an agent if its
-/// extras say so or the animation moves it, unless the animation changes a node above it.
+/// extras say so or the animation moves it, unless it is a part of an agent or the animation changes a node above it.
 fn agents(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, String> {
     let nodes = &data.root.nodes;
     let mut parents = vec![None; nodes.len()];
@@ -94,7 +94,7 @@ fn agents(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, Strin
         let (mut above, mut steps, mut moved, mut matrix) = (parents[at], 0, false, DMat4::IDENTITY);
         while let Some(parent) = above {
             matrix = local(&nodes[parent]) * matrix;
-            moved |= channels.changes(parent);
+            moved |= channels.changes(parent) || matches!(nodes[parent].extras, Some(Extras::Person(_)));
             (above, steps) = (parents[parent], steps + 1);
             if steps > nodes.len() {
                 return Err(format!("node {at} is its own ancestor"));

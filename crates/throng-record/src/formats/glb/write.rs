@@ -4,6 +4,7 @@ use super::bin::{Bin, TOO_LARGE};
 use super::by_agent::by_agent;
 use super::json::{Asset, Buffer, Extras, Node, Person, Root};
 use super::motion::GlbMotion;
+use super::people::{self, People};
 use super::{TIMES, axes, seconds};
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
@@ -14,8 +15,8 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// The targets of buffer views: vertex data and indices.
-const POINTS: u32 = 34962;
-const TRIANGLES: u32 = 34963;
+pub const POINTS: u32 = 34962;
+pub const TRIANGLES: u32 = 34963;
 /// Size of a vertex, bytes.
 const POINT: u64 = 12;
 
@@ -57,18 +58,29 @@ impl GlbWriter {
         scene.asset(&self.setting, &self.spill);
         scene.times(&times)?;
         let agents = scene.place(&self.setting, &self.spill)?;
-        let meshes = scene.bodies(&self.setting, &self.spill.agents)?;
+        let agents_of = &self.spill.agents;
+        let mut people = People::of(&self.setting, agents_of, &times);
+        let plain = agents_of.iter().any(|agent| !people.has(agent));
+        let meshes = if plain { scene.bodies(&self.setting, agents_of)? } else { 0 };
         let (mut motion, flies) = (GlbMotion::new(&seconds), self.setting.in_space);
         scene.bin.view(None)?;
         by_agent(&mut self.spill, &self.output, |agent, track| {
-            let mut node = named(agent, track, &self.setting, &times);
-            node.mesh = Some(meshes + agent.group as usize);
-            let scale = axes::own(body::scale(agent.radius, flies));
+            let (mut node, visit) = (named(agent, track, &self.setting, &times), motion.visit(track));
             let at = scene.root.nodes.len();
-            motion.agent(&mut scene.bin, (at, &mut node), scale, (agent, track))?;
-            scene.root.nodes.push(node);
             scene.root.nodes[agents].children.push(at);
-            Ok(())
+            let Some(walk) = people.walk(agent, track, &times)? else {
+                node.mesh = Some(meshes + agent.group as usize);
+                let scale = axes::own(body::scale(agent.radius, flies));
+                motion.agent(&mut scene.bin, (at, &mut node), scale, (agent, track, &visit))?;
+                scene.root.nodes.push(node);
+                return Ok(());
+            };
+            if let Some(Extras::Person(known)) = &mut node.extras {
+                known.build = Some(people::name(walk.person().build).to_owned());
+            }
+            let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
+            scene.root.nodes.push(node);
+            people.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk), (&visit, &times), moved)
         })?;
         scene.root.animations = vec![motion.finish(&mut scene.bin)?];
         scene.root.animations.retain(|animation| !animation.channels.is_empty());
@@ -216,6 +228,7 @@ fn named(agent: &SpilledAgent, track: &[(u32, SpilledState)], setting: &Setting,
         radius: Some(agent.radius),
         from: time(track.first()),
         to: time(track.last()),
+        build: None,
     };
     Node { name: format!("Agent_{}", agent.number), extras: Some(Extras::Person(person)), ..Node::default() }
 }

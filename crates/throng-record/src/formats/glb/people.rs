@@ -1,0 +1,243 @@
+//! People as skinned figures that walk.
+
+use super::axes;
+use super::bin::Bin;
+use super::json::{Node, Root};
+use super::motion::{GlbMotion, Visit};
+use super::write::{POINTS, TRIANGLES};
+use crate::Setting;
+use crate::color::light;
+use crate::formats::spill::{SpilledAgent, SpilledState};
+use glam::{DQuat, Mat4, Quat, Vec3};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::io;
+use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skeleton, Walk};
+
+/// The most agents of a file that has figures: skins of more take engines too long.
+pub const MOST: usize = 300;
+/// The longest recording with figures, seconds.
+const LONGEST: f64 = 14_400.0;
+/// The largest radius of a person, metres.
+const LARGEST: f32 = 0.5;
+/// Below this radius a person is a child, metres.
+const CHILD: f32 = 0.18;
+/// Height of a child, metres.
+const CHILD_HEIGHT: f64 = 1.2;
+/// Greatest error of the position of the hips along each axis, metres.
+const PLACE: f64 = 2e-4;
+/// Greatest error of a rotation about each axis, radians: of the joints from the hips to the feet, and of the others.
+const TURN_OF_LEG: f64 = 4e-4;
+const TURN: f64 = 5e-3;
+
+/// The figures of a file.
+#[derive(Default)]
+pub struct People {
+    /// Whether there are any.
+    any: bool,
+    /// The shapes of the builds: accessors of the attributes, of the triangles, and of the inverse bind matrices.
+    shapes: BTreeMap<u8, Shape>,
+    /// The meshes, by build and look.
+    meshes: BTreeMap<(u8, u8), usize>,
+    material: Option<usize>,
+}
+
+struct Shape {
+    attributes: serde_json::Value,
+    triangles: usize,
+    binds: usize,
+    mesh: Mesh,
+}
+
+impl People {
+    /// Returns the figures of a recording: none if agents fly, or if there are too many, or if it takes too long.
+    pub fn of(setting: &Setting, agents: &[SpilledAgent], times: &[f64]) -> Self {
+        let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
+        Self { any: !setting.in_space && agents.len() <= MOST && duration <= LONGEST, ..Self::default() }
+    }
+
+    /// Whether an agent is a person.
+    pub fn has(&self, agent: &SpilledAgent) -> bool {
+        self.any && agent.radius <= LARGEST
+    }
+
+    /// Returns the walk of an agent; `None` if it is not a person.
+    ///
+    /// # Errors
+    /// A position is not finite.
+    pub fn walk(
+        &self,
+        agent: &SpilledAgent,
+        track: &[(u32, SpilledState)],
+        times: &[f64],
+    ) -> io::Result<Option<Walk>> {
+        if !self.has(agent) {
+            return Ok(None);
+        }
+        let mut person = Person::new(0, u64::from(agent.number));
+        if agent.radius < CHILD {
+            person = person.with_build(Build::Child).with_height(CHILD_HEIGHT);
+        }
+        let sample = |(moment, state): &(u32, SpilledState)| {
+            let ahead = (state.rotation * Vec3::X).as_dvec3();
+            let heading = libm::atan2(ahead.y, ahead.x);
+            Sample { time: times[*moment as usize], position: state.place.truncate().as_dvec2(), heading }
+        };
+        let samples: Vec<Sample> = track.iter().map(sample).collect();
+        Walk::recorded(&person, &samples).map(Some).map_err(io::Error::other)
+    }
+
+    /// Adds the figure of an agent: joints below its node, their motion, a skin, and a mesh.
+    ///
+    /// # Errors
+    /// A system error, or the file becomes too large.
+    pub fn add(
+        &mut self,
+        (root, bin, motion): (&mut Root, &mut Bin, &mut GlbMotion<'_>),
+        (node, walk): (usize, &Walk),
+        (visit, times): (&Visit, &[f64]),
+        (places, turns): (Vec<Vec3>, Vec<Quat>),
+    ) -> io::Result<()> {
+        let person = walk.person();
+        let poses: Vec<Pose> = visit.moments.iter().map(|&moment| walk.pose(times[moment])).collect();
+        let skeleton = Skeleton::scaled(person.build, 1.0);
+        let first = root.nodes.len();
+        let at = |joint: Joint| first + joint.index();
+        for joint in Joint::ALL {
+            let turned: Vec<Quat> = match joint {
+                Joint::Hips => poses.iter().zip(&turns).map(|(pose, turn)| turn.conjugate() * hips(pose)).collect(),
+                _ => poses.iter().map(|pose| own(pose.rotations[joint.index()])).collect(),
+            };
+            let rest = turned.first().copied().unwrap_or_default();
+            let mut child = Node { name: joint.name().into(), rotation: Some(rest.to_array()), ..Node::default() };
+            let offset = axes::own(skeleton.offset(joint).as_vec3());
+            child.translation = Some(offset.as_dvec3().to_array());
+            if joint == Joint::Hips {
+                let beside = |(pose, (place, turn)): (&Pose, (&Vec3, &Quat))| {
+                    turn.conjugate() * (axes::point(pose.hips.as_vec3()) - place)
+                };
+                let points: Vec<Vec3> = poses.iter().zip(places.iter().zip(&turns)).map(beside).collect();
+                let rest = points.first().copied().unwrap_or_default().as_dvec3();
+                child.translation = Some(rest.to_array());
+                child.scale = Some([person.height as f32; 3]);
+                motion.translate(bin, (at(joint), rest), visit, points, PLACE)?;
+            }
+            let error = if carries_feet(joint) { TURN_OF_LEG } else { TURN };
+            motion.rotate(bin, (at(joint), rest), visit, turned, error)?;
+            child.children = Joint::ALL.into_iter().filter(|other| other.parent() == Some(joint)).map(at).collect();
+            root.nodes.push(child);
+        }
+        root.nodes[node].children.push(first);
+        let joints: Vec<usize> = (first..root.nodes.len()).collect();
+        let (mesh, binds) = self.body(root, bin, person)?;
+        root.skins.push(json!({ "inverseBindMatrices": binds, "joints": joints, "skeleton": first }));
+        // a skin moves its mesh, and no other node does
+        let name = root.nodes[node].name.replace("Agent", "Body");
+        if let Some(all) = root.scenes.first_mut().and_then(|scene| scene["nodes"].as_array_mut()) {
+            all.push(root.nodes.len().into());
+        }
+        root.nodes.push(Node { name, mesh: Some(mesh), skin: Some(root.skins.len() - 1), ..Node::default() });
+        Ok(())
+    }
+
+    /// Returns the mesh of a person, and the inverse bind matrices of its skeleton.
+    fn body(&mut self, root: &mut Root, bin: &mut Bin, person: &Person) -> io::Result<(usize, usize)> {
+        let build = person.build as u8;
+        if !self.shapes.contains_key(&build) {
+            self.shapes.insert(build, Shape::new(bin, person.build)?);
+        }
+        let shape = &self.shapes[&build];
+        if let Some(&mesh) = self.meshes.get(&(build, person.look)) {
+            return Ok((mesh, shape.binds));
+        }
+        let material = *self.material.get_or_insert_with(|| {
+            root.materials.push(json!({
+                "name": "People",
+                "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.85 },
+            }));
+            root.materials.len() - 1
+        });
+        let colors: Vec<[u8; 4]> = shape.mesh.colours(&Look::new(person.look)).into_iter().map(linear).collect();
+        bin.view(Some(POINTS))?;
+        let mut attributes = shape.attributes.clone();
+        attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
+        let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
+        let mesh = root.meshes.len();
+        root.meshes.push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
+        self.meshes.insert((build, person.look), mesh);
+        Ok((mesh, shape.binds))
+    }
+}
+
+impl Shape {
+    fn new(bin: &mut Bin, build: Build) -> io::Result<Self> {
+        let mesh = Mesh::new(build, Level::Fine);
+        let own = |all: &[Vec3]| all.iter().map(|&point| axes::own(point)).collect::<Vec<_>>();
+        let mut add = |attribute: &dyn Fn(&mut Bin) -> io::Result<usize>| {
+            bin.view(Some(POINTS))?;
+            attribute(bin)
+        };
+        let positions = add(&|bin| bin.vectors(&own(&mesh.positions), true))?;
+        let normals = add(&|bin| bin.vectors(&own(&mesh.normals), false))?;
+        let (numbers, parts): (Vec<[u8; 4]>, Vec<[u8; 4]>) = bones(&mesh).unzip();
+        let joints = add(&|bin| bin.fours(&numbers, false))?;
+        let weights = add(&|bin| bin.fours(&parts, true))?;
+        bin.view(Some(TRIANGLES))?;
+        let triangles = bin.triangles(&mesh.triangles)?;
+        bin.view(None)?;
+        let skeleton = Skeleton::scaled(build, 1.0);
+        let rest = skeleton.world(&skeleton.rest());
+        let binds = rest.map(|joint| Mat4::from_translation(-axes::own(joint.position.as_vec3())));
+        let binds = bin.matrices(&binds)?;
+        let attributes =
+            json!({ "POSITION": positions, "NORMAL": normals, "JOINTS_0": joints, "WEIGHTS_0": weights });
+        Ok(Self { attributes, triangles, binds, mesh })
+    }
+}
+
+/// Returns the joints that carry each vertex, and their parts in 255ths, which sum to 255.
+fn bones(mesh: &Mesh) -> impl Iterator<Item = ([u8; 4], [u8; 4])> + '_ {
+    mesh.joints.iter().zip(&mesh.weights).map(|(joints, weights)| {
+        let (mut numbers, mut parts) = ([0; 4], [0u8; 4]);
+        for (k, (&joint, &weight)) in joints.iter().zip(weights).enumerate() {
+            parts[k] = (weight * 255.0).round() as u8;
+            // a joint without a part is the first one, as validators want it
+            numbers[k] = if parts[k] > 0 { joint } else { 0 };
+        }
+        let sum: i32 = parts.iter().map(|&part| i32::from(part)).sum();
+        let most = (0..4).max_by_key(|&k| parts[k]).unwrap_or(0);
+        parts[most] = (i32::from(parts[most]) + 255 - sum) as u8;
+        (numbers, parts)
+    })
+}
+
+/// Returns a colour of sRGB as glTF has colours of vertices: linear, with an alpha.
+fn linear(color: [u8; 3]) -> [u8; 4] {
+    let [r, g, b] = color.map(|part| (light(part) * 255.0).round() as u8);
+    [r, g, b, 255]
+}
+
+/// Whether feet slide if a joint turns wrongly.
+fn carries_feet(joint: Joint) -> bool {
+    use Joint::{Hips, LeftFoot, LeftLeg, LeftUpLeg, RightFoot, RightLeg, RightUpLeg};
+    matches!(joint, Hips | LeftUpLeg | LeftLeg | LeftFoot | RightUpLeg | RightLeg | RightFoot)
+}
+
+/// Returns the rotation of the hips in the scene of the file.
+fn hips(pose: &Pose) -> Quat {
+    axes::turn(pose.rotations[Joint::Hips.index()].as_quat())
+}
+
+/// Returns a rotation within a body in glTF, whose axes are left, up and ahead.
+fn own(rotation: DQuat) -> Quat {
+    let DQuat { x, y, z, w } = rotation;
+    DQuat::from_xyzw(y, z, x, w).as_quat()
+}
+
+/// The builds, and their names in files.
+pub const BUILDS: [(Build, &str); 3] = [(Build::Woman, "woman"), (Build::Man, "man"), (Build::Child, "child")];
+
+/// Returns the name of a build in files.
+pub fn name(build: Build) -> &'static str {
+    BUILDS.into_iter().find(|(known, _)| *known == build).map_or("man", |(_, name)| name)
+}
