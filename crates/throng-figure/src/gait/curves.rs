@@ -13,7 +13,7 @@ pub(crate) fn vertical(relative_speed: f64, phase: f64) -> f64 {
 
 /// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own estimate.
 pub(crate) fn running_vertical(duty: f64, phase: f64) -> f64 {
-    -0.045 - 0.035 * cos(TAU * (2.0 * phase - duty))
+    -0.035 - 0.03 * cos(TAU * (2.0 * phase - duty))
 }
 
 /// Returns how far the pelvis is to the left of the path, walking: towards the foot on the ground.

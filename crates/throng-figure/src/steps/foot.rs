@@ -17,9 +17,6 @@ const OVER: f64 = 0.95;
 const RISE: f64 = 0.2;
 const FALL: f64 = 0.3;
 
-/// The largest angular speed of a foot when it leaves the ground, rad/s.
-const TURN: f64 = 9.0;
-
 /// Where a foot is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FootPose {
@@ -142,7 +139,7 @@ impl Swing {
             y: Quintic::new(from.ankle.y, rate.ankle.y * duration * over, end.ankle.y, to.arrival.y * duration),
             z: Quintic::new(from.ankle.z, (rate.ankle.z + RISE) * duration, end.ankle.z, -fall * duration),
             yaw: line(from.yaw, rate.yaw, turned),
-            pitch: line(from.pitch, rate.pitch.clamp(-TURN, TURN), end.pitch),
+            pitch: line(from.pitch, rate.pitch, end.pitch),
             toes: line(from.toes, rate.toes, end.toes),
             raise,
             aside: DVec2::ZERO,

@@ -147,7 +147,7 @@ impl Planner {
     /// Returns where the foot is put down: where the body is a quarter of a cycle later.
     fn plant(&self, body: &impl Ahead, side: Side, strike: f64, cycle: Cycle) -> Plant {
         let person = &self.person;
-        let share = if self.runs { cycle.duty / 2.0 } else { OVER_FOOT };
+        let share = if self.runs { 0.4 * cycle.duty } else { OVER_FOOT };
         let over = body.at(strike + share * cycle.duration);
         let (forward, sideways) = along(&over);
         let speed = over.velocity.length();
