@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
-use throng_figure::{Build, Joint, Person, Pose, Sample, Skeleton, Walk};
+use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skeleton, Walk};
 
 const SCALE: f64 = 130.0;
 
@@ -58,6 +58,47 @@ fn bones(svg: &mut String, skeleton: &Skeleton, pose: &Pose, origin: DVec2, view
     }
 }
 
+/// Draws a body, seen from the side or from the front: triangles from far to near, shaded by their direction.
+fn body(svg: &mut String, mesh: &Mesh, look: &Look, skeleton: &Skeleton, person: &Person, pose: &Pose, place: (DVec2, f64)) {
+    let (origin, turned) = place;
+    let positions = mesh.posed(skeleton, person.height, &skeleton.world(pose));
+    let colours = mesh.colours(look);
+    let (sin, cos) = turned.sin_cos();
+    // right, up, towards the eye
+    let view = |p: DVec3| {
+        let p = p - pose.hips.truncate().extend(0.0);
+        DVec3::new(p.x * cos + p.y * sin, p.z, p.x * sin - p.y * cos)
+    };
+    let mut faces: Vec<(f64, String)> = Vec::new();
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|vertex| view(positions[vertex as usize]));
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        if normal.z <= 0.0 {
+            continue;
+        }
+        let light = 0.45 + 0.55 * normal.dot(DVec3::new(-0.35, 0.6, 0.72).normalize()).max(0.0);
+        let [r, g, b_] = [0, 1, 2].map(|channel| {
+            let sum: f64 = triangle.iter().map(|&vertex| f64::from(colours[vertex as usize][channel])).sum();
+            (sum / 3.0 * light) as u8
+        });
+        let point = |p: DVec3| format!("{:.1},{:.1}", origin.x + p.x * SCALE, origin.y - p.y * SCALE);
+        let fill = format!("#{r:02x}{g:02x}{b_:02x}");
+        faces.push((
+            a.z + b.z + c.z,
+            format!(
+                r#"<polygon points="{} {} {}" fill="{fill}" stroke="{fill}" stroke-width="0.6"/>"#,
+                point(a),
+                point(b),
+                point(c)
+            ),
+        ));
+    }
+    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, face) in faces {
+        svg.push_str(&face);
+    }
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| ".".into());
     let person = Person { arms: 1.0, ..Person::new(3, 4) }.with_build(Build::Man).with_height(1.78);
@@ -97,6 +138,40 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     svg.push_str("</svg>\n");
     let path = std::path::Path::new(&folder).join("bones.svg");
+    std::fs::write(&path, svg)?;
+    println!("{}", path.display());
+
+    let mut svg = format!(
+        r##"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}"><rect width="100%" height="100%" fill="#dde3e8"/>"##,
+        150 * 10,
+        270 * 6
+    );
+    for (row, &(_, forward, left, turning, cycle)) in rows[..4].iter().chain(&rows[6..]).enumerate() {
+        let build = [Build::Man, Build::Woman, Build::Man, Build::Woman, Build::Child][row];
+        let person = person.with_build(build).with_height([1.78, 1.66, 1.78, 1.66, 1.2][row]);
+        let skeleton = Skeleton::new(&person);
+        let walk = Walk::recorded(&person, &driven(forward, left, turning))?;
+        for column in 0..10 {
+            let level = Level::ALL[if row == 4 { column / 2 % 4 } else { 0 }];
+            let pose = walk.pose(1.5 + cycle * column as f64 / 9.0);
+            let turned = if row == 4 { 0.7 * column as f64 } else { [0.0, 0.5, 0.9, 0.0][row] };
+            let origin = DVec2::new(75.0 + 150.0 * column as f64, 262.0 + 270.0 * row as f64);
+            let look = Look::new((row * 3 + column / 5) as u8);
+            body(&mut svg, &Mesh::new(build, level), &look, &skeleton, &person, &pose, (origin, turned));
+        }
+    }
+    for column in 0..10 {
+        let build = if column % 2 == 0 { Build::Man } else { Build::Woman };
+        let person = person.with_build(build);
+        let skeleton = Skeleton::new(&person);
+        let walk = Walk::recorded(&person, &driven(0.0, 0.0, 0.0))?;
+        let pose = if column < 2 { skeleton.rest() } else { walk.pose(2.0) };
+        let mesh = Mesh::new(build, [Level::Fine, Level::Fine, Level::Medium, Level::Coarse, Level::Blocks][column / 2]);
+        let origin = DVec2::new(75.0 + 150.0 * column as f64, 262.0 + 270.0 * 5.0);
+        body(&mut svg, &mesh, &Look::new(column as u8 + 3), &skeleton, &person, &pose, (origin, 1.57 - 0.3 * (column / 2) as f64));
+    }
+    svg.push_str("</svg>\n");
+    let path = std::path::Path::new(&folder).join("bodies.svg");
     std::fs::write(&path, svg)?;
     println!("{}", path.display());
     Ok(())

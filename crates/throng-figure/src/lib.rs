@@ -2,7 +2,7 @@
 //!
 //! Footfalls are planned: a foot is put where the body *will be* and stays there until it is lifted. So turns, side steps, steps backwards, starts, stops
 //! and queues need no cases of their own. [`Walk`] is a person on a recorded trajectory, whose future is known. [`Live`] follows an agent while
-//! it moves and extrapolates its motion. Both use the same laws ([`gait`]). And [`measure`] says how far feet
+//! it moves and extrapolates its motion. Both use the same laws ([`gait`]). [`Mesh`] is a body for the [`Skeleton`], and [`measure`] says how far feet
 //! slide in any motion.
 //!
 //! Coordinates are metres, with z up; angles are radians. The same input gives the same bits on every machine.
@@ -12,6 +12,7 @@ pub mod gait;
 mod live;
 mod math;
 pub mod measure;
+mod mesh;
 mod path;
 mod person;
 mod pose;
@@ -21,6 +22,7 @@ mod walk;
 pub use error::Error;
 pub use live::Live;
 pub use math::slerp;
+pub use mesh::{LOOKS, Level, Look, Mesh, Region};
 pub use path::Sample;
 pub use person::{Build, Person, Side};
 pub use pose::{JOINTS, Joint, Placed, Pose, Skeleton};

@@ -1,7 +1,7 @@
 //! A person that follows an agent while it moves.
 
 use crate::error::Error;
-use crate::math::{direction, mix, smooth};
+use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, pose};
@@ -15,6 +15,9 @@ const LONGEST_STEP: f64 = 0.02;
 const LONGEST_GAP: f64 = 2.0;
 /// The largest angular speed of a foot on the ground, rad/s.
 const FASTEST_ROLL: f64 = 14.0;
+
+/// How fast a foot in the air follows its aim: the rest of the way is this power of the rest of the time.
+const FOLLOWING: f64 = 2.5;
 
 /// A person that follows an agent whose future is not known.
 ///
@@ -53,6 +56,9 @@ pub struct Live {
 struct Foot {
     plant: Plant,
     swing: Option<Swing>,
+    /// How far the aim of the swing was moved since the step began, and how much of that the foot follows yet: m and rad.
+    moved: (DVec2, f64),
+    followed: (DVec2, f64),
     pose: FootPose,
     rate: FootPose,
 }
@@ -81,7 +87,7 @@ impl Live {
         state.pelvis.z = free_height(&person, &state) - 0.01;
         let feet = planner.plants.map(|plant| {
             let pose = foot_at(&person, plant.ankle, plant.yaw, 0.0);
-            Foot { plant, swing: None, pose, rate: FootPose::rate(&pose, &pose, 1.0) }
+            Foot { plant, swing: None, moved: Default::default(), followed: Default::default(), pose, rate: FootPose::rate(&pose, &pose, 1.0) }
         });
         let stands = pose(&person, &state, &[feet[0].pose, feet[1].pose]);
         Ok(Live {
@@ -125,7 +131,7 @@ impl Live {
         } else {
             let parts = libm::ceil(gap / LONGEST_STEP).max(1.0);
             let from = self.last;
-            let turn = crate::math::wrapped(sample.heading - from.heading);
+            let turn = wrapped(sample.heading - from.heading);
             for part in 1..=parts as usize {
                 let share = part as f64 / parts;
                 self.advance(Sample {
@@ -176,6 +182,7 @@ impl Live {
         let raise = lift_of_foot(&self.person, self.state.relative_speed);
         foot.swing = Some(Swing::new(&self.person, next.side, (foot.pose, foot.rate), time, &next.plant, other, raise));
         foot.plant = next.plant;
+        (foot.moved, foot.followed) = Default::default();
         self.knots = [(time, next.phases[0]), (next.plant.strike, next.phases[1])];
         // the other foot is expected to be lifted next, if the body goes on
         let goes = ahead.at(self.planner.ready).velocity.length() > 0.15;
@@ -238,19 +245,24 @@ impl Live {
         let person = self.person;
         let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation(&person));
         for side in Side::BOTH {
-            let other = self.feet[side.other().index()].plant.ankle;
             let foot = &mut self.feet[side.index()];
             let before = foot.pose;
-            foot.pose = if let Some(swing) = &mut foot.swing {
+            foot.pose = if let Some(swing) = &foot.swing {
                 // the aim changes with the motion until shortly before the strike
-                if time < foot.plant.strike - 0.12 {
+                let left = foot.plant.strike - time;
+                if left > 0.1 {
                     let aim = self.planner.replan(ahead, side, foot.plant.strike);
-                    if aim.ankle.distance(foot.plant.ankle) > 0.004 || (aim.yaw - foot.plant.yaw).abs() > 0.03 {
-                        foot.plant = aim;
-                        *swing = Swing::new(&person, side, (before, foot.rate), time - step, &aim, other, 0.0);
-                    }
+                    foot.moved.0 += aim.ankle - foot.plant.ankle;
+                    foot.moved.1 += wrapped(aim.yaw - foot.plant.yaw);
+                    foot.plant = aim;
                 }
-                swing.at(time)
+                let share = (FOLLOWING * step / (left + step)).min(1.0);
+                foot.followed.0 += (foot.moved.0 - foot.followed.0) * share;
+                foot.followed.1 += (foot.moved.1 - foot.followed.1) * share;
+                let mut pose = swing.at(time);
+                pose.ankle += foot.followed.0.extend(0.0);
+                pose.yaw += foot.followed.1;
+                pose
             } else {
                 let aim = stance(&person, &foot.plant, time, hips[side.index()]).pitch;
                 let most = FASTEST_ROLL * step;

@@ -109,13 +109,6 @@ pub(crate) fn from_axes(x: DVec3, y: DVec3, z: DVec3) -> DQuat {
     DQuat::from_mat3(&glam::DMat3::from_cols(x, y, z)).normalize()
 }
 
-/// Returns the shortest rotation of the unit vector `from` to the unit vector `to`. Their angle is less than π.
-pub(crate) fn between(from: DVec3, to: DVec3) -> DQuat {
-    let axis = from.cross(to);
-    let real = 1.0 + from.dot(to);
-    if real < 1e-9 { about_z(PI) } else { DQuat::from_xyzw(axis.x, axis.y, axis.z, real).normalize() }
-}
-
 /// Returns the rotation a share of the way from `a` to `b`, along the shorter arc, at constant angular speed.
 pub fn slerp(a: DQuat, b: DQuat, share: f64) -> DQuat {
     let dot = a.dot(b);

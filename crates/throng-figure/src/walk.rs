@@ -355,7 +355,7 @@ pub(crate) fn free_height(person: &Person, state: &BodyState) -> f64 {
     let rv = state.relative_speed.min(2.4);
     let duty = gait::running_duty(state.relative_speed * person.leg());
     // knees are a little bent in walking
-    let bent = 0.006 * person.leg() * smooth(rv);
+    let bent = 0.010 * person.leg() * smooth(rv);
     let change = mix(gait::vertical(rv, state.phase), gait::running_vertical(duty, state.phase), state.run);
     standing_height(person) - bent + scale * change
 }

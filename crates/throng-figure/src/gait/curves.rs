@@ -13,7 +13,7 @@ pub(crate) fn vertical(relative_speed: f64, phase: f64) -> f64 {
 
 /// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own estimate.
 pub(crate) fn running_vertical(duty: f64, phase: f64) -> f64 {
-    -0.045 - 0.035 * cos(TAU * (2.0 * phase - duty))
+    -0.035 - 0.03 * cos(TAU * (2.0 * phase - duty))
 }
 
 /// Returns how far the pelvis is to the left of the path, walking: towards the foot on the ground.
@@ -55,13 +55,13 @@ pub(crate) fn thorax_yaw(relative_speed: f64, phase: f64) -> f64 {
     periodic([(0.1, 4.0 / 3.0 * r), (0.4, -1.5 * r), (0.6, -4.0 / 3.0 * r), (0.9, 1.5 * r)], phase)
 }
 
-/// Returns the forward swing of an arm; `phase` is that of the leg of the same side.
+/// Returns the forward swing of an arm; `phase` is that of the leg of the same side. It is half as far behind the body as in the source.
 pub(crate) fn shoulder(relative_speed: f64, phase: f64) -> f64 {
     let size = 9.88 * relative_speed.min(2.2);
-    DEGREE * (3.0 - size / 2.0 - size * cos(TAU * phase))
+    DEGREE * (3.0 - size / 4.0 - size * cos(TAU * phase))
 }
 
-/// Returns the flexion of an elbow; `phase` is that of the leg of the same side.
+/// Returns the flexion of an elbow; `phase` is that of the leg of the same side. It is 0.7 of that of the source.
 pub(crate) fn elbow(relative_speed: f64, phase: f64) -> f64 {
     let rv = relative_speed;
     let angle = if rv < 0.5 {
@@ -73,7 +73,7 @@ pub(crate) fn elbow(relative_speed: f64, phase: f64) -> f64 {
         let k = ((rv - 1.3) / 1.7).min(1.0);
         periodic([(0.05, 14.0 - 6.0 * k), (0.51 + 0.04 * k, 44.0 + 26.0 * k), (0.9 - 0.1 * k, 17.0 - 6.0 * k)], phase)
     };
-    DEGREE * angle
+    0.7 * DEGREE * angle
 }
 
 /// Returns a periodic curve through points, in the order of their phases, by cubics with the slopes of the chords.

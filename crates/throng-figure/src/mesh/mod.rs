@@ -1,1 +1,102 @@
-//! stub
+//! The body: a mesh with weights for the joints of a skeleton.
+
+mod looks;
+mod tubes;
+
+pub use looks::{LOOKS, Look, Region};
+
+use crate::person::Build;
+use crate::pose::{JOINTS, Placed, Skeleton};
+use glam::{DVec3, Vec3};
+
+/// How finely a body is modelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Level {
+    /// About 1100 vertices: files, and pictures closer than 8 m.
+    Fine,
+    /// About 550 vertices: hundreds of people.
+    Medium,
+    /// About 250 vertices: thousands of people.
+    Coarse,
+    /// About 150 vertices: people in the distance.
+    Blocks,
+}
+
+impl Level {
+    /// All levels, the finest first.
+    pub const ALL: [Level; 4] = [Level::Fine, Level::Medium, Level::Coarse, Level::Blocks];
+}
+
+/// A body of height 1 m in the pose of the skeleton at rest: scale it by the height of the person.
+///
+/// All looks share the mesh and differ in the colours of its regions only.
+///
+/// ```
+/// use throng_figure::{Build, Level, Look, Mesh};
+///
+/// let mesh = Mesh::new(Build::Man, Level::Medium);
+/// assert!(mesh.triangles.iter().flatten().all(|&vertex| (vertex as usize) < mesh.positions.len()));
+/// let colours = mesh.colours(&Look::new(3));
+/// assert_eq!(colours.len(), mesh.positions.len());
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    /// Positions of the vertices, in heights of the person.
+    pub positions: Vec<Vec3>,
+    /// Unit normals, outward.
+    pub normals: Vec<Vec3>,
+    /// The joints that move each vertex, by their numbers in [`Joint::ALL`](crate::Joint::ALL).
+    pub joints: Vec<[u8; 4]>,
+    /// The weights of these joints. Their sum is 1.
+    pub weights: Vec<[f32; 4]>,
+    /// The region of each vertex.
+    pub regions: Vec<Region>,
+    /// Triangles, counterclockwise from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Returns the body of a build at a level.
+    pub fn new(build: Build, level: Level) -> Mesh {
+        let mut mesh = Mesh::default();
+        tubes::add_body(&mut mesh, build, level);
+        mesh.find_normals();
+        mesh
+    }
+
+    /// Returns the colour of each vertex with a look: red, green, blue (sRGB).
+    pub fn colours(&self, look: &Look) -> Vec<[u8; 3]> {
+        self.regions.iter().map(|&region| look.colour(region)).collect()
+    }
+
+    /// Returns the positions of the vertices in the world, m, by linear blend skinning.
+    ///
+    /// `skeleton` and `joints` are those of a person of `height` (m).
+    pub fn posed(&self, skeleton: &Skeleton, height: f64, joints: &[Placed; JOINTS]) -> Vec<DVec3> {
+        let rest = skeleton.rest_positions();
+        let vertices = self.positions.iter().zip(self.joints.iter().zip(&self.weights));
+        vertices
+            .map(|(position, (numbers, weights))| {
+                let position = position.as_dvec3() * height;
+                let moved = numbers.iter().zip(weights).map(|(&number, &weight)| {
+                    let joint = &joints[usize::from(number)];
+                    let own = position - rest[usize::from(number)];
+                    (joint.position + joint.rotation * own) * f64::from(weight)
+                });
+                moved.sum()
+            })
+            .collect()
+    }
+
+    fn find_normals(&mut self) {
+        let mut normals = vec![Vec3::ZERO; self.positions.len()];
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|vertex| self.positions[vertex as usize]);
+            let normal = (b - a).cross(c - a);
+            for &vertex in triangle {
+                normals[vertex as usize] += normal;
+            }
+        }
+        self.normals = normals.into_iter().map(|normal| normal.normalize_or(Vec3::Z)).collect();
+    }
+}

@@ -247,8 +247,13 @@ impl Skeleton {
         placed
     }
 
+    /// Returns where each joint is at rest, m.
+    pub(crate) fn rest_positions(&self) -> [DVec3; JOINTS] {
+        self.world(&self.rest()).map(|joint| joint.position)
+    }
+
     /// Returns the matrix of each joint at rest, as files of skins need it (its inverse is the inverse bind matrix).
     pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
-        self.world(&self.rest()).map(|joint| DMat4::from_translation(joint.position))
+        self.rest_positions().map(DMat4::from_translation)
     }
 }

@@ -37,7 +37,7 @@ pub(crate) fn stance(person: &Person, plant: &Plant, time: f64, hip: DVec3) -> F
     let fall = 1.0 - smooth((time - plant.strike) / landing);
     let rolling = plant.rolling.min(0.6 * stays);
     let x = ((time - plant.lift) / rolling + 1.0).max(0.0);
-    let roll = plant.roll * x * x * (0.3 + 0.7 * x);
+    let roll = plant.roll * x * x * (1.6 - 0.6 * x);
     let need = needed_roll(person, plant, hip);
     let allowed = allowed_roll(plant, time);
     let roll = smooth_max(roll, need.min(allowed), 0.12).max(0.0) * (allowed / 0.2).min(1.0);
@@ -52,7 +52,7 @@ pub(crate) fn allowed_roll(plant: &Plant, time: f64) -> f64 {
         return 0.35 * smooth((time - plant.strike - 0.2) / 0.3);
     }
     let u = (time - plant.strike) / stays.max(0.02);
-    let late = (time - plant.lift) / plant.rolling.min(0.6 * stays).max(0.01) + 1.4;
+    let late = (time - plant.lift) / plant.rolling.min(0.6 * stays).max(0.01) + 1.7;
     if u < 0.0 { 0.0 } else { STEEPEST * smooth(late.min(u * 4.0) / 1.2) }
 }
 
@@ -98,6 +98,8 @@ fn needed_roll(person: &Person, plant: &Plant, hip: DVec3) -> f64 {
 pub(crate) struct Swing {
     lift: f64,
     duration: f64,
+    /// The share of the swing after which the foot is above its plant.
+    over: f64,
     x: Quintic,
     y: Quintic,
     z: Quintic,
@@ -126,13 +128,16 @@ impl Swing {
         let duration = (to.strike - lift).max(0.02);
         let end = foot_at(person, to.ankle, to.yaw, to.pitch);
         let line = |from: f64, rate: f64, to: f64| Quintic::new(from, rate * duration, to, 0.0);
+        let speed = to.arrival.length();
+        let (over, fall) = if speed > 0.0 { (1.0, FALL + 0.7 * speed) } else { (OVER, FALL) };
         let turned = from.yaw + wrapped(end.yaw - from.yaw);
         let mut swing = Swing {
             lift,
             duration,
-            x: Quintic::new(from.ankle.x, rate.ankle.x * duration * OVER, end.ankle.x, 0.0),
-            y: Quintic::new(from.ankle.y, rate.ankle.y * duration * OVER, end.ankle.y, 0.0),
-            z: Quintic::new(from.ankle.z, (rate.ankle.z + RISE) * duration, end.ankle.z, -FALL * duration),
+            over,
+            x: Quintic::new(from.ankle.x, rate.ankle.x * duration * over, end.ankle.x, to.arrival.x * duration),
+            y: Quintic::new(from.ankle.y, rate.ankle.y * duration * over, end.ankle.y, to.arrival.y * duration),
+            z: Quintic::new(from.ankle.z, (rate.ankle.z + RISE) * duration, end.ankle.z, -fall * duration),
             yaw: line(from.yaw, rate.yaw, turned),
             pitch: line(from.pitch, rate.pitch, end.pitch),
             toes: line(from.toes, rate.toes, end.toes),
@@ -175,7 +180,7 @@ impl Swing {
     pub fn at(&self, time: f64) -> FootPose {
         let u = ((time - self.lift) / self.duration).clamp(0.0, 1.0);
         let middle = bump(u);
-        let ground = (u / OVER).min(1.0);
+        let ground = (u / self.over).min(1.0);
         let aside = self.aside * bump(ground);
         let pitch = self.pitch.at(u);
         FootPose {

@@ -28,12 +28,24 @@ pub struct Plant {
     pub roll: f64,
     /// Time during which the heel rises, s.
     pub rolling: f64,
+    /// Velocity of the ankle when it touches the ground, m/s.
+    pub arrival: DVec2,
 }
 
 impl Plant {
     /// Returns a flat foot that stands until its step is planned.
     pub fn standing(ankle: DVec2, yaw: f64, since: f64) -> Plant {
-        Plant { ankle, yaw, strike: since, lift: f64::INFINITY, pitch: 0.0, landing: 0.1, roll: 0.0, rolling: 0.2 }
+        Plant {
+            ankle,
+            yaw,
+            strike: since,
+            lift: f64::INFINITY,
+            pitch: 0.0,
+            landing: 0.1,
+            roll: 0.0,
+            rolling: 0.2,
+            arrival: DVec2::ZERO,
+        }
     }
 }
 

@@ -12,7 +12,9 @@ use glam::DVec2;
 const TOLERANCE: f64 = 0.03;
 const TOLERANCE_OF_YAW: f64 = 0.17;
 /// The share of a cycle after the strike at which the body is over the foot.
-const OVER_FOOT: f64 = 0.225;
+const OVER_FOOT: f64 = 0.24;
+/// The share of the speed of the body with which the foot of a runner touches the ground.
+const ARRIVAL: f64 = 0.4;
 /// How far a standing person looks ahead, s.
 const OUTLOOK: f64 = 0.4;
 /// The shortest swing of a foot, s.
@@ -145,7 +147,7 @@ impl Planner {
     /// Returns where the foot is put down: where the body is a quarter of a cycle later.
     fn plant(&self, body: &impl Ahead, side: Side, strike: f64, cycle: Cycle) -> Plant {
         let person = &self.person;
-        let share = if self.runs { cycle.duty / 2.0 } else { OVER_FOOT };
+        let share = if self.runs { 0.4 * cycle.duty } else { OVER_FOOT };
         let over = body.at(strike + share * cycle.duration);
         let (forward, sideways) = along(&over);
         let speed = over.velocity.length();
@@ -167,6 +169,7 @@ impl Planner {
             landing: 0.16 * cycle.duty * cycle.duration,
             roll: 0.0,
             rolling: 0.2,
+            arrival: if self.runs { over.velocity * ARRIVAL } else { DVec2::ZERO },
         }
     }
 
