@@ -218,7 +218,7 @@ fn linear(color: [u8; 3]) -> [u8; 4] {
 }
 
 /// Whether feet slide if a joint turns wrongly.
-fn carries_feet(joint: Joint) -> bool {
+pub(super) fn carries_feet(joint: Joint) -> bool {
     use Joint::{Hips, LeftFoot, LeftLeg, LeftUpLeg, RightFoot, RightLeg, RightUpLeg};
     matches!(joint, Hips | LeftUpLeg | LeftLeg | LeftFoot | RightUpLeg | RightLeg | RightFoot)
 }
