@@ -13,7 +13,9 @@ pub enum Error {
         index: usize,
     },
     /// A sample is not later than the one before it.
-    #[error("sample {index}: time {time} s is not after the time of the sample before it; sort the samples and leave repeated times out")]
+    #[error(
+        "sample {index}: time {time} s is not after the time of the sample before it; sort the samples and leave repeated times out"
+    )]
     Time {
         /// Number of the sample, from 0.
         index: usize,

@@ -5,7 +5,7 @@ use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, pose};
-use crate::steps::{FootPose, Plant, Planner, Swing, along, foot_at, stance};
+use crate::steps::{FootPose, Planner, Plant, Swing, along, foot_at, stance};
 use crate::walk::{FASTEST, check_sample, free_height, lift_of_foot, reachable_height, sway};
 use glam::DVec2;
 
@@ -87,7 +87,14 @@ impl Live {
         state.pelvis.z = free_height(&person, &state) - 0.01;
         let feet = planner.plants.map(|plant| {
             let pose = foot_at(&person, plant.ankle, plant.yaw, 0.0);
-            Foot { plant, swing: None, moved: Default::default(), followed: Default::default(), pose, rate: FootPose::rate(&pose, &pose, 1.0) }
+            Foot {
+                plant,
+                swing: None,
+                moved: Default::default(),
+                followed: Default::default(),
+                pose,
+                rate: FootPose::rate(&pose, &pose, 1.0),
+            }
         });
         let stands = pose(&person, &state, &[feet[0].pose, feet[1].pose]);
         Ok(Live {
@@ -208,7 +215,8 @@ impl Live {
         }
         let way = ahead.at(time + 0.8).position - motion.position;
         let (ahead_of, left) = (facing.dot(way), facing.perp().dot(way));
-        let gaze = if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
+        let gaze =
+            if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
         state.time = time;
         state.heading = motion.heading;
         state.forward = forward / leg;

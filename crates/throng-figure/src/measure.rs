@@ -101,17 +101,18 @@ impl FeetMeasure {
     /// Adds a moment: its time (s, after that of the last) and where the joints are, in the order of [`Joint::ALL`].
     pub fn push(&mut self, time: f64, joints: &[Placed; JOINTS]) {
         let (body, h) = (&self.body, self.height);
-        let feet = [(Joint::LeftFoot, Joint::LeftToeBase), (Joint::RightFoot, Joint::RightToeBase)].map(|(foot, toes)| {
-            let (foot, toes) = (joints[foot.index()], joints[toes.index()]);
-            let tip = body.foot - body.heel - body.ball;
-            FootPoints {
-                heel: foot.position + foot.rotation * (DVec3::new(-body.heel, 0.0, -body.ankle) * h),
-                // the toes roll about their joint, so the joint is the point that stays
-                ball: toes.position - DVec3::Z * (body.toe_height * h),
-                tip: toes.position + toes.rotation * (DVec3::new(tip, 0.0, -body.toe_height) * h),
-                ankle: foot.position,
-            }
-        });
+        let feet =
+            [(Joint::LeftFoot, Joint::LeftToeBase), (Joint::RightFoot, Joint::RightToeBase)].map(|(foot, toes)| {
+                let (foot, toes) = (joints[foot.index()], joints[toes.index()]);
+                let tip = body.foot - body.heel - body.ball;
+                FootPoints {
+                    heel: foot.position + foot.rotation * (DVec3::new(-body.heel, 0.0, -body.ankle) * h),
+                    // the toes roll about their joint, so the joint is the point that stays
+                    ball: toes.position - DVec3::Z * (body.toe_height * h),
+                    tip: toes.position + toes.rotation * (DVec3::new(tip, 0.0, -body.toe_height) * h),
+                    ankle: foot.position,
+                }
+            });
         let left = joints[Joint::Hips.index()].rotation * DVec3::Y;
         self.moments.push(Moment { time, feet, left });
     }
@@ -138,7 +139,9 @@ impl FeetMeasure {
             skating_ratio: share(skating),
             penetration: -least(&|m| m.feet[0].lowest().min(m.feet[1].lowest())).min(0.0),
             airborne: share(airborne),
-            least_gap: least(&|m| m.left.truncate().normalize_or_zero().dot((m.feet[0].ankle - m.feet[1].ankle).truncate())),
+            least_gap: least(&|m| {
+                m.left.truncate().normalize_or_zero().dot((m.feet[0].ankle - m.feet[1].ankle).truncate())
+            }),
             least_distance: least(&|m| distance(&m.feet)),
         }
     }

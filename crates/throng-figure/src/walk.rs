@@ -6,7 +6,7 @@ use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{CELL, Column, Recorded, Sample, gauss};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
-use crate::steps::{FootPose, Plant, Planner, STRETCH, Step, Swing, allowed_roll, along, foot_at, stance};
+use crate::steps::{FootPose, Planner, Plant, STRETCH, Step, Swing, allowed_roll, along, foot_at, stance};
 use glam::DVec3;
 
 /// A trajectory is cut where it is faster than this, m/s: the person is then elsewhere at once.
@@ -265,7 +265,11 @@ impl Part {
                 Side::BOTH.iter().fold(free, |height, side| {
                     let foot = &self.feet[side.index()];
                     let plant = &foot.plants[foot.plant(time)];
-                    if time > plant.lift { height } else { height.min(reachable_height(person, plant, time, hips[side.index()])) }
+                    if time > plant.lift {
+                        height
+                    } else {
+                        height.min(reachable_height(person, plant, time, hips[side.index()]))
+                    }
                 })
             })
             .collect();
@@ -284,12 +288,21 @@ impl Part {
                 .windows(2)
                 .map(|pair| {
                     let step = 0.005;
-                    let [before, at] = [pair[0].lift - step, pair[0].lift].map(|time| self.stance(person, side, &pair[0], time));
+                    let [before, at] =
+                        [pair[0].lift - step, pair[0].lift].map(|time| self.stance(person, side, &pair[0], time));
                     let middle = (pair[0].lift + pair[1].strike) / 2.0;
                     let other = &self.feet[side.other().index()];
                     let other = other.plants[other.plant(middle)].ankle;
                     let raise = lift_of_foot(person, self.state(person, middle).relative_speed);
-                    Swing::new(person, side, (at, FootPose::rate(&before, &at, step)), pair[0].lift, &pair[1], other, raise)
+                    Swing::new(
+                        person,
+                        side,
+                        (at, FootPose::rate(&before, &at, step)),
+                        pair[0].lift,
+                        &pair[1],
+                        other,
+                        raise,
+                    )
                 })
                 .collect();
             self.feet[side.index()].swings = swings;

@@ -20,8 +20,7 @@ pub(crate) struct Tracker {
 impl Tracker {
     /// Returns a body that stands at the sample.
     pub fn new(sample: Sample) -> Tracker {
-        let motion =
-            Motion { position: sample.position, velocity: DVec2::ZERO, heading: sample.heading, turning: 0.0 };
+        let motion = Motion { position: sample.position, velocity: DVec2::ZERO, heading: sample.heading, turning: 0.0 };
         Tracker { time: sample.time, motion }
     }
 

@@ -70,16 +70,15 @@ pub(crate) fn pose(person: &Person, state: &BodyState, feet: &[FootPose; 2]) -> 
     let chest = about_z(state.heading + trunk_yaw) * about_y(lean + 0.008 * breath) * about_x(state.bank());
     put(Joint::Spine, pelvis.conjugate() * spine);
     put(Joint::Spine1, spine.conjugate() * chest);
-    let neck = about_z(state.heading + mix(trunk_yaw, gaze, 0.3)) * about_y(0.5 * lean + 0.06) * about_x(0.5 * state.bank());
+    let neck =
+        about_z(state.heading + mix(trunk_yaw, gaze, 0.3)) * about_y(0.5 * lean + 0.06) * about_x(0.5 * state.bank());
     let head = about_z(state.heading + gaze) * about_y(0.04 + 0.1 * lean);
     put(Joint::Neck, chest.conjugate() * neck);
     put(Joint::Head, neck.conjugate() * head);
 
-    for (side, [arm, forearm, hand, up_leg, low_leg, foot, toes]) in [
-        (Side::Left, &Joint::ALL[5..8], &Joint::ALL[11..15]),
-        (Side::Right, &Joint::ALL[8..11], &Joint::ALL[15..19]),
-    ]
-    .map(|(side, arm, leg)| (side, [arm[0], arm[1], arm[2], leg[0], leg[1], leg[2], leg[3]]))
+    for (side, [arm, forearm, hand, up_leg, low_leg, foot, toes]) in
+        [(Side::Left, &Joint::ALL[5..8], &Joint::ALL[11..15]), (Side::Right, &Joint::ALL[8..11], &Joint::ALL[15..19])]
+            .map(|(side, arm, leg)| (side, [arm[0], arm[1], arm[2], leg[0], leg[1], leg[2], leg[3]]))
     {
         let sign = side.sign();
         let phase = state.phase + if side == Side::Left { 0.0 } else { 0.5 };

@@ -40,8 +40,25 @@ use Joint::{
 impl Joint {
     /// All joints. A parent is before its children.
     pub const ALL: [Joint; JOINTS] = [
-        Hips, Spine, Spine1, Neck, Head, LeftArm, LeftForeArm, LeftHand, RightArm, RightForeArm, RightHand, LeftUpLeg,
-        LeftLeg, LeftFoot, LeftToeBase, RightUpLeg, RightLeg, RightFoot, RightToeBase,
+        Hips,
+        Spine,
+        Spine1,
+        Neck,
+        Head,
+        LeftArm,
+        LeftForeArm,
+        LeftHand,
+        RightArm,
+        RightForeArm,
+        RightHand,
+        LeftUpLeg,
+        LeftLeg,
+        LeftFoot,
+        LeftToeBase,
+        RightUpLeg,
+        RightLeg,
+        RightFoot,
+        RightToeBase,
     ];
 
     /// Returns the name of the joint, which is that of Mixamo's rigs without their prefix.
