@@ -19,7 +19,7 @@ const FASTEST_ROLL: f64 = 14.0;
 /// How fast a foot in the air follows its aim: the rest of the way is this power of the rest of the time.
 const FOLLOWING: f64 = 2.5;
 
-/// A person that follows an agent whose future is not known.
+/// A person that follows an agent, without knowledge of its future.
 ///
 /// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes its aim.
 ///
@@ -96,7 +96,8 @@ impl Live {
                 rate: FootPose::rate(&pose, &pose, 1.0),
             }
         });
-        let stands = pose(&person, &state, &[feet[0].pose, feet[1].pose]);
+        let pelvis = state.pelvis_rotation(&person);
+        let stands = pose(&person, &state, pelvis, &[feet[0].pose, feet[1].pose]);
         Ok(Live {
             person,
             last: sample,
@@ -148,7 +149,9 @@ impl Live {
                 });
             }
             self.last = sample;
-            self.pose = pose(&self.person, &self.state, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
+            let pelvis = self.state.pelvis_rotation(&self.person);
+            self.pose =
+                pose(&self.person, &self.state, pelvis, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
         }
         self.samples = samples;
         Ok(self.pose)

@@ -104,7 +104,7 @@ pub(crate) fn normal(seed: u64, number: u64, purpose: u64) -> f64 {
     (sum - 2.0) * 3.0_f64.sqrt()
 }
 
-/// Returns the rotation whose x, y and z axes are the given orthonormal vectors.
+/// Returns the rotation with the given orthonormal vectors as x, y and z axes.
 pub(crate) fn from_axes(x: DVec3, y: DVec3, z: DVec3) -> DQuat {
     DQuat::from_mat3(&glam::DMat3::from_cols(x, y, z)).normalize()
 }

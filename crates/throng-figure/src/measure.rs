@@ -93,7 +93,7 @@ pub struct FeetReport {
 }
 
 impl FeetMeasure {
-    /// Returns the measure of a person of whom no moment is known yet.
+    /// Returns the measure of a person, without moments.
     pub fn new(person: &Person) -> FeetMeasure {
         FeetMeasure { body: Proportions::of(person.build), height: person.height, moments: Vec::new() }
     }

@@ -340,7 +340,8 @@ impl Part {
 
     fn pose(&self, person: &Person, time: f64) -> Pose {
         let state = self.state(person, time);
-        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+        let pelvis = state.pelvis_rotation(person);
+        let hips = hip_joints(person, state.pelvis, pelvis);
         let feet = Side::BOTH.map(|side| {
             let foot = &self.feet[side.index()];
             let number = foot.plant(time);
@@ -350,7 +351,7 @@ impl Part {
                 _ => stance(person, plant, time, hips[side.index()]),
             }
         });
-        pose(person, &state, &feet)
+        pose(person, &state, pelvis, &feet)
     }
 }
 
@@ -368,7 +369,7 @@ pub(crate) fn free_height(person: &Person, state: &BodyState) -> f64 {
     let rv = state.relative_speed.min(2.4);
     let duty = gait::running_duty(state.relative_speed * person.leg());
     // knees are a little bent in walking
-    let bent = 0.010 * person.leg() * smooth(rv);
+    let bent = 0.008 * person.leg() * smooth(rv);
     let change = mix(gait::vertical(rv, state.phase), gait::running_vertical(duty, state.phase), state.run);
     standing_height(person) - bent + scale * change
 }

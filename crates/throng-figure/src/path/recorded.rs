@@ -1,4 +1,4 @@
-//! A trajectory whose future is known.
+//! A trajectory with a known future.
 
 use super::{Ahead, Motion, Sample};
 use crate::math::wrapped;

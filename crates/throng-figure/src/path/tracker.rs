@@ -1,4 +1,4 @@
-//! A motion whose future is extrapolated.
+//! A motion with an extrapolated future.
 
 use super::{Ahead, Motion, Sample};
 use crate::math::{direction, wrapped};

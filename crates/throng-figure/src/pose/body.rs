@@ -7,7 +7,7 @@ use crate::math::{about_x, about_y, about_z, mix};
 use crate::person::{Person, Side};
 use crate::steps::FootPose;
 use glam::{DQuat, DVec3};
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 /// What the pose of a body depends on besides its feet.
 #[derive(Debug, Clone, Copy)]
@@ -50,9 +50,8 @@ impl BodyState {
     }
 }
 
-/// Returns the pose of a body over its feet, left first.
-pub(crate) fn pose(person: &Person, state: &BodyState, feet: &[FootPose; 2]) -> Pose {
-    let pelvis = state.pelvis_rotation(person);
+/// Returns the pose of a body over its feet, left first. `pelvis` is the rotation of the pelvis.
+pub(crate) fn pose(person: &Person, state: &BodyState, pelvis: DQuat, feet: &[FootPose; 2]) -> Pose {
     let hips = hip_joints(person, state.pelvis, pelvis);
     let mut rotations = [DQuat::IDENTITY; JOINTS];
     let mut put = |joint: Joint, rotation: DQuat| rotations[joint.index()] = rotation;
@@ -90,9 +89,8 @@ pub(crate) fn pose(person: &Person, state: &BodyState, feet: &[FootPose; 2]) -> 
         let inward = -sign * (0.15 + 0.3 * swing.max(0.0) + 0.2 * state.run);
         let hang = about_y(-swing) * about_z(inward) * about_x(sign * (abduction - FRAC_PI_4));
         put(arm, hang);
-        let to_rest = about_x(sign * FRAC_PI_4);
-        put(forearm, to_rest * about_y(-flexion) * to_rest.conjugate());
-        put(hand, to_rest * about_y(-0.12) * to_rest.conjugate());
+        put(forearm, about_hinge(sign, -flexion));
+        put(hand, about_hinge(sign, -0.12));
         let [a, b, c, d] = leg(person, side, hips[side.index()], pelvis, state.heading, &feet[side.index()]);
         put(up_leg, a);
         put(low_leg, b);
@@ -100,4 +98,10 @@ pub(crate) fn pose(person: &Person, state: &BodyState, feet: &[FootPose; 2]) -> 
         put(toes, d);
     }
     Pose { hips: state.pelvis, rotations }
+}
+
+/// Returns the rotation by `angle` (rad) about the hinge of an elbow, which is across the arm at rest. `sign` is that of the side.
+fn about_hinge(sign: f64, angle: f64) -> DQuat {
+    let (sin, cos) = libm::sincos(angle / 2.0);
+    DQuat::from_xyzw(0.0, sin * FRAC_1_SQRT_2, sign * sin * FRAC_1_SQRT_2, cos)
 }

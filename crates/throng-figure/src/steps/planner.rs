@@ -88,11 +88,11 @@ impl Planner {
         // the foot that moved last may move again only when both are on the ground for a while, as when the body stood
         let landed = self.plants[self.last.index()].strike;
         let rested = time > landed + 0.3;
-        if !away(other) && !(rested && away(self.last)) {
-            return None;
-        }
         if !rested || moving && now.velocity.length() > 0.15 {
             return away(other).then_some(other);
+        }
+        if !away(other) && !away(self.last) {
+            return None;
         }
         // from standing: the foot on the side to which the body goes or turns
         let across = direction(now.heading).perp().dot(soon.position - now.position) / TOLERANCE;

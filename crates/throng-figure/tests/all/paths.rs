@@ -3,7 +3,7 @@
 use glam::DVec2;
 use throng_figure::Sample;
 
-/// Returns samples of a body whose forward speed, sideways speed (m/s) and angular speed (rad/s) are functions of time.
+/// Returns samples of a body with forward speed, sideways speed (m/s) and angular speed (rad/s) as functions of time.
 pub fn driven(rate: f64, duration: f64, drive: impl Fn(f64) -> (f64, f64, f64)) -> Vec<Sample> {
     let (mut position, mut heading) = (DVec2::new(3.0, -2.0), 0.4_f64);
     let fine = 20;
