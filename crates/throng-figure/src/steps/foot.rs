@@ -130,7 +130,7 @@ impl Swing {
         let line = |from: f64, rate: f64, to: f64| Quintic::new(from, rate * duration, to, 0.0);
         let speed = to.arrival.length();
         let over = mix(OVER, 1.0, (speed / 0.3).min(1.0));
-        let fall = FALL + 0.7 * speed;
+        let fall = FALL + speed;
         let rise = RISE + 0.15 * rate.ankle.truncate().length();
         let turned = from.yaw + wrapped(end.yaw - from.yaw);
         let mut swing = Swing {

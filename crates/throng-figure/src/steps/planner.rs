@@ -15,7 +15,7 @@ const TOLERANCE_OF_YAW: f64 = 0.17;
 const OVER_FOOT: f64 = 0.24;
 /// The share of the speed of the body that a foot has when it touches the ground: of a fast walker, and of a runner.
 const ARRIVAL: f64 = 0.25;
-const ARRIVAL_RUNNING: f64 = 0.4;
+const ARRIVAL_RUNNING: f64 = 0.3;
 /// How far a standing person looks ahead, s.
 const OUTLOOK: f64 = 0.4;
 /// The shortest swing of a foot, s.
@@ -127,8 +127,8 @@ impl Planner {
         }
         let plant = self.plant(body, side, strike, cycle);
         let (forward, _) = along(&lifted);
-        let roll = (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, 1.1);
-        let rolling = 0.48 * cycle.duty * cycle.duration;
+        let roll = (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, if self.runs { 0.8 } else { 1.1 });
+        let rolling = if self.runs { 0.6 } else { 0.48 } * cycle.duty * cycle.duration;
         self.ready = (strike + (cycle.duty - 0.5) * cycle.duration).max(time + 0.1);
         let count = self.count + if side == self.last { 2.0 } else { 1.0 };
         let phases = [count / 2.0 - (1.0 - cycle.duty), count / 2.0];
