@@ -17,7 +17,7 @@ fn samples() -> Vec<Sample> {
         .collect()
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn pose(bencher: divan::Bencher) {
     let walk = Walk::recorded(&Person::new(1, 2), &samples()).expect("valid samples");
     let mut time = 0.0;
@@ -33,7 +33,7 @@ fn plan_a_minute(bencher: divan::Bencher) {
     bencher.bench(|| Walk::recorded(&Person::new(1, 2), divan::black_box(&samples)));
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn live_step_of_40_ms(bencher: divan::Bencher) {
     let at = |time: f64| Sample { time, position: DVec2::new(1.3 * time, 0.0), heading: 0.0 };
     let mut live = Live::new(Person::new(1, 2), at(0.0)).expect("a valid sample");
@@ -44,7 +44,7 @@ fn live_step_of_40_ms(bencher: divan::Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 1000)]
 fn joints_in_the_world(bencher: divan::Bencher) {
     let person = Person::new(1, 2);
     let (skeleton, walk) = (Skeleton::new(&person), Walk::recorded(&person, &samples()).expect("valid samples"));

@@ -28,3 +28,8 @@ pub use person::{Build, Person, Side};
 pub use pose::{JOINTS, Joint, Placed, Pose, Skeleton};
 pub use steps::Plant;
 pub use walk::Walk;
+
+/// The code of `docs/characters.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/characters.md")]
+struct Page;

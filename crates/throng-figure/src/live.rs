@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
-use crate::pose::{BodyState, Pose, hip_joints, pose};
+use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
 use crate::steps::{FootPose, Planner, Plant, Swing, along, foot_at, stance};
 use crate::walk::{FASTEST, check_sample, free_height, lift_of_foot, reachable_height, sway};
 use glam::DVec2;
@@ -82,6 +82,7 @@ impl Live {
             phase: 0.0,
             run: 0.0,
             still: 1.0,
+            weight: idle_weight(&person, 1.0, sample.time),
             gaze: 0.0,
         };
         state.pelvis.z = free_height(&person, &state) - 0.01;
@@ -96,7 +97,7 @@ impl Live {
                 rate: FootPose::rate(&pose, &pose, 1.0),
             }
         });
-        let pelvis = state.pelvis_rotation(&person);
+        let pelvis = state.pelvis_rotation();
         let stands = pose(&person, &state, pelvis, &[feet[0].pose, feet[1].pose]);
         Ok(Live {
             person,
@@ -149,7 +150,7 @@ impl Live {
                 });
             }
             self.last = sample;
-            let pelvis = self.state.pelvis_rotation(&self.person);
+            let pelvis = self.state.pelvis_rotation();
             self.pose =
                 pose(&self.person, &self.state, pelvis, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
         }
@@ -227,6 +228,7 @@ impl Live {
         state.gaze = mix(state.gaze, gaze, near(0.25));
         state.run = mix(state.run, if self.planner.runs() { 1.0 } else { 0.0 }, near(0.15));
         state.still = mix(state.still, 1.0 - smooth(motion.velocity.length() / 0.2), near(0.3));
+        state.weight = idle_weight(person, state.still, time);
         let [from, to] = self.knots;
         let share = if to.0 > from.0 { ((time - from.0) / (to.0 - from.0)).clamp(0.0, 1.3) } else { 0.0 };
         state.phase = mix(state.phase, mix(from.1, to.1, share), near(0.05));
@@ -237,7 +239,7 @@ impl Live {
         let mut aim = free_height(person, state);
         for later in [0.0, 0.06] {
             let at = (state.pelvis.truncate() + motion.velocity * later).extend(height);
-            let hips = hip_joints(person, at, state.pelvis_rotation(person));
+            let hips = hip_joints(person, at, state.pelvis_rotation());
             for (foot, hip) in self.feet.iter().zip(hips) {
                 if foot.swing.is_none() || time + later >= foot.plant.strike {
                     aim = aim.min(reachable_height(person, &foot.plant, time + later, hip));
@@ -254,7 +256,7 @@ impl Live {
     /// Moves the feet.
     fn move_feet(&mut self, ahead: &Extrapolated, time: f64, step: f64) {
         let person = self.person;
-        let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation(&person));
+        let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation());
         for side in Side::BOTH {
             let foot = &mut self.feet[side.index()];
             let before = foot.pose;

@@ -261,7 +261,7 @@ impl Part {
                 let time = self.path.time(point);
                 let state = self.state(person, time);
                 let free = free_height(person, &state);
-                let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+                let hips = hip_joints(person, state.pelvis, state.pelvis_rotation());
                 Side::BOTH.iter().fold(free, |height, side| {
                     let foot = &self.feet[side.index()];
                     let plant = &foot.plants[foot.plant(time)];
@@ -311,7 +311,7 @@ impl Part {
 
     fn stance(&self, person: &Person, side: Side, plant: &Plant, time: f64) -> FootPose {
         let state = self.state(person, time);
-        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation());
         stance(person, plant, time, hips[side.index()])
     }
 
@@ -322,6 +322,7 @@ impl Part {
         let columns = &self.columns;
         let (forward, _) = along(&motion);
         let leg = person.leg();
+        let still = columns.still.at(place);
         let mut state = BodyState {
             time,
             pelvis: motion.position.extend(columns.height.at(place)),
@@ -331,7 +332,8 @@ impl Part {
             acceleration: [columns.acceleration[0].at(place), columns.acceleration[1].at(place)],
             phase: columns.phase.at(place),
             run: columns.run.at(place),
-            still: columns.still.at(place),
+            still,
+            weight: idle_weight(person, still, time),
             gaze: columns.gaze.at(place),
         };
         state.pelvis += sway(person, &state);
@@ -340,7 +342,7 @@ impl Part {
 
     fn pose(&self, person: &Person, time: f64) -> Pose {
         let state = self.state(person, time);
-        let pelvis = state.pelvis_rotation(person);
+        let pelvis = state.pelvis_rotation();
         let hips = hip_joints(person, state.pelvis, pelvis);
         let feet = Side::BOTH.map(|side| {
             let foot = &self.feet[side.index()];
@@ -359,7 +361,7 @@ impl Part {
 pub(crate) fn sway(person: &Person, state: &BodyState) -> DVec3 {
     let scale = person.leg() / 0.86;
     let walk = gait::lateral(state.relative_speed, state.phase) * person.sway * 0.8 * (1.0 - 0.8 * state.run);
-    let rest = 0.025 * state.still * idle_weight(person, state.time);
+    let rest = 0.025 * state.weight;
     (direction(state.heading).perp() * ((walk + rest) * scale)).extend(0.0)
 }
 

@@ -1,5 +1,6 @@
 //! Curves of the trunk and the arms over the phase. Angles in rad, lengths in m for a leg of 0.86 m.
 
+use crate::math::floor;
 use libm::{cos, sin};
 use std::f64::consts::{PI, TAU};
 
@@ -36,7 +37,7 @@ pub(crate) fn pelvis_yaw(relative_speed: f64, phase: f64) -> f64 {
 /// Returns by how much the left hip is higher than the right hip, as an angle: the hip of the swinging leg drops.
 pub(crate) fn pelvis_list(relative_speed: f64, phase: f64) -> f64 {
     let size = 1.66 * DEGREE * relative_speed;
-    let t = phase - libm::floor(phase);
+    let t = phase - floor(phase);
     let left_drop = if t < 0.15 {
         -size + size * cos(TAU * 10.0 * t / 3.0)
     } else if t < 0.5 {
@@ -78,7 +79,7 @@ pub(crate) fn elbow(relative_speed: f64, phase: f64) -> f64 {
 
 /// Returns a periodic curve through points, in the order of their phases, by cubics with the slopes of the chords.
 fn periodic<const N: usize>(points: [(f64, f64); N], phase: f64) -> f64 {
-    let t = phase - libm::floor(phase);
+    let t = phase - floor(phase);
     let next = points.iter().position(|&(at, _)| at > t).unwrap_or(0);
     let point = |offset: usize| {
         // offset 1 is the point before `t`

@@ -28,19 +28,20 @@ pub(crate) struct BodyState {
     /// How much the person runs, and stands: 0 to 1.
     pub run: f64,
     pub still: f64,
+    /// To which side a standing person shifts its weight: -1 (right) to 1 (left).
+    pub weight: f64,
     /// The turn of the gaze against the heading, rad.
     pub gaze: f64,
 }
 
 impl BodyState {
     /// Returns the rotation of the pelvis.
-    pub fn pelvis_rotation(&self, person: &Person) -> DQuat {
+    pub fn pelvis_rotation(&self) -> DQuat {
         let rv = self.relative_speed.min(2.2);
         let walk = if self.forward < 0.0 { 0.5 } else { 1.0 };
-        let weight = self.still * idle::weight(person.seed, self.time);
         let yaw = walk * gait::pelvis_yaw(rv, self.phase);
         let tilt = gait::pelvis_tilt(rv, self.phase) + self.run * 0.07;
-        let list = gait::pelvis_list(rv, self.phase) + 0.05 * weight;
+        let list = gait::pelvis_list(rv, self.phase) + 0.05 * self.weight;
         about_z(self.heading + yaw) * about_y(tilt) * about_x(list + 0.3 * self.bank())
     }
 
@@ -59,19 +60,19 @@ pub(crate) fn pose(person: &Person, state: &BodyState, pelvis: DQuat, feet: &[Fo
 
     let rv = state.relative_speed.min(2.4);
     let breath = idle::breath(person.seed, state.time);
-    let glance = state.still * idle::glance(person.seed, state.time);
+    let glance = if state.still > 0.0 { state.still * idle::glance(person.seed, state.time) } else { 0.0 };
     let thorax_yaw = gait::thorax_yaw(rv, state.phase) * mix(1.0, 1.6, state.run);
     let lean = person.lean + 0.02 + 0.05 * state.run + (0.05 * state.acceleration[0]).clamp(-0.1, 0.1);
     // the gaze: 30 % by the neck, 70 % by the head, and a little by the trunk
     let gaze = (state.gaze + 0.5 * glance).clamp(-1.1, 1.1);
     let trunk_yaw = thorax_yaw + 0.1 * gaze;
-    let spine = about_z(state.heading + trunk_yaw * 0.4) * about_y(lean * 0.7) * about_x(0.7 * state.bank());
-    let chest = about_z(state.heading + trunk_yaw) * about_y(lean + 0.008 * breath) * about_x(state.bank());
+    let facing = about_z(state.heading);
+    let spine = facing * about_z(trunk_yaw * 0.4) * about_y(lean * 0.7) * about_x(0.7 * state.bank());
+    let chest = facing * about_z(trunk_yaw) * about_y(lean + 0.008 * breath) * about_x(state.bank());
     put(Joint::Spine, pelvis.conjugate() * spine);
     put(Joint::Spine1, spine.conjugate() * chest);
-    let neck =
-        about_z(state.heading + mix(trunk_yaw, gaze, 0.3)) * about_y(0.5 * lean + 0.06) * about_x(0.5 * state.bank());
-    let head = about_z(state.heading + gaze) * about_y(0.04 + 0.1 * lean);
+    let neck = facing * about_z(mix(trunk_yaw, gaze, 0.3)) * about_y(0.5 * lean + 0.06) * about_x(0.5 * state.bank());
+    let head = facing * about_z(gaze) * about_y(0.04 + 0.1 * lean);
     put(Joint::Neck, chest.conjugate() * neck);
     put(Joint::Head, neck.conjugate() * head);
 

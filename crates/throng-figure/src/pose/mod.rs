@@ -41,7 +41,7 @@ impl Pose {
     }
 }
 
-/// Returns to which side the weight of a standing person is: -1 (right) to 1 (left).
-pub(crate) fn idle_weight(person: &crate::Person, time: f64) -> f64 {
-    idle::weight(person.seed, time)
+/// Returns to which side a person that stands to the degree `still` shifts its weight: -1 (right) to 1 (left).
+pub(crate) fn idle_weight(person: &crate::Person, still: f64, time: f64) -> f64 {
+    if still > 0.0 { still * idle::weight(person.seed, time) } else { 0.0 }
 }
