@@ -56,6 +56,22 @@ fn feet_read_back_from_a_file_do_not_slide_or_sink() {
 }
 
 #[test]
+fn computed_feet_slide_less_than_a_millimetre() {
+    let (_, samples) = all().into_iter().find(|(name, _)| *name == "1.3 m/s").unwrap();
+    for number in 0..4 {
+        let person = Person::new(3, number);
+        let (walk, skeleton) = (Walk::recorded(&person, &samples).unwrap(), Skeleton::new(&person));
+        let mut measure = FeetMeasure::new(&person);
+        for moment in 0..1200 {
+            let time = f64::from(moment) / 100.0;
+            measure.push(time, &skeleton.world(&walk.pose(time)));
+        }
+        let report = measure.report();
+        assert!(report.mean_slide < 0.001 && report.penetration < 1e-4, "{report:?}");
+    }
+}
+
+#[test]
 fn feet_do_not_cross() {
     for (name, samples) in all() {
         // within an about-face a foot steps behind the other

@@ -57,3 +57,27 @@ fn live_people_are_the_same_in_every_run() {
         assert_eq!(run(), run());
     }
 }
+
+#[test]
+fn live_people_move_smoothly() {
+    let steady =
+        ["stands", "0.05 m/s", "0.15 m/s", "0.5 m/s", "0.9 m/s", "1.3 m/s", "circle 0.5 m", "sideways 0.3", "wobble"];
+    for (name, samples) in all().into_iter().filter(|(name, _)| steady.contains(name)) {
+        let mut live = Live::new(Person::new(8, 2), samples[0]).unwrap();
+        let mut last = live.pose();
+        for sample in &samples[1..] {
+            let pose = live.step(*sample).unwrap();
+            // the agent begins to move at once; its person needs a step for that
+            if sample.time > samples[0].time + 1.5 {
+                for (joint, (a, b)) in last.rotations.iter().zip(&pose.rotations).enumerate() {
+                    assert!(a.dot(*b) >= 0.0, "{name}: a quaternion changes its sign");
+                    let speed = 2.0 * a.dot(*b).min(1.0).acos() * 25.0;
+                    assert!(speed < 20.0, "{name}: joint {joint} turns at {speed} rad/s at {} s", sample.time);
+                }
+                let away = (pose.hips - last.hips).length() * 25.0;
+                assert!(away < 3.0, "{name}: the hips move at {away} m/s");
+            }
+            last = pose;
+        }
+    }
+}
