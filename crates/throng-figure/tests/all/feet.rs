@@ -177,14 +177,17 @@ fn walks() -> impl Strategy<Value = Vec<Sample>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
     fn feet_stand_on_any_walk(samples in walks(), number in any::<u64>()) {
         let report = report(&Person::new(1, number), &samples);
-        prop_assert!(report.mean_slide < 0.004, "{report:?}");
-        prop_assert!(report.largest_slide < 0.012, "{report:?}");
-        prop_assert!(report.penetration < 0.006, "{report:?}");
-        prop_assert!(report.least_gap > -0.03, "{report:?}");
+        prop_assert!(report.mean_slide < 0.003, "{report:?}");
+        prop_assert!(report.largest_slide < 0.01, "{report:?}");
+        // runners land between two moments of the file
+        let deepest = if report.airborne > 0.0 { 0.011 } else { 0.005 };
+        prop_assert!(report.penetration < deepest, "{report:?}");
+        // a pelvis that turns over staggered feet sees them closer than they are
+        prop_assert!(report.least_gap > -0.08, "{report:?}");
     }
 }
