@@ -1,4 +1,5 @@
-//! Prints the table of `docs/characters.md`: how well feet stand on trajectories, in files of 25 moments a second that are read back at 100 moments a second.
+//! Prints the table of `docs/characters.md`: how well feet stand on trajectories, in files of 25 moments a second that
+//! are read back at 100 moments a second.
 //!
 //! `cargo run --release -p throng-figure --example feet`
 

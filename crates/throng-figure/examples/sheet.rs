@@ -1,4 +1,5 @@
-//! Draws people from the side over a cycle: `cargo run --release -p throng-figure --example sheet -- FOLDER` writes SVG files.
+//! Draws people from the side over a cycle: `cargo run --release -p throng-figure --example sheet -- FOLDER` writes SVG
+//! files.
 
 #![allow(clippy::print_stdout)]
 

@@ -22,8 +22,8 @@ pub enum Error {
         /// Time of the sample, s.
         time: f64,
     },
-    /// The trajectory is longer than a day.
-    #[error("the trajectory lasts {duration} s; split it into parts of at most 86400 s")]
+    /// The trajectory is longer than four hours.
+    #[error("the trajectory lasts {duration} s; split it into parts of at most 14400 s")]
     TooLong {
         /// Time from the first to the last sample, s.
         duration: f64,

@@ -21,7 +21,8 @@ const FOLLOWING: f64 = 2.5;
 
 /// A person that follows an agent, without knowledge of its future.
 ///
-/// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes its aim.
+/// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes
+/// its aim.
 ///
 /// ```
 /// use glam::DVec2;
@@ -56,7 +57,8 @@ pub struct Live {
 struct Foot {
     plant: Plant,
     swing: Option<Swing>,
-    /// How far the aim of the swing was moved since the step began, and how much of that the foot follows yet: m and rad.
+    /// How far the aim of the swing was moved since the step began, and how much of that the foot follows yet: m and
+    /// rad.
     moved: (DVec2, f64),
     followed: (DVec2, f64),
     pose: FootPose,
@@ -124,7 +126,8 @@ impl Live {
         self.pose
     }
 
-    /// Takes the next sample of the agent and returns the pose at it. If the agent jumped, the person stands where it is.
+    /// Takes the next sample of the agent and returns the pose at it. If the agent jumped, the person stands where it
+    /// is.
     ///
     /// # Errors
     /// A number of the sample is not finite, or it is not after the last sample; the person is then unchanged.

@@ -8,7 +8,8 @@ use glam::DVec3;
 const CONTACT: f64 = 0.004;
 /// The shortest contact that is a step, s.
 const SHORTEST: f64 = 0.08;
-/// Of the skating ratio: a foot lower than this (m) and faster than this (m/s) skates. Source: Karunratanakul et al., "Guided Motion Diffusion", 2023.
+/// Of the skating ratio: a foot lower than this (m) and faster than this (m/s) skates. Source: Karunratanakul et al.,
+/// "Guided Motion Diffusion", 2023.
 const SKATING_HEIGHT: f64 = 0.05;
 const SKATING_SPEED: f64 = 0.5;
 /// Half the window over which the speed of the skating ratio is the mean, s.
@@ -72,15 +73,18 @@ impl FootPoints {
 pub struct FeetReport {
     /// Number of contacts of a foot with the ground.
     pub steps: usize,
-    /// How far the point of contact, first the heel and then the ball, gets from where it touched the ground in a step, m: the mean over the steps.
+    /// How far the point of contact, first the heel and then the ball, gets from where it touched the ground in a step,
+    /// m: the mean over the steps.
     pub mean_slide: f64,
     /// The 95th percentile of the same over the steps, m.
     pub p95_slide: f64,
     /// The largest of the same over the steps, m.
     pub largest_slide: f64,
-    /// Length of the path of the point of contact in a step, m: the mean over the steps. Every tremble counts, those of interpolation too.
+    /// Length of the path of the point of contact in a step, m: the mean over the steps. Every tremble counts, those of
+    /// interpolation too.
     pub mean_path: f64,
-    /// Share of moments at which a foot is lower than 5 cm and faster than 0.5 m/s (skating ratio of Guided Motion Diffusion).
+    /// Share of moments at which a foot is lower than 5 cm and faster than 0.5 m/s (skating ratio of Guided Motion
+    /// Diffusion).
     pub skating_ratio: f64,
     /// How far a foot is below the ground at most, m.
     pub penetration: f64,
@@ -146,7 +150,8 @@ impl FeetMeasure {
         }
     }
 
-    /// Returns, for each step of a side, how far the point of contact gets from where it touched, and the length of its path.
+    /// Returns, for each step of a side, how far the point of contact gets from where it touched, and the length of its
+    /// path.
     fn slides(&self, side: Side) -> Vec<(f64, f64)> {
         let mut slides = Vec::new();
         let mut contact = Contact::default();

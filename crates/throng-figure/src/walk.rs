@@ -19,8 +19,8 @@ const MARGIN: f64 = 3.0;
 
 /// A person that walks a recorded trajectory.
 ///
-/// The footfalls are planned once, with the future known: a foot is put where the body will be. [`Walk::pose`] then returns the pose at any time,
-/// in any order of calls, with the same bits.
+/// The footfalls are planned once, with the future known: a foot is put where the body will be. [`Walk::pose`] then
+/// returns the pose at any time, in any order of calls, with the same bits.
 ///
 /// ```
 /// use glam::DVec2;

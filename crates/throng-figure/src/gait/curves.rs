@@ -6,13 +6,15 @@ use std::f64::consts::{PI, TAU};
 
 const DEGREE: f64 = PI / 180.0;
 
-/// Returns the height of the pelvis against standing, walking. It falls 0.6 as far as in the source: the reach of the legs does the rest.
+/// Returns the height of the pelvis against standing, walking. It falls 0.6 as far as in the source: the reach of the
+/// legs does the rest.
 pub(crate) fn vertical(relative_speed: f64, phase: f64) -> f64 {
     let size = 0.009 * relative_speed;
     -size + size * sin(TAU * (2.0 * phase - 0.35))
 }
 
-/// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own estimate.
+/// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own
+/// estimate.
 pub(crate) fn running_vertical(duty: f64, phase: f64) -> f64 {
     -0.035 - 0.03 * cos(TAU * (2.0 * phase - duty))
 }
@@ -56,7 +58,8 @@ pub(crate) fn thorax_yaw(relative_speed: f64, phase: f64) -> f64 {
     periodic([(0.1, 4.0 / 3.0 * r), (0.4, -1.5 * r), (0.6, -4.0 / 3.0 * r), (0.9, 1.5 * r)], phase)
 }
 
-/// Returns the forward swing of an arm; `phase` is that of the leg of the same side. It is half as far behind the body as in the source.
+/// Returns the forward swing of an arm; `phase` is that of the leg of the same side. It is half as far behind the body
+/// as in the source.
 pub(crate) fn shoulder(relative_speed: f64, phase: f64) -> f64 {
     let size = 9.88 * relative_speed.min(2.2);
     DEGREE * (3.0 - size / 4.0 - size * cos(TAU * phase))

@@ -10,7 +10,8 @@ const OF_HEADING: f64 = 0.12;
 /// Duration over which a turn is extrapolated, s: how long it goes on is not known.
 const OF_TURN: f64 = 0.5;
 
-/// The smoothed motion of an agent of which samples come in. The filters are critically damped and have no lag at constant velocity.
+/// The smoothed motion of an agent of which samples come in. The filters are critically damped and have no lag at
+/// constant velocity.
 #[derive(Debug, Clone)]
 pub(crate) struct Tracker {
     pub time: f64,

@@ -101,7 +101,8 @@ pub(crate) fn pose(person: &Person, state: &BodyState, pelvis: DQuat, feet: &[Fo
     Pose { hips: state.pelvis, rotations }
 }
 
-/// Returns the rotation by `angle` (rad) about the hinge of an elbow, which is across the arm at rest. `sign` is that of the side.
+/// Returns the rotation by `angle` (rad) about the hinge of an elbow, which is across the arm at rest. `sign` is that
+/// of the side.
 fn about_hinge(sign: f64, angle: f64) -> DQuat {
     let (sin, cos) = libm::sincos(angle / 2.0);
     DQuat::from_xyzw(0.0, sin * FRAC_1_SQRT_2, sign * sin * FRAC_1_SQRT_2, cos)

@@ -21,7 +21,8 @@ pub(crate) fn breath(seed: u64, time: f64) -> f64 {
     libm::sin(TAU * (0.25 * time + uniform(seed, 5, 20)))
 }
 
-/// Returns a number in -1..=1 that is constant within a slot, and goes to that of the next slot within a share of the slot.
+/// Returns a number in -1..=1 that is constant within a slot, and goes to that of the next slot within a share of the
+/// slot.
 fn steps(seed: u64, purpose: u64, slots: f64, share: f64) -> f64 {
     let slot = floor(slots);
     let value = |slot: f64| 2.0 * uniform(seed, slot as i64 as u64, purpose) - 1.0;

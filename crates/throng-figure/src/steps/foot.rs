@@ -30,7 +30,8 @@ pub(crate) struct FootPose {
     pub toes: f64,
 }
 
-/// Returns the pose of a foot on the ground at a time. `hip` is the hip joint of its side, m: the heel rises as the leg needs.
+/// Returns the pose of a foot on the ground at a time. `hip` is the hip joint of its side, m: the heel rises as the leg
+/// needs.
 pub(crate) fn stance(person: &Person, plant: &Plant, time: f64, hip: DVec3) -> FootPose {
     let stays = (plant.lift - plant.strike).max(0.02);
     let landing = plant.landing.min(0.3 * stays);
@@ -56,7 +57,8 @@ pub(crate) fn allowed_roll(plant: &Plant, time: f64) -> f64 {
     if u < 0.0 { 0.0 } else { STEEPEST * smooth(late.min(u * 4.0) / 1.2) }
 }
 
-/// Returns the pose of a foot with this pitch that touches the ground: with the heel if the pitch is positive, else with the ball.
+/// Returns the pose of a foot with this pitch that touches the ground: with the heel if the pitch is positive, else
+/// with the ball.
 pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> FootPose {
     let body = Proportions::of(person.build);
     let h = person.height;
@@ -73,7 +75,8 @@ pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> Foo
     FootPose { ankle: at.extend(up), yaw, pitch, toes: pitch.max(0.0) }
 }
 
-/// Returns the least angle by which the heel is to be raised for the leg to reach from the hip; negative, if there is leg to spare.
+/// Returns the least angle by which the heel is to be raised for the leg to reach from the hip; negative, if there is
+/// leg to spare.
 fn needed_roll(person: &Person, plant: &Plant, hip: DVec3) -> f64 {
     let body = Proportions::of(person.build);
     let h = person.height;

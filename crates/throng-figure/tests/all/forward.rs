@@ -1,4 +1,5 @@
-//! Forward kinematics by matrices: the oracle of the tests. It knows the parents of joints and their offsets, and nothing of how poses are made.
+//! Forward kinematics by matrices: the oracle of the tests. It knows the parents of joints and their offsets, and
+//! nothing of how poses are made.
 
 use glam::{DMat4, DVec3};
 use throng_figure::{JOINTS, Joint, Pose, Skeleton};

@@ -4,7 +4,8 @@ use crate::paths::driven;
 use throng_figure::gait::{cycle_duration, duty};
 use throng_figure::{Person, Side, Walk};
 
-/// Mean length of steps (m), their number a minute and the share of the cycle on the ground of a person of 1.75 m at a speed (m/s).
+/// Mean length of steps (m), their number a minute and the share of the cycle on the ground of a person of 1.75 m at a
+/// speed (m/s).
 fn steps(speed: f64) -> (f64, f64, f64) {
     let person = Person { stride: 1.0, ..Person::new(2, 3) }.with_height(1.75);
     let walk = Walk::recorded(&person, &driven(25.0, 40.0, |_| (speed, 0.0, 0.0))).unwrap();
