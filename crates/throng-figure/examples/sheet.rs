@@ -1,4 +1,5 @@
-//! Draws people from the side over a cycle: `cargo run --release -p throng-figure --example sheet -- FOLDER` writes SVG files.
+//! Draws people from the side over a cycle: `cargo run --release -p throng-figure --example sheet -- FOLDER` writes SVG
+//! files.
 
 #![allow(clippy::print_stdout)]
 
@@ -59,7 +60,15 @@ fn bones(svg: &mut String, skeleton: &Skeleton, pose: &Pose, origin: DVec2, view
 }
 
 /// Draws a body, seen from the side or from the front: triangles from far to near, shaded by their direction.
-fn body(svg: &mut String, mesh: &Mesh, look: &Look, skeleton: &Skeleton, person: &Person, pose: &Pose, place: (DVec2, f64)) {
+fn body(
+    svg: &mut String,
+    mesh: &Mesh,
+    look: &Look,
+    skeleton: &Skeleton,
+    person: &Person,
+    pose: &Pose,
+    place: (DVec2, f64),
+) {
     let (origin, turned) = place;
     let positions = mesh.posed(skeleton, person.height, &skeleton.world(pose));
     let colours = mesh.colours(look);
@@ -166,9 +175,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let skeleton = Skeleton::new(&person);
         let walk = Walk::recorded(&person, &driven(0.0, 0.0, 0.0))?;
         let pose = if column < 2 { skeleton.rest() } else { walk.pose(2.0) };
-        let mesh = Mesh::new(build, [Level::Fine, Level::Fine, Level::Medium, Level::Coarse, Level::Blocks][column / 2]);
+        let mesh =
+            Mesh::new(build, [Level::Fine, Level::Fine, Level::Medium, Level::Coarse, Level::Blocks][column / 2]);
         let origin = DVec2::new(75.0 + 150.0 * column as f64, 262.0 + 270.0 * 5.0);
-        body(&mut svg, &mesh, &Look::new(column as u8 + 3), &skeleton, &person, &pose, (origin, 1.57 - 0.3 * (column / 2) as f64));
+        body(
+            &mut svg,
+            &mesh,
+            &Look::new(column as u8 + 3),
+            &skeleton,
+            &person,
+            &pose,
+            (origin, 1.57 - 0.3 * (column / 2) as f64),
+        );
     }
     svg.push_str("</svg>\n");
     let path = std::path::Path::new(&folder).join("bodies.svg");

@@ -1,9 +1,10 @@
-//! People on foot: from trajectories of agents to poses of a skeleton whose feet do not slide.
+//! People on foot: from trajectories of agents to poses of a skeleton, with feet that do not slide.
 //!
-//! Footfalls are planned: a foot is put where the body *will be* and stays there until it is lifted. So turns, side steps, steps backwards, starts, stops
-//! and queues need no cases of their own. [`Walk`] is a person on a recorded trajectory, whose future is known. [`Live`] follows an agent while
-//! it moves and extrapolates its motion. Both use the same laws ([`gait`]). [`Mesh`] is a body for the [`Skeleton`], and [`measure`] says how far feet
-//! slide in any motion.
+//! Footfalls are planned: a foot is put where the body *will be* and stays there until it is lifted. So turns, side
+//! steps, steps backwards, starts, stops and queues need no cases of their own. [`Walk`] is a person on a recorded
+//! trajectory: its future is known. [`Live`] follows an agent while it moves and extrapolates its motion. Both use the
+//! same laws ([`gait`]). [`Mesh`] is a body for the [`Skeleton`], and [`measure`] says how far feet slide in any
+//! motion.
 //!
 //! Coordinates are metres, with z up; angles are radians. The same input gives the same bits on every machine.
 
@@ -28,3 +29,8 @@ pub use person::{Build, Person, Side};
 pub use pose::{JOINTS, Joint, Placed, Pose, Skeleton};
 pub use steps::Plant;
 pub use walk::Walk;
+
+/// The code of `docs/characters.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/characters.md")]
+struct Page;

@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
-use crate::pose::{BodyState, Pose, hip_joints, pose};
-use crate::steps::{FootPose, Plant, Planner, Swing, along, foot_at, stance};
+use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
+use crate::steps::{FootPose, Planner, Plant, Swing, along, foot_at, stance};
 use crate::walk::{FASTEST, check_sample, free_height, lift_of_foot, reachable_height, sway};
 use glam::DVec2;
 
@@ -19,9 +19,10 @@ const FASTEST_ROLL: f64 = 14.0;
 /// How fast a foot in the air follows its aim: the rest of the way is this power of the rest of the time.
 const FOLLOWING: f64 = 2.5;
 
-/// A person that follows an agent whose future is not known.
+/// A person that follows an agent, without knowledge of its future.
 ///
-/// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes its aim.
+/// The laws are those of [`Walk`](crate::Walk); the motion ahead is extrapolated, and a foot in the air still changes
+/// its aim.
 ///
 /// ```
 /// use glam::DVec2;
@@ -56,7 +57,8 @@ pub struct Live {
 struct Foot {
     plant: Plant,
     swing: Option<Swing>,
-    /// How far the aim of the swing was moved since the step began, and how much of that the foot follows yet: m and rad.
+    /// How far the aim of the swing was moved since the step began, and how much of that the foot follows yet: m and
+    /// rad.
     moved: (DVec2, f64),
     followed: (DVec2, f64),
     pose: FootPose,
@@ -82,14 +84,23 @@ impl Live {
             phase: 0.0,
             run: 0.0,
             still: 1.0,
+            weight: idle_weight(&person, 1.0, sample.time),
             gaze: 0.0,
         };
         state.pelvis.z = free_height(&person, &state) - 0.01;
         let feet = planner.plants.map(|plant| {
             let pose = foot_at(&person, plant.ankle, plant.yaw, 0.0);
-            Foot { plant, swing: None, moved: Default::default(), followed: Default::default(), pose, rate: FootPose::rate(&pose, &pose, 1.0) }
+            Foot {
+                plant,
+                swing: None,
+                moved: Default::default(),
+                followed: Default::default(),
+                pose,
+                rate: FootPose::rate(&pose, &pose, 1.0),
+            }
         });
-        let stands = pose(&person, &state, &[feet[0].pose, feet[1].pose]);
+        let pelvis = state.pelvis_rotation();
+        let stands = pose(&person, &state, pelvis, &[feet[0].pose, feet[1].pose]);
         Ok(Live {
             person,
             last: sample,
@@ -115,7 +126,8 @@ impl Live {
         self.pose
     }
 
-    /// Takes the next sample of the agent and returns the pose at it. If the agent jumped, the person stands where it is.
+    /// Takes the next sample of the agent and returns the pose at it. If the agent jumped, the person stands where it
+    /// is.
     ///
     /// # Errors
     /// A number of the sample is not finite, or it is not after the last sample; the person is then unchanged.
@@ -141,7 +153,9 @@ impl Live {
                 });
             }
             self.last = sample;
-            self.pose = pose(&self.person, &self.state, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
+            let pelvis = self.state.pelvis_rotation();
+            self.pose =
+                pose(&self.person, &self.state, pelvis, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
         }
         self.samples = samples;
         Ok(self.pose)
@@ -208,7 +222,8 @@ impl Live {
         }
         let way = ahead.at(time + 0.8).position - motion.position;
         let (ahead_of, left) = (facing.dot(way), facing.perp().dot(way));
-        let gaze = if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
+        let gaze =
+            if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
         state.time = time;
         state.heading = motion.heading;
         state.forward = forward / leg;
@@ -216,6 +231,7 @@ impl Live {
         state.gaze = mix(state.gaze, gaze, near(0.25));
         state.run = mix(state.run, if self.planner.runs() { 1.0 } else { 0.0 }, near(0.15));
         state.still = mix(state.still, 1.0 - smooth(motion.velocity.length() / 0.2), near(0.3));
+        state.weight = idle_weight(person, state.still, time);
         let [from, to] = self.knots;
         let share = if to.0 > from.0 { ((time - from.0) / (to.0 - from.0)).clamp(0.0, 1.3) } else { 0.0 };
         state.phase = mix(state.phase, mix(from.1, to.1, share), near(0.05));
@@ -226,7 +242,7 @@ impl Live {
         let mut aim = free_height(person, state);
         for later in [0.0, 0.06] {
             let at = (state.pelvis.truncate() + motion.velocity * later).extend(height);
-            let hips = hip_joints(person, at, state.pelvis_rotation(person));
+            let hips = hip_joints(person, at, state.pelvis_rotation());
             for (foot, hip) in self.feet.iter().zip(hips) {
                 if foot.swing.is_none() || time + later >= foot.plant.strike {
                     aim = aim.min(reachable_height(person, &foot.plant, time + later, hip));
@@ -243,7 +259,7 @@ impl Live {
     /// Moves the feet.
     fn move_feet(&mut self, ahead: &Extrapolated, time: f64, step: f64) {
         let person = self.person;
-        let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation(&person));
+        let hips = hip_joints(&person, self.state.pelvis, self.state.pelvis_rotation());
         for side in Side::BOTH {
             let foot = &mut self.feet[side.index()];
             let before = foot.pose;

@@ -8,7 +8,8 @@ use glam::DVec3;
 const CONTACT: f64 = 0.004;
 /// The shortest contact that is a step, s.
 const SHORTEST: f64 = 0.08;
-/// Of the skating ratio: a foot lower than this (m) and faster than this (m/s) skates. Source: Karunratanakul et al., "Guided Motion Diffusion", 2023.
+/// Of the skating ratio: a foot lower than this (m) and faster than this (m/s) skates. Source: Karunratanakul et al.,
+/// "Guided Motion Diffusion", 2023.
 const SKATING_HEIGHT: f64 = 0.05;
 const SKATING_SPEED: f64 = 0.5;
 /// Half the window over which the speed of the skating ratio is the mean, s.
@@ -72,15 +73,18 @@ impl FootPoints {
 pub struct FeetReport {
     /// Number of contacts of a foot with the ground.
     pub steps: usize,
-    /// How far the point of contact, first the heel and then the ball, gets from where it touched the ground in a step, m: the mean over the steps.
+    /// How far the point of contact, first the heel and then the ball, gets from where it touched the ground in a step,
+    /// m: the mean over the steps.
     pub mean_slide: f64,
     /// The 95th percentile of the same over the steps, m.
     pub p95_slide: f64,
     /// The largest of the same over the steps, m.
     pub largest_slide: f64,
-    /// Length of the path of the point of contact in a step, m: the mean over the steps. Every tremble counts, those of interpolation too.
+    /// Length of the path of the point of contact in a step, m: the mean over the steps. Every tremble counts, those of
+    /// interpolation too.
     pub mean_path: f64,
-    /// Share of moments at which a foot is lower than 5 cm and faster than 0.5 m/s (skating ratio of Guided Motion Diffusion).
+    /// Share of moments at which a foot is lower than 5 cm and faster than 0.5 m/s (skating ratio of Guided Motion
+    /// Diffusion).
     pub skating_ratio: f64,
     /// How far a foot is below the ground at most, m.
     pub penetration: f64,
@@ -93,7 +97,7 @@ pub struct FeetReport {
 }
 
 impl FeetMeasure {
-    /// Returns the measure of a person of whom no moment is known yet.
+    /// Returns the measure of a person, without moments.
     pub fn new(person: &Person) -> FeetMeasure {
         FeetMeasure { body: Proportions::of(person.build), height: person.height, moments: Vec::new() }
     }
@@ -101,17 +105,18 @@ impl FeetMeasure {
     /// Adds a moment: its time (s, after that of the last) and where the joints are, in the order of [`Joint::ALL`].
     pub fn push(&mut self, time: f64, joints: &[Placed; JOINTS]) {
         let (body, h) = (&self.body, self.height);
-        let feet = [(Joint::LeftFoot, Joint::LeftToeBase), (Joint::RightFoot, Joint::RightToeBase)].map(|(foot, toes)| {
-            let (foot, toes) = (joints[foot.index()], joints[toes.index()]);
-            let tip = body.foot - body.heel - body.ball;
-            FootPoints {
-                heel: foot.position + foot.rotation * (DVec3::new(-body.heel, 0.0, -body.ankle) * h),
-                // the toes roll about their joint, so the joint is the point that stays
-                ball: toes.position - DVec3::Z * (body.toe_height * h),
-                tip: toes.position + toes.rotation * (DVec3::new(tip, 0.0, -body.toe_height) * h),
-                ankle: foot.position,
-            }
-        });
+        let feet =
+            [(Joint::LeftFoot, Joint::LeftToeBase), (Joint::RightFoot, Joint::RightToeBase)].map(|(foot, toes)| {
+                let (foot, toes) = (joints[foot.index()], joints[toes.index()]);
+                let tip = body.foot - body.heel - body.ball;
+                FootPoints {
+                    heel: foot.position + foot.rotation * (DVec3::new(-body.heel, 0.0, -body.ankle) * h),
+                    // the toes roll about their joint, so the joint is the point that stays
+                    ball: toes.position - DVec3::Z * (body.toe_height * h),
+                    tip: toes.position + toes.rotation * (DVec3::new(tip, 0.0, -body.toe_height) * h),
+                    ankle: foot.position,
+                }
+            });
         let left = joints[Joint::Hips.index()].rotation * DVec3::Y;
         self.moments.push(Moment { time, feet, left });
     }
@@ -138,12 +143,15 @@ impl FeetMeasure {
             skating_ratio: share(skating),
             penetration: -least(&|m| m.feet[0].lowest().min(m.feet[1].lowest())).min(0.0),
             airborne: share(airborne),
-            least_gap: least(&|m| m.left.truncate().normalize_or_zero().dot((m.feet[0].ankle - m.feet[1].ankle).truncate())),
+            least_gap: least(&|m| {
+                m.left.truncate().normalize_or_zero().dot((m.feet[0].ankle - m.feet[1].ankle).truncate())
+            }),
             least_distance: least(&|m| distance(&m.feet)),
         }
     }
 
-    /// Returns, for each step of a side, how far the point of contact gets from where it touched, and the length of its path.
+    /// Returns, for each step of a side, how far the point of contact gets from where it touched, and the length of its
+    /// path.
     fn slides(&self, side: Side) -> Vec<(f64, f64)> {
         let mut slides = Vec::new();
         let mut contact = Contact::default();

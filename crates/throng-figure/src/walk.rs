@@ -6,7 +6,7 @@ use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{CELL, Column, Recorded, Sample, gauss};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
-use crate::steps::{FootPose, Plant, Planner, STRETCH, Step, Swing, allowed_roll, along, foot_at, stance};
+use crate::steps::{FootPose, Planner, Plant, STRETCH, Step, Swing, allowed_roll, along, foot_at, stance};
 use glam::DVec3;
 
 /// A trajectory is cut where it is faster than this, m/s: the person is then elsewhere at once.
@@ -19,8 +19,8 @@ const MARGIN: f64 = 3.0;
 
 /// A person that walks a recorded trajectory.
 ///
-/// The footfalls are planned once, with the future known: a foot is put where the body will be. [`Walk::pose`] then returns the pose at any time,
-/// in any order of calls, with the same bits.
+/// The footfalls are planned once, with the future known: a foot is put where the body will be. [`Walk::pose`] then
+/// returns the pose at any time, in any order of calls, with the same bits.
 ///
 /// ```
 /// use glam::DVec2;
@@ -261,11 +261,15 @@ impl Part {
                 let time = self.path.time(point);
                 let state = self.state(person, time);
                 let free = free_height(person, &state);
-                let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+                let hips = hip_joints(person, state.pelvis, state.pelvis_rotation());
                 Side::BOTH.iter().fold(free, |height, side| {
                     let foot = &self.feet[side.index()];
                     let plant = &foot.plants[foot.plant(time)];
-                    if time > plant.lift { height } else { height.min(reachable_height(person, plant, time, hips[side.index()])) }
+                    if time > plant.lift {
+                        height
+                    } else {
+                        height.min(reachable_height(person, plant, time, hips[side.index()]))
+                    }
                 })
             })
             .collect();
@@ -284,12 +288,21 @@ impl Part {
                 .windows(2)
                 .map(|pair| {
                     let step = 0.005;
-                    let [before, at] = [pair[0].lift - step, pair[0].lift].map(|time| self.stance(person, side, &pair[0], time));
+                    let [before, at] =
+                        [pair[0].lift - step, pair[0].lift].map(|time| self.stance(person, side, &pair[0], time));
                     let middle = (pair[0].lift + pair[1].strike) / 2.0;
                     let other = &self.feet[side.other().index()];
                     let other = other.plants[other.plant(middle)].ankle;
                     let raise = lift_of_foot(person, self.state(person, middle).relative_speed);
-                    Swing::new(person, side, (at, FootPose::rate(&before, &at, step)), pair[0].lift, &pair[1], other, raise)
+                    Swing::new(
+                        person,
+                        side,
+                        (at, FootPose::rate(&before, &at, step)),
+                        pair[0].lift,
+                        &pair[1],
+                        other,
+                        raise,
+                    )
                 })
                 .collect();
             self.feet[side.index()].swings = swings;
@@ -298,7 +311,7 @@ impl Part {
 
     fn stance(&self, person: &Person, side: Side, plant: &Plant, time: f64) -> FootPose {
         let state = self.state(person, time);
-        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation());
         stance(person, plant, time, hips[side.index()])
     }
 
@@ -309,6 +322,7 @@ impl Part {
         let columns = &self.columns;
         let (forward, _) = along(&motion);
         let leg = person.leg();
+        let still = columns.still.at(place);
         let mut state = BodyState {
             time,
             pelvis: motion.position.extend(columns.height.at(place)),
@@ -318,7 +332,8 @@ impl Part {
             acceleration: [columns.acceleration[0].at(place), columns.acceleration[1].at(place)],
             phase: columns.phase.at(place),
             run: columns.run.at(place),
-            still: columns.still.at(place),
+            still,
+            weight: idle_weight(person, still, time),
             gaze: columns.gaze.at(place),
         };
         state.pelvis += sway(person, &state);
@@ -327,7 +342,8 @@ impl Part {
 
     fn pose(&self, person: &Person, time: f64) -> Pose {
         let state = self.state(person, time);
-        let hips = hip_joints(person, state.pelvis, state.pelvis_rotation(person));
+        let pelvis = state.pelvis_rotation();
+        let hips = hip_joints(person, state.pelvis, pelvis);
         let feet = Side::BOTH.map(|side| {
             let foot = &self.feet[side.index()];
             let number = foot.plant(time);
@@ -337,7 +353,7 @@ impl Part {
                 _ => stance(person, plant, time, hips[side.index()]),
             }
         });
-        pose(person, &state, &feet)
+        pose(person, &state, pelvis, &feet)
     }
 }
 
@@ -345,7 +361,7 @@ impl Part {
 pub(crate) fn sway(person: &Person, state: &BodyState) -> DVec3 {
     let scale = person.leg() / 0.86;
     let walk = gait::lateral(state.relative_speed, state.phase) * person.sway * 0.8 * (1.0 - 0.8 * state.run);
-    let rest = 0.025 * state.still * idle_weight(person, state.time);
+    let rest = 0.025 * state.weight;
     (direction(state.heading).perp() * ((walk + rest) * scale)).extend(0.0)
 }
 
@@ -355,7 +371,7 @@ pub(crate) fn free_height(person: &Person, state: &BodyState) -> f64 {
     let rv = state.relative_speed.min(2.4);
     let duty = gait::running_duty(state.relative_speed * person.leg());
     // knees are a little bent in walking
-    let bent = 0.010 * person.leg() * smooth(rv);
+    let bent = 0.008 * person.leg() * smooth(rv);
     let change = mix(gait::vertical(rv, state.phase), gait::running_vertical(duty, state.phase), state.run);
     standing_height(person) - bent + scale * change
 }

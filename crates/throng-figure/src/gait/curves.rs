@@ -1,17 +1,20 @@
 //! Curves of the trunk and the arms over the phase. Angles in rad, lengths in m for a leg of 0.86 m.
 
+use crate::math::floor;
 use libm::{cos, sin};
 use std::f64::consts::{PI, TAU};
 
 const DEGREE: f64 = PI / 180.0;
 
-/// Returns the height of the pelvis against standing, walking.
+/// Returns the height of the pelvis against standing, walking. It falls 0.6 as far as in the source: the reach of the
+/// legs does the rest.
 pub(crate) fn vertical(relative_speed: f64, phase: f64) -> f64 {
-    let size = 0.015 * relative_speed;
+    let size = 0.009 * relative_speed;
     -size + size * sin(TAU * (2.0 * phase - 0.35))
 }
 
-/// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own estimate.
+/// Returns the height of the pelvis against standing, running: lowest in the middle of the support, source: own
+/// estimate.
 pub(crate) fn running_vertical(duty: f64, phase: f64) -> f64 {
     -0.035 - 0.03 * cos(TAU * (2.0 * phase - duty))
 }
@@ -36,7 +39,7 @@ pub(crate) fn pelvis_yaw(relative_speed: f64, phase: f64) -> f64 {
 /// Returns by how much the left hip is higher than the right hip, as an angle: the hip of the swinging leg drops.
 pub(crate) fn pelvis_list(relative_speed: f64, phase: f64) -> f64 {
     let size = 1.66 * DEGREE * relative_speed;
-    let t = phase - libm::floor(phase);
+    let t = phase - floor(phase);
     let left_drop = if t < 0.15 {
         -size + size * cos(TAU * 10.0 * t / 3.0)
     } else if t < 0.5 {
@@ -55,7 +58,8 @@ pub(crate) fn thorax_yaw(relative_speed: f64, phase: f64) -> f64 {
     periodic([(0.1, 4.0 / 3.0 * r), (0.4, -1.5 * r), (0.6, -4.0 / 3.0 * r), (0.9, 1.5 * r)], phase)
 }
 
-/// Returns the forward swing of an arm; `phase` is that of the leg of the same side. It is half as far behind the body as in the source.
+/// Returns the forward swing of an arm; `phase` is that of the leg of the same side. It is half as far behind the body
+/// as in the source.
 pub(crate) fn shoulder(relative_speed: f64, phase: f64) -> f64 {
     let size = 9.88 * relative_speed.min(2.2);
     DEGREE * (3.0 - size / 4.0 - size * cos(TAU * phase))
@@ -78,7 +82,7 @@ pub(crate) fn elbow(relative_speed: f64, phase: f64) -> f64 {
 
 /// Returns a periodic curve through points, in the order of their phases, by cubics with the slopes of the chords.
 fn periodic<const N: usize>(points: [(f64, f64); N], phase: f64) -> f64 {
-    let t = phase - libm::floor(phase);
+    let t = phase - floor(phase);
     let next = points.iter().position(|&(at, _)| at > t).unwrap_or(0);
     let point = |offset: usize| {
         // offset 1 is the point before `t`

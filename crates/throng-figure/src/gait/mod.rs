@@ -1,8 +1,9 @@
 //! The laws of walking and running: numbers from speed, length of the leg and phase.
 //!
-//! Source, where no other is named: Boulic, Magnenat-Thalmann, Thalmann, "A global human walking model with real-time kinematic
-//! personification", The Visual Computer 6, 1990. *Relative speed* is the speed in lengths of the leg per second. The *phase* counts cycles of
-//! two steps: the left foot strikes the ground at whole numbers, the right foot at halves.
+//! Source, where no other is named: Boulic, Magnenat-Thalmann, Thalmann, "A global human walking model with real-time
+//! kinematic personification", The Visual Computer 6, 1990. *Relative speed* is the speed in lengths of the leg per
+//! second. The *phase* counts cycles of two steps: the left foot strikes the ground at whole numbers, the right foot at
+//! halves.
 
 mod curves;
 mod timing;

@@ -2,15 +2,15 @@
 
 use crate::person::Person;
 
-/// Speeds between which neither walking nor running begins, m/s, for a leg of 0.86 m: a walker runs above the second, a runner walks below
-/// the first. Source: the transition is at a Froude number v²/(g L) of about 0.5.
+/// Speeds between which neither walking nor running begins, m/s, for a leg of 0.86 m: a walker runs above the second, a
+/// runner walks below the first. Source: the transition is at a Froude number v²/(g L) of about 0.5.
 pub(crate) const RUN_TO: f64 = 1.8;
 /// See [`RUN_TO`].
 pub(crate) const RUN_FROM: f64 = 2.0;
 /// The shortest cycle of a walk, s.
 const SHORTEST: f64 = 0.7;
-/// The longest cycle of a walk, s: at low speeds steps become shorter at the same cadence. Source: the walk ratio is constant only above
-/// about 60 steps a minute.
+/// The longest cycle of a walk, s: at low speeds steps become shorter at the same cadence. Source: the walk ratio is
+/// constant only above about 60 steps a minute.
 const LONGEST: f64 = 2.0;
 /// The cycle of steps on the spot, s.
 const ON_THE_SPOT: f64 = 1.4;
@@ -63,7 +63,7 @@ pub fn running_duty(speed: f64) -> f64 {
 /// `forward` and `sideways` are the speeds along and across the heading, m/s; `turning` is the angular speed, rad/s.
 /// Steps backwards are shorter; steps sideways are no longer than 0.25 m; a step turns by at most 43°.
 pub fn cycle(person: &Person, forward: f64, sideways: f64, turning: f64, runs: bool) -> Cycle {
-    let speed = forward.hypot_of(sideways);
+    let speed = (forward * forward + sideways * sideways).sqrt();
     let leg = person.leg();
     if runs {
         return Cycle { duration: running_cycle(speed, leg) * person.stride, duty: running_duty(speed) };
@@ -80,22 +80,11 @@ pub fn cycle(person: &Person, forward: f64, sideways: f64, turning: f64, runs: b
     Cycle { duration, duty: duty(duration) }
 }
 
-/// Returns the distance of the tracks of the two ankles, m: 0.17 standing, 0.10 walking, 0.05 running, more where steps go sideways, for a person of
-/// 1.75 m. Source: norms of gait; sideways the feet then stay 8 cm apart.
+/// Returns the distance of the tracks of the two ankles, m: 0.17 standing, 0.10 walking, 0.05 running, more where steps
+/// go sideways, for a person of 1.75 m. Source: norms of gait; sideways the feet then stay 8 cm apart.
 pub fn step_width(person: &Person, speed: f64, sideways: f64, cycle: f64, runs: bool) -> f64 {
     let scale = person.height / 1.75 * person.width;
     let ahead = if runs { 0.05 } else { 0.17 - 0.07 * (speed / 0.6).clamp(0.0, 1.0) };
     let across = sideways.abs() * cycle / 2.0;
     (ahead * scale).max(across + 0.08 * (across / 0.1).min(1.0))
-}
-
-/// The length of a vector by its components. `f64::hypot` is not the same on all machines.
-trait Hypot {
-    fn hypot_of(self, other: f64) -> f64;
-}
-
-impl Hypot for f64 {
-    fn hypot_of(self, other: f64) -> f64 {
-        (self * self + other * other).sqrt()
-    }
 }

@@ -12,13 +12,13 @@ use glam::{DVec3, Vec3};
 /// How finely a body is modelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Level {
-    /// About 1100 vertices: files, and pictures closer than 8 m.
+    /// 1104 vertices: files, and pictures closer than 8 m.
     Fine,
-    /// About 550 vertices: hundreds of people.
+    /// 704 vertices: hundreds of people.
     Medium,
-    /// About 250 vertices: thousands of people.
+    /// 352 vertices: thousands of people.
     Coarse,
-    /// About 150 vertices: people in the distance.
+    /// 128 vertices: people in the distance.
     Blocks,
 }
 

@@ -282,7 +282,8 @@ impl Body {
     }
 }
 
-/// Returns the weights at a distance along bones. `bends` holds the joints after `first`: where they are, and over which distance to both sides the mesh bends.
+/// Returns the weights at a distance along bones. `bends` holds the joints after `first`: where they are, and over
+/// which distance to both sides the mesh bends.
 fn weights(first: Joint, bends: &[(Joint, f64, f64)], at: f64) -> ([u8; 4], [f32; 4]) {
     let (mut before, mut after, mut share) = (first, first, 0.0);
     for &(joint, place, reach) in bends {

@@ -1,4 +1,4 @@
-//! A trajectory whose future is known.
+//! A trajectory with a known future.
 
 use super::{Ahead, Motion, Sample};
 use crate::math::wrapped;
@@ -79,7 +79,8 @@ pub(crate) struct Recorded {
 }
 
 impl Recorded {
-    /// Returns the motion along samples, of which there is at least one, in the order of time. The grid reaches `margin` (s) beyond both ends.
+    /// Returns the motion along samples, of which there is at least one, in the order of time. The grid reaches
+    /// `margin` (s) beyond both ends.
     pub fn new(samples: &[Sample], margin: f64) -> Recorded {
         let (first, last) = (samples[0], samples[samples.len() - 1]);
         let start = first.time - margin;

@@ -1,4 +1,4 @@
-//! A motion whose future is extrapolated.
+//! A motion with an extrapolated future.
 
 use super::{Ahead, Motion, Sample};
 use crate::math::{direction, wrapped};
@@ -10,7 +10,8 @@ const OF_HEADING: f64 = 0.12;
 /// Duration over which a turn is extrapolated, s: how long it goes on is not known.
 const OF_TURN: f64 = 0.5;
 
-/// The smoothed motion of an agent of which samples come in. The filters are critically damped and have no lag at constant velocity.
+/// The smoothed motion of an agent of which samples come in. The filters are critically damped and have no lag at
+/// constant velocity.
 #[derive(Debug, Clone)]
 pub(crate) struct Tracker {
     pub time: f64,
@@ -20,8 +21,7 @@ pub(crate) struct Tracker {
 impl Tracker {
     /// Returns a body that stands at the sample.
     pub fn new(sample: Sample) -> Tracker {
-        let motion =
-            Motion { position: sample.position, velocity: DVec2::ZERO, heading: sample.heading, turning: 0.0 };
+        let motion = Motion { position: sample.position, velocity: DVec2::ZERO, heading: sample.heading, turning: 0.0 };
         Tracker { time: sample.time, motion }
     }
 

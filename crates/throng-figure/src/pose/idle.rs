@@ -1,6 +1,6 @@
 //! What a standing person does: shifts of weight, glances, breath.
 
-use crate::math::{mix, smooth, uniform};
+use crate::math::{floor, mix, smooth, uniform};
 use std::f64::consts::TAU;
 
 /// Returns to which side the weight of a standing person is, at a time: -1 (right) to 1 (left).
@@ -21,9 +21,10 @@ pub(crate) fn breath(seed: u64, time: f64) -> f64 {
     libm::sin(TAU * (0.25 * time + uniform(seed, 5, 20)))
 }
 
-/// Returns a number in -1..=1 that is constant within a slot, and goes to that of the next slot within a share of the slot.
+/// Returns a number in -1..=1 that is constant within a slot, and goes to that of the next slot within a share of the
+/// slot.
 fn steps(seed: u64, purpose: u64, slots: f64, share: f64) -> f64 {
-    let slot = libm::floor(slots);
+    let slot = floor(slots);
     let value = |slot: f64| 2.0 * uniform(seed, slot as i64 as u64, purpose) - 1.0;
     mix(value(slot - 1.0), value(slot), smooth((slots - slot) / share))
 }

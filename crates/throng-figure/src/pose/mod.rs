@@ -22,7 +22,8 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// Returns the pose with the signs of quaternions with which none is farther than needed from that of `before`: q and -q are the same rotation.
+    /// Returns the pose with the signs of quaternions with which none is farther than needed from that of `before`: q
+    /// and -q are the same rotation.
     pub fn near(mut self, before: &Pose) -> Pose {
         for (own, before) in self.rotations.iter_mut().zip(&before.rotations) {
             if own.dot(*before) < 0.0 {
@@ -32,7 +33,8 @@ impl Pose {
         self
     }
 
-    /// Returns the pose a share of the way to `next`, as readers of files compute it: the position on a line, the rotations along the shorter arc.
+    /// Returns the pose a share of the way to `next`, as readers of files compute it: the position on a line, the
+    /// rotations along the shorter arc.
     pub fn towards(&self, next: &Pose, share: f64) -> Pose {
         Pose {
             hips: self.hips + (next.hips - self.hips) * share,
@@ -41,7 +43,7 @@ impl Pose {
     }
 }
 
-/// Returns to which side the weight of a standing person is: -1 (right) to 1 (left).
-pub(crate) fn idle_weight(person: &crate::Person, time: f64) -> f64 {
-    idle::weight(person.seed, time)
+/// Returns to which side a person that stands to the degree `still` shifts its weight: -1 (right) to 1 (left).
+pub(crate) fn idle_weight(person: &crate::Person, still: f64, time: f64) -> f64 {
+    if still > 0.0 { still * idle::weight(person.seed, time) } else { 0.0 }
 }

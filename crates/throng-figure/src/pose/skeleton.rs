@@ -40,8 +40,25 @@ use Joint::{
 impl Joint {
     /// All joints. A parent is before its children.
     pub const ALL: [Joint; JOINTS] = [
-        Hips, Spine, Spine1, Neck, Head, LeftArm, LeftForeArm, LeftHand, RightArm, RightForeArm, RightHand, LeftUpLeg,
-        LeftLeg, LeftFoot, LeftToeBase, RightUpLeg, RightLeg, RightFoot, RightToeBase,
+        Hips,
+        Spine,
+        Spine1,
+        Neck,
+        Head,
+        LeftArm,
+        LeftForeArm,
+        LeftHand,
+        RightArm,
+        RightForeArm,
+        RightHand,
+        LeftUpLeg,
+        LeftLeg,
+        LeftFoot,
+        LeftToeBase,
+        RightUpLeg,
+        RightLeg,
+        RightFoot,
+        RightToeBase,
     ];
 
     /// Returns the name of the joint, which is that of Mixamo's rigs without their prefix.
@@ -98,7 +115,8 @@ impl Joint {
 
 /// Lengths of a body as fractions of its height.
 ///
-/// Source: Boulic 1990; ankles and hands: Winter, "Biomechanics and Motor Control of Human Movement"; children of about six years: own estimate.
+/// Source: Boulic 1990; ankles and hands: Winter, "Biomechanics and Motor Control of Human Movement"; children of about
+/// six years: own estimate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Proportions {
     pub head: f64,
@@ -175,8 +193,8 @@ pub struct Placed {
 
 /// The lengths of the bones of a person.
 ///
-/// At rest the person faces along the x axis, with y to the left and z up, the arms 45° from the body. All joints then have no rotation, so the
-/// matrix of a joint at rest is a translation, and none mirrors.
+/// At rest the person faces along the x axis, with y to the left and z up, the arms 45° from the body. All joints then
+/// have no rotation, so the matrix of a joint at rest is a translation, and none mirrors.
 ///
 /// ```
 /// use throng_figure::{Joint, Person, Skeleton};

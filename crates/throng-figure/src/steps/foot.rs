@@ -11,9 +11,9 @@ pub(crate) const STRETCH: f64 = 0.993;
 /// The angle by which a heel is raised at most, rad.
 pub(crate) const STEEPEST: f64 = 1.25;
 
-/// The share of a swing after which the foot is above its plant: it then only comes down.
+/// The share of a swing after which a foot that arrives without speed is above its plant: it then only comes down.
 const OVER: f64 = 0.95;
-/// The speeds at which a foot leaves the ground and comes down, m/s.
+/// The speeds at which a foot leaves the ground and comes down, m/s, at least.
 const RISE: f64 = 0.2;
 const FALL: f64 = 0.3;
 
@@ -30,7 +30,8 @@ pub(crate) struct FootPose {
     pub toes: f64,
 }
 
-/// Returns the pose of a foot on the ground at a time. `hip` is the hip joint of its side, m: the heel rises as the leg needs.
+/// Returns the pose of a foot on the ground at a time. `hip` is the hip joint of its side, m: the heel rises as the leg
+/// needs.
 pub(crate) fn stance(person: &Person, plant: &Plant, time: f64, hip: DVec3) -> FootPose {
     let stays = (plant.lift - plant.strike).max(0.02);
     let landing = plant.landing.min(0.3 * stays);
@@ -56,7 +57,8 @@ pub(crate) fn allowed_roll(plant: &Plant, time: f64) -> f64 {
     if u < 0.0 { 0.0 } else { STEEPEST * smooth(late.min(u * 4.0) / 1.2) }
 }
 
-/// Returns the pose of a foot with this pitch that touches the ground: with the heel if the pitch is positive, else with the ball.
+/// Returns the pose of a foot with this pitch that touches the ground: with the heel if the pitch is positive, else
+/// with the ball.
 pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> FootPose {
     let body = Proportions::of(person.build);
     let h = person.height;
@@ -73,7 +75,8 @@ pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> Foo
     FootPose { ankle: at.extend(up), yaw, pitch, toes: pitch.max(0.0) }
 }
 
-/// Returns the least angle by which the heel is to be raised for the leg to reach from the hip; negative, if there is leg to spare.
+/// Returns the least angle by which the heel is to be raised for the leg to reach from the hip; negative, if there is
+/// leg to spare.
 fn needed_roll(person: &Person, plant: &Plant, hip: DVec3) -> f64 {
     let body = Proportions::of(person.build);
     let h = person.height;
@@ -129,7 +132,9 @@ impl Swing {
         let end = foot_at(person, to.ankle, to.yaw, to.pitch);
         let line = |from: f64, rate: f64, to: f64| Quintic::new(from, rate * duration, to, 0.0);
         let speed = to.arrival.length();
-        let (over, fall) = if speed > 0.0 { (1.0, FALL + 0.7 * speed) } else { (OVER, FALL) };
+        let over = mix(OVER, 1.0, (speed / 0.3).min(1.0));
+        let fall = FALL + speed;
+        let rise = RISE + 0.15 * rate.ankle.truncate().length();
         let turned = from.yaw + wrapped(end.yaw - from.yaw);
         let mut swing = Swing {
             lift,
@@ -137,7 +142,7 @@ impl Swing {
             over,
             x: Quintic::new(from.ankle.x, rate.ankle.x * duration * over, end.ankle.x, to.arrival.x * duration),
             y: Quintic::new(from.ankle.y, rate.ankle.y * duration * over, end.ankle.y, to.arrival.y * duration),
-            z: Quintic::new(from.ankle.z, (rate.ankle.z + RISE) * duration, end.ankle.z, -fall * duration),
+            z: Quintic::new(from.ankle.z, (rate.ankle.z + rise) * duration, end.ankle.z, -fall * duration),
             yaw: line(from.yaw, rate.yaw, turned),
             pitch: line(from.pitch, rate.pitch, end.pitch),
             toes: line(from.toes, rate.toes, end.toes),
@@ -146,14 +151,15 @@ impl Swing {
         };
         let scale = person.height / 1.75;
         let left = direction((from.yaw + turned) / 2.0).perp() * side.sign();
+        let apart = mix(0.1, 0.07, speed.min(1.0));
         let mut aside = 0.0_f64;
-        for part in 1..10 {
+        for part in 3..=7 {
             let u = f64::from(part) / 10.0;
             let foot = swing.at(lift + u * duration);
             let gap = foot.ankle.truncate() - other;
             let across = left.dot(gap);
             let past = (gap.length_squared() - across * across).max(0.0).sqrt();
-            let due = 0.1 * scale * (1.0 - past / (0.3 * scale)).clamp(0.0, 1.0).sqrt();
+            let due = apart * scale * (1.0 - past / (0.3 * scale)).clamp(0.0, 1.0).sqrt();
             if across < due {
                 aside = aside.max((due - across) / bump(u));
             }

@@ -2,7 +2,7 @@
 
 use super::{Plant, Step};
 use crate::gait::{self, Cycle, RUN_FROM, RUN_TO};
-use crate::math::{direction, wrapped};
+use crate::math::{direction, smooth, wrapped};
 use crate::path::{Ahead, Motion};
 use crate::person::{Person, Side};
 use crate::pose::Proportions;
@@ -13,12 +13,15 @@ const TOLERANCE: f64 = 0.03;
 const TOLERANCE_OF_YAW: f64 = 0.17;
 /// The share of a cycle after the strike at which the body is over the foot.
 const OVER_FOOT: f64 = 0.24;
-/// The share of the speed of the body with which the foot of a runner touches the ground.
-const ARRIVAL: f64 = 0.4;
+/// The share of the speed of the body that a foot has when it touches the ground: of a fast walker, and of a runner.
+const ARRIVAL: f64 = 0.25;
+const ARRIVAL_RUNNING: f64 = 0.3;
 /// How far a standing person looks ahead, s.
 const OUTLOOK: f64 = 0.4;
 /// The shortest swing of a foot, s.
 const SHORTEST_SWING: f64 = 0.24;
+/// The largest angle between the feet, rad.
+const WIDEST: f64 = 1.2;
 /// The least distance of an ankle from the line of the other foot, m, for a person of 1.75 m.
 const APART: f64 = 0.085;
 /// The share of the length of the leg that a hip gets ahead of the toes on the ground.
@@ -85,11 +88,11 @@ impl Planner {
         // the foot that moved last may move again only when both are on the ground for a while, as when the body stood
         let landed = self.plants[self.last.index()].strike;
         let rested = time > landed + 0.3;
-        if !away(other) && !(rested && away(self.last)) {
-            return None;
-        }
         if !rested || moving && now.velocity.length() > 0.15 {
             return away(other).then_some(other);
+        }
+        if !away(other) && !away(self.last) {
+            return None;
         }
         // from standing: the foot on the side to which the body goes or turns
         let across = direction(now.heading).perp().dot(soon.position - now.position) / TOLERANCE;
@@ -117,14 +120,15 @@ impl Planner {
             cycle = self.cycle(&body.at(time + (1.0 - cycle.duty) * cycle.duration));
         }
         let mut strike = time + (1.0 - cycle.duty) * cycle.duration;
-        let latest = self.reached_until(body, side.other(), time, strike + 0.1);
-        if strike > latest {
-            strike = latest.max(time + SHORTEST_SWING);
+        // a runner flies
+        if !self.runs {
+            let latest = self.reached_until(body, side.other(), time, strike + 0.1);
+            strike = strike.min(latest.max(time + SHORTEST_SWING));
         }
         let plant = self.plant(body, side, strike, cycle);
         let (forward, _) = along(&lifted);
-        let roll = (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, 1.1);
-        let rolling = 0.48 * cycle.duty * cycle.duration;
+        let roll = (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, if self.runs { 0.8 } else { 1.1 });
+        let rolling = if self.runs { 0.6 } else { 0.48 } * cycle.duty * cycle.duration;
         self.ready = (strike + (cycle.duty - 0.5) * cycle.duration).max(time + 0.1);
         let count = self.count + if side == self.last { 2.0 } else { 1.0 };
         let phases = [count / 2.0 - (1.0 - cycle.duty), count / 2.0];
@@ -153,8 +157,11 @@ impl Planner {
         let speed = over.velocity.length();
         let width = gait::step_width(person, speed, sideways, cycle.duration, self.runs);
         let (mut ankle, yaw) = home(person, &over, side, width);
-        // beside the other foot, not on it
+        // feet open in turns
+        let yaw = yaw + side.sign() * (0.25 * cycle.duration * over.turning.abs()).min(0.4);
         let other = &self.plants[side.other().index()];
+        let yaw = other.yaw + wrapped(yaw - other.yaw).clamp(-WIDEST, WIDEST);
+        // beside the other foot, not on it
         let left = direction(over.heading).perp() * side.sign();
         let apart = if self.runs { 0.6 * width } else { APART * person.height / 1.75 };
         let gap = left.dot(ankle - other.ankle);
@@ -169,7 +176,7 @@ impl Planner {
             landing: 0.16 * cycle.duty * cycle.duration,
             roll: 0.0,
             rolling: 0.2,
-            arrival: if self.runs { over.velocity * ARRIVAL } else { DVec2::ZERO },
+            arrival: over.velocity * if self.runs { ARRIVAL_RUNNING } else { ARRIVAL * smooth((speed - 0.5) / 1.0) },
         }
     }
 
@@ -182,8 +189,8 @@ impl Planner {
         let mut time = from.max(plant.strike);
         while time < end {
             let motion = body.at(time);
-            let hip = motion.position
-                + direction(motion.heading).perp() * (side.sign() * proportions.hip * person.height);
+            let hip =
+                motion.position + direction(motion.heading).perp() * (side.sign() * proportions.hip * person.height);
             let away = hip - toes;
             // moving towards the foot is no reason to lift it
             if away.length() > REACH * person.leg() && away.dot(motion.velocity) > 0.0 {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use throng_figure::Sample;
 
-/// Returns samples of a body whose forward speed, sideways speed (m/s) and angular speed (rad/s) are functions of time.
+/// Returns samples of a body with forward speed, sideways speed (m/s) and angular speed (rad/s) as functions of time.
 pub fn driven(rate: f64, duration: f64, drive: impl Fn(f64) -> (f64, f64, f64)) -> Vec<Sample> {
     let (mut position, mut heading) = (DVec2::new(3.0, -2.0), 0.4_f64);
     let fine = 20;
@@ -49,6 +49,9 @@ pub fn all() -> Vec<(&'static str, Vec<Sample>)> {
         ("right angles", driven(25.0, 12.0, |t| (1.3, 0.0, if t % 3.0 > 2.96 { 39.27 } else { 0.0 }))),
         ("about face", driven(25.0, 12.0, |t| (1.0, 0.0, if t % 4.0 > 3.6 { 7.85 } else { 0.0 }))),
         ("wobble", driven(25.0, 12.0, |t| (1.2 + 0.3 * (1.7 * t).sin(), 0.2 * (2.9 * t).sin(), 0.8 * (1.1 * t).sin()))),
-        ("start, run, stop", driven(25.0, 14.0, |t| ((1.2 * (t - 1.0)).clamp(0.0, 3.0).min((13.0 - t).max(0.0)), 0.0, 0.0))),
+        (
+            "start, run, stop",
+            driven(25.0, 14.0, |t| ((1.2 * (t - 1.0)).clamp(0.0, 3.0).min((13.0 - t).max(0.0)), 0.0, 0.0)),
+        ),
     ]
 }

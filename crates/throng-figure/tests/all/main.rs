@@ -1,0 +1,10 @@
+//! Tests of people on trajectories.
+
+mod damaged;
+mod feet;
+mod forward;
+mod gait;
+mod live;
+mod mesh;
+mod paths;
+mod smooth;
