@@ -19,7 +19,8 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     let bytes = std::fs::read(&args.of).map_err(|error| {
         Failure::hint(format!("{name}: {error}"), "--feet reads a file: throng run SCENE -o NAME.glb writes one")
     })?;
-    let found = figures(&bytes).map_err(|flaw| Failure::hint(format!("{name}: {flaw}"), flaw.hint.unwrap_or_default()))?;
+    let found =
+        figures(&bytes).map_err(|flaw| Failure::hint(format!("{name}: {flaw}"), flaw.hint.unwrap_or_default()))?;
     let step = (found.period / FINER) as f32;
     let each: Vec<(&Figure, FeetReport)> = found.all.iter().map(|figure| (figure, report(figure, step))).collect();
     let all = over(each.iter().map(|(_, report)| report));
@@ -38,7 +39,9 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
         let cm = |metres: f64| 100.0 * metres;
         out.line(format_args!("{name}: {} people, {} steps", each.len(), all.steps))?;
         let [mean, most, largest] = [all.mean_slide, all.p95_slide, all.largest_slide].map(cm);
-        out.line(format_args!("  slide          {mean:.2} cm a step, 95th percentile {most:.2} cm, largest {largest:.2} cm"))?;
+        out.line(format_args!(
+            "  slide          {mean:.2} cm a step, 95th percentile {most:.2} cm, largest {largest:.2} cm"
+        ))?;
         out.line(format_args!("  skating ratio  {:.2} %", 100.0 * all.skating_ratio))?;
         out.line(format_args!("  below ground   {:.2} cm at most", cm(all.penetration)))?;
         out.line(format_args!("  off the ground {:.2} % of the time", 100.0 * all.airborne))?;

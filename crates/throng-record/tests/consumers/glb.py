@@ -119,7 +119,7 @@ for time in times[:: max(1, len(times) // 100)]:
         assert worst[0] < 1.1e-3 and worst[1] < math.radians(0.4), (time, row, place, off)
         assert abs(node.extras["radius"] - float(row["radius"])) < 1e-6
         assert node.extras["group"] == row["group"] and node.extras["from"] <= time <= node.extras["to"]
-        # a person is a skin, whose height is not that of its radius
+        # the size of a skin is not that of the agent's radius
         assert abs(node.scale[2] - (1 if node.mesh is None else float(row["radius"]))) < 1e-6
 scene = trimesh.load(sys.argv[1])
 low, high = scene.bounds

@@ -12,7 +12,7 @@ use throng_figure::{JOINTS, Joint, Person, Placed};
 
 const HINT: &str = "figures are skins with the 19 joints that `throng run -o NAME.glb` writes: Hips, Spine and so on";
 
-/// A person of a file, whose joints move.
+/// A person of a file.
 pub struct Figure {
     /// The number of the agent.
     pub number: u32,
@@ -116,9 +116,6 @@ impl Figure {
                 },
             };
         }
-        Some(placed.map(|joint| Placed {
-            position: axes::place(joint.position),
-            rotation: axes::body(joint.rotation),
-        }))
+        Some(placed.map(|joint| Placed { position: axes::place(joint.position), rotation: axes::body(joint.rotation) }))
     }
 }

@@ -65,12 +65,7 @@ impl People {
     ///
     /// # Errors
     /// A position is not finite.
-    pub fn walk(
-        &self,
-        agent: &SpilledAgent,
-        track: &[(u32, SpilledState)],
-        times: &[f64],
-    ) -> io::Result<Option<Walk>> {
+    pub fn walk(&self, agent: &SpilledAgent, track: &[(u32, SpilledState)], times: &[f64]) -> io::Result<Option<Walk>> {
         if !self.has(agent) {
             return Ok(None);
         }
@@ -163,7 +158,8 @@ impl People {
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
-        root.meshes.push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
+        root.meshes
+            .push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
         self.meshes.insert((build, person.look), mesh);
         Ok((mesh, shape.binds))
     }
@@ -189,8 +185,7 @@ impl Shape {
         let rest = skeleton.world(&skeleton.rest());
         let binds = rest.map(|joint| Mat4::from_translation(-axes::own(joint.position.as_vec3())));
         let binds = bin.matrices(&binds)?;
-        let attributes =
-            json!({ "POSITION": positions, "NORMAL": normals, "JOINTS_0": joints, "WEIGHTS_0": weights });
+        let attributes = json!({ "POSITION": positions, "NORMAL": normals, "JOINTS_0": joints, "WEIGHTS_0": weights });
         Ok(Self { attributes, triangles, binds, mesh })
     }
 }
@@ -228,7 +223,7 @@ fn hips(pose: &Pose) -> Quat {
     axes::turn(pose.rotations[Joint::Hips.index()].as_quat())
 }
 
-/// Returns a rotation within a body in glTF, whose axes are left, up and ahead.
+/// Returns a rotation within a body in glTF: its axes are left, up and ahead.
 fn own(rotation: DQuat) -> Quat {
     let DQuat { x, y, z, w } = rotation;
     DQuat::from_xyzw(y, z, x, w).as_quat()
