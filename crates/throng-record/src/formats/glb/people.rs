@@ -11,6 +11,7 @@ use crate::formats::spill::{SpilledAgent, SpilledState};
 use glam::{DQuat, Mat4, Quat, Vec3};
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::io;
 use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skeleton, Walk};
 
@@ -138,10 +139,10 @@ impl People {
     /// Returns the mesh of a person, and the inverse bind matrices of its skeleton.
     fn body(&mut self, root: &mut Root, bin: &mut Bin, person: &Person) -> io::Result<(usize, usize)> {
         let build = person.build as u8;
-        if !self.shapes.contains_key(&build) {
-            self.shapes.insert(build, Shape::new(bin, person.build)?);
-        }
-        let shape = &self.shapes[&build];
+        let shape = match self.shapes.entry(build) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(Shape::new(bin, person.build)?),
+        };
         if let Some(&mesh) = self.meshes.get(&(build, person.look)) {
             return Ok((mesh, shape.binds));
         }
