@@ -9,6 +9,8 @@
 //! | `World` | stands at the origin of the scene |
 //! | `Ground`, `Obstacles` | meshes; obstacles are 1 m high |
 //! | `Agents/Agent_7` and so on | an agent by its number: the mesh of its group, scaled by its radius; `extras` hold its `number`, `group` (its name), `radius` (metres), and `from` and `to` (seconds): the times of its first and last sample |
+//! | `Agents/Agent_7/Hips` and so on | the joints of a person: an agent on the ground with a radius of at most 0.5 m, in a file of at most 300 agents. Its node has no mesh, and its size is 1; `extras.build` is `woman`, `man` or `child` |
+//! | `Body_7` | the mesh that the joints bend, in the root of the scene |
 //!
 //! The only animation moves and turns the agents. Its seconds count from the first frame. An agent has the scale 0
 //! before its first and after its last sample; the scale steps at the frame in which the agent appears and at the first
@@ -19,7 +21,7 @@
 //! the original along each axis, and the rotation within 0.4°. Where that saves nothing, all samples are written and
 //! share their times. Rotations take 16 bits per number. Times within an animation are `f32`: after three hours they
 //! are accurate to 1 ms, which is 1.5 mm of a walking agent. While a file is written, up to 110 bytes per agent and
-//! frame wait beside it on disk. A file can have 4 GiB.
+//! frame wait beside it on disk, for a person up to 280. A file can have 4 GiB.
 //!
 //! Of files that throng wrote, every frame is read. Of files of other programs, every node that an animation moves is
 //! read, at the times of the animation's samples.
