@@ -187,4 +187,4 @@ def test_the_scene_of_the_template_in_rust_is_sound() -> None:
     scene = (folder / "src" / "ring.toml").read_text(encoding="utf-8")
     assert throng_sim.Scene(scene.replace("avoid.my_orca", "avoid.orca")).build().run().arrived == 8
     assert 'include_str!("ring.toml")' in (folder / "src" / "main.rs").read_text(encoding="utf-8")
-    assert (folder / "src" / "orca.rs").read_text(encoding="utf-8").count("todo!(") == 1
+    assert (folder / "src" / "half_plane.rs").read_text(encoding="utf-8").count("todo!(") == 1

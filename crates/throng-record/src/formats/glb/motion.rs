@@ -8,6 +8,7 @@ use crate::formats::spill::{SpilledAgent, SpilledState};
 use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::io;
+use throng_figure::slerp;
 
 /// Greatest error of a position along each axis, metres.
 const PLACE: f64 = 1e-3;
@@ -132,7 +133,9 @@ impl<'a> GlbMotion<'a> {
         let values: Vec<Quat> = kept.iter().map(|&k| turns[k]).collect();
         let values = bin.turns(&values)?;
         self.channel(bin, (node, "rotation"), kept.iter().map(|&k| visit.moments[k]).collect(), values, None)?;
-        Ok(visit.restored(&kept, |from, to, part| turns[from].slerp(turns[to], part as f32)))
+        // the same bits on every machine
+        let mix = |from: usize, to: usize, part| slerp(turns[from].as_dquat(), turns[to].as_dquat(), part).as_quat();
+        Ok(visit.restored(&kept, mix))
     }
 
     /// Returns the samples to write, of `size` bytes each: the needed samples with their own times, or all samples with
