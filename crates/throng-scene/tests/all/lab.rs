@@ -6,7 +6,7 @@ mod half_plane;
 mod orca;
 /// What students start from compiles.
 #[path = "../../../../labs/rust/src/half_plane.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, clippy::todo)]
 mod unwritten;
 
 use throng_scene::{Plugins, Scene};
