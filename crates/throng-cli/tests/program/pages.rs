@@ -21,7 +21,7 @@ const SKIPPED: &[(&str, usize, &str)] = &[
     ("performance.md", 1, "cargo, minutes"),
     ("pictures.md", 0, ""),
     ("plugins.md", 2, "cargo, a web build"),
-    ("python.md", 1, "cargo, the network"),
+    ("python.md", 2, "cargo, the network"),
     ("quality.md", 1, "cargo, minutes"),
     ("replay.md", 1, "recordings that are not part of the project"),
     ("start.md", 1, "cargo"),
