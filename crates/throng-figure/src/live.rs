@@ -6,7 +6,7 @@ use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
 use crate::steps::{FootPose, Planner, Plant, Swing, along, foot_at, stance};
-use crate::walk::{FASTEST, check_sample, free_height, lift_of_foot, reachable_height, sway};
+use crate::walk::{FASTEST, check_sample, free_height, gaze_along, lift_of_foot, reachable_height, sway};
 use glam::DVec2;
 
 /// The longest step of the laws, s: longer steps are divided.
@@ -221,14 +221,11 @@ impl Live {
             *own = mix(*own, new, near(0.2));
         }
         let way = ahead.at(time + 0.8).position - motion.position;
-        let (ahead_of, left) = (facing.dot(way), facing.perp().dot(way));
-        let gaze =
-            if ahead_of > 0.0 { libm::atan2(left, ahead_of).clamp(-1.0, 1.0) * smooth(ahead_of / 0.4) } else { 0.0 };
         state.time = time;
         state.heading = motion.heading;
         state.forward = forward / leg;
         state.relative_speed = motion.velocity.length() / leg;
-        state.gaze = mix(state.gaze, gaze, near(0.25));
+        state.gaze = mix(state.gaze, gaze_along(facing, way), near(0.25));
         state.run = mix(state.run, if self.planner.runs() { 1.0 } else { 0.0 }, near(0.15));
         state.still = mix(state.still, 1.0 - smooth(motion.velocity.length() / 0.2), near(0.3));
         state.weight = idle_weight(person, state.still, time);

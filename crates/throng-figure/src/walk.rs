@@ -2,12 +2,12 @@
 
 use crate::error::Error;
 use crate::gait;
-use crate::math::{direction, mix, smooth, wrapped};
+use crate::math::{direction, mix, smooth};
 use crate::path::{CELL, Column, Recorded, Sample, gauss};
 use crate::person::{Person, Side};
 use crate::pose::{BodyState, Pose, hip_joints, idle_weight, pose};
 use crate::steps::{FootPose, Planner, Plant, STRETCH, Step, Swing, allowed_roll, along, foot_at, stance};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A trajectory is cut where it is faster than this, m/s: the person is then elsewhere at once.
 pub(crate) const FASTEST: f64 = 15.0;
@@ -229,17 +229,14 @@ impl Part {
             .enumerate()
             .map(|(point, motion)| {
                 let way = self.path.at(self.path.time(point) + 0.8).position - motion.position;
-                let (forward, left) = (direction(motion.heading).dot(way), direction(motion.heading).perp().dot(way));
-                // a person looks where it goes, not where it steps back to
-                let turn = if forward > 0.0 { wrapped(libm::atan2(left, forward)) } else { 0.0 };
-                turn.clamp(-1.0, 1.0) * smooth(forward / 0.4)
+                gaze_along(direction(motion.heading), way)
             })
             .collect();
         let velocities = [0, 1].map(|axis| Column(motions.iter().map(|m| m.velocity[axis]).collect()));
         let slopes = velocities.map(|velocity| velocity.slope().0);
         let mut acceleration = [Vec::with_capacity(points), Vec::with_capacity(points)];
         for (point, motion) in motions.iter().enumerate() {
-            let change = glam::DVec2::new(slopes[0][point], slopes[1][point]);
+            let change = DVec2::new(slopes[0][point], slopes[1][point]);
             let ahead = direction(motion.heading);
             acceleration[0].push(ahead.dot(change));
             acceleration[1].push(ahead.perp().dot(change));
@@ -357,6 +354,13 @@ impl Part {
     }
 }
 
+/// Returns the angle by which a person that faces a direction looks aside to where it goes, rad.
+pub(crate) fn gaze_along(facing: DVec2, way: DVec2) -> f64 {
+    let (forward, left) = (facing.dot(way), facing.perp().dot(way));
+    // a person looks where it goes, not where it steps back to
+    if forward > 0.0 { libm::atan2(left, forward).clamp(-1.0, 1.0) * smooth(forward / 0.4) } else { 0.0 }
+}
+
 /// Returns how far the pelvis is from the path, m.
 pub(crate) fn sway(person: &Person, state: &BodyState) -> DVec3 {
     let scale = person.leg() / 0.86;
@@ -378,7 +382,7 @@ pub(crate) fn free_height(person: &Person, state: &BodyState) -> f64 {
 
 /// Returns the height of the pelvis of a standing person, m.
 fn standing_height(person: &Person) -> f64 {
-    foot_at(person, glam::DVec2::ZERO, 0.0, 0.0).ankle.z + 0.994 * person.leg()
+    foot_at(person, DVec2::ZERO, 0.0, 0.0).ankle.z + 0.994 * person.leg()
 }
 
 /// Returns the largest height of a hip from which the leg reaches a foot on the ground, m.
