@@ -7,7 +7,7 @@ pub use looks::{LOOKS, Look, Region};
 
 use crate::person::Build;
 use crate::pose::{JOINTS, Placed, Skeleton};
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Mat4, Vec3};
 
 /// How finely a body is modelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -86,6 +86,34 @@ impl Mesh {
                 moved.sum()
             })
             .collect()
+    }
+
+    /// Returns positions (m) and unit normals of the vertices relative to `origin`, for pictures.
+    ///
+    /// `skeleton` and `joints` are those of a person of `height` (m). [`posed`](Self::posed) is the exact form.
+    pub fn skinned(
+        &self,
+        skeleton: &Skeleton,
+        height: f64,
+        joints: &[Placed; JOINTS],
+        origin: DVec3,
+    ) -> (Vec<Vec3>, Vec<Vec3>) {
+        let rest = skeleton.rest_positions();
+        let moved: [Mat4; JOINTS] = std::array::from_fn(|joint| {
+            let Placed { position, rotation } = joints[joint];
+            let shift = position - origin - rotation * rest[joint];
+            let turn = Mat4::from_quat(rotation.as_quat());
+            Mat4::from_translation(shift.as_vec3()) * turn
+        });
+        let vertices = self.positions.iter().zip(&self.normals).zip(self.joints.iter().zip(&self.weights));
+        vertices
+            .map(|((position, normal), (numbers, weights))| {
+                let parts = numbers.iter().zip(weights).filter(|(_, weight)| **weight > 0.0);
+                let matrix = parts.fold(Mat4::ZERO, |sum, (&number, &weight)| sum + moved[usize::from(number)] * weight);
+                let normal = matrix.transform_vector3(*normal).normalize_or(Vec3::Z);
+                (matrix.transform_point3(*position * height as f32), normal)
+            })
+            .unzip()
     }
 
     fn find_normals(&mut self) {

@@ -1,0 +1,247 @@
+//! Covers cells of a grid of samples with triangles.
+
+use crate::parallel;
+use crate::view::SUB;
+use glam::{IVec2, Vec2, Vec4};
+use std::ops::Range;
+
+/// The number of samples of a cell.
+pub(crate) const SAMPLES: usize = 4;
+/// The number of rows of cells that are covered as one piece of work.
+pub(crate) const BAND: usize = 16;
+
+/// A grid of cells with four samples each.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// The number of cells in a row, and the number of rows.
+    pub size: [usize; 2],
+    /// The size of a cell, in subdivisions.
+    cell: [i32; 2],
+    /// The places of the samples in a cell, in subdivisions.
+    samples: [[i32; 2]; SAMPLES],
+}
+
+impl Grid {
+    /// Returns the grid of a picture: a cell is a pixel, and no two samples share a row or a column.
+    pub fn picture([width, height]: [u32; 2]) -> Self {
+        let samples = [[6, 2], [14, 6], [2, 10], [10, 14]];
+        Self { size: [width as usize, height as usize], cell: [SUB, SUB], samples }
+    }
+
+    /// Returns the grid of a square map with a sample in the middle of each of its `side * side` points; `side` is a
+    /// multiple of 4.
+    pub fn map(side: usize) -> Self {
+        let samples = [0, 1, 2, 3].map(|k| [SUB / 2 + k * SUB, SUB / 2]);
+        Self { size: [side / SAMPLES, side], cell: [SUB * SAMPLES as i32, SUB], samples }
+    }
+
+    /// Returns the number of cells.
+    pub fn cells(&self) -> usize {
+        self.size[0] * self.size[1]
+    }
+
+    /// Returns the values of a plane at all samples.
+    pub fn lanes(&self, plane: Plane) -> Lanes {
+        let first = self.samples.map(|[x, y]| plane.value(Vec2::new(x as f32, y as f32) / SUB as f32));
+        let cell = Vec2::new(self.cell[0] as f32, self.cell[1] as f32) / SUB as f32;
+        Lanes { first: Vec4::from_array(first), step: cell * plane.step }
+    }
+}
+
+/// A function that is linear in the picture: its value at the upper left corner, and its change a pixel to the right and
+/// down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Plane {
+    pub at: f32,
+    pub step: Vec2,
+}
+
+impl Plane {
+    pub fn value(&self, at: Vec2) -> f32 {
+        self.at + self.step.dot(at)
+    }
+}
+
+/// The values of a plane at the samples of the first cell, and their change from cell to cell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes {
+    first: Vec4,
+    step: Vec2,
+}
+
+impl Lanes {
+    /// Returns the values at the samples of a cell.
+    pub fn at(&self, column: usize, row: usize) -> Vec4 {
+        self.first + (column as f32 * self.step.x + row as f32 * self.step.y)
+    }
+}
+
+/// A triangle in the picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cover {
+    /// The corners in subdivisions, clockwise in the picture, whose axis y is down.
+    corners: [IVec2; 3],
+    /// What samples keep the greatest of: the nearness.
+    near: Plane,
+    /// The limits of the nearness.
+    limits: [f32; 2],
+    /// What it is a part of.
+    pub id: u32,
+}
+
+impl Cover {
+    /// Creates a triangle of corners in either direction; `None` if it has no area.
+    pub fn new(corners: [IVec2; 3], near: Plane, limits: [f32; 2], id: u32) -> Option<Self> {
+        let area = area(corners);
+        let [a, b, c] = corners;
+        let corners = if area < 0 { [a, c, b] } else { corners };
+        (area != 0).then_some(Self { corners, near, limits, id })
+    }
+
+    /// Returns the rows of cells that it may cover.
+    fn rows(&self, grid: &Grid) -> Range<usize> {
+        let [a, b, c] = self.corners.map(|corner| corner.y);
+        let (low, high) = (a.min(b).min(c).div_euclid(grid.cell[1]), a.max(b).max(c).div_euclid(grid.cell[1]) + 1);
+        let most = grid.size[1] as i32;
+        low.clamp(0, most) as usize..high.clamp(0, most) as usize
+    }
+
+    /// Calls `each` for the cells that it covers in `rows`: with the row and the column, with the samples that it covers
+    /// as bits, and with their nearness.
+    pub fn scan(&self, grid: &Grid, rows: Range<usize>, mut each: impl FnMut(usize, usize, u32, Vec4)) {
+        let [a, b, c] = self.corners;
+        let own = self.rows(grid);
+        let rows = own.start.max(rows.start)..own.end.min(rows.end);
+        let columns = [a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)].map(|x| x.div_euclid(grid.cell[0]));
+        let columns = columns[0].max(0)..(columns[1] + 1).min(grid.size[0] as i32);
+        if columns.is_empty() {
+            return;
+        }
+        // The value of an edge is positive inside; all values are whole numbers, and exact.
+        let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| {
+            let along = to - from;
+            // A sample on the line of two triangles belongs to the one below or to the right of it.
+            let own = along.y < 0 || (along.y == 0 && along.x > 0);
+            let slope = [f64::from(-along.y), f64::from(along.x)];
+            let start = -(slope[0] * f64::from(from.x) + slope[1] * f64::from(from.y)) - if own { 0.0 } else { 1.0 };
+            (start, slope)
+        });
+        let lanes = grid.lanes(self.near);
+        let cell = [grid.cell[0], grid.cell[1]].map(f64::from);
+        let [low, high] = self.limits.map(Vec4::splat);
+        for row in rows {
+            let top = row as f64 * cell[1];
+            let mut span = columns.clone();
+            let mut values = [[0.0; SAMPLES]; 3];
+            for (value, (start, slope)) in values.iter_mut().zip(&edges) {
+                let samples = grid.samples.map(|[x, y]| start + slope[0] * f64::from(x) + slope[1] * (top + f64::from(y)));
+                let most = samples.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                // Where the greatest of the samples is negative, the cell is outside.
+                let step = slope[0] * cell[0];
+                if step > 0.0 {
+                    span.start = span.start.max(limited((-most / step).floor()));
+                } else if step < 0.0 {
+                    span.end = span.end.min(limited((most / -step).floor()).saturating_add(1));
+                } else if most < 0.0 {
+                    span.end = span.start;
+                }
+                *value = samples;
+            }
+            if span.is_empty() {
+                continue;
+            }
+            let begin = f64::from(span.start) * cell[0];
+            for (value, (_, slope)) in values.iter_mut().zip(&edges) {
+                value.iter_mut().for_each(|sample| *sample += slope[0] * begin);
+            }
+            let steps = edges.map(|(_, slope)| slope[0] * cell[0]);
+            for column in span {
+                let mut bits = 0;
+                for sample in 0..SAMPLES {
+                    let least = values[0][sample].min(values[1][sample]).min(values[2][sample]);
+                    bits |= u32::from(least >= 0.0) << sample;
+                }
+                if bits != 0 {
+                    each(row, column as usize, bits, lanes.at(column as usize, row).max(low).min(high));
+                }
+                for (value, step) in values.iter_mut().zip(steps) {
+                    value.iter_mut().for_each(|sample| *sample += step);
+                }
+            }
+        }
+    }
+}
+
+fn limited(value: f64) -> i32 {
+    value.clamp(-1e9, 1e9) as i32
+}
+
+/// Returns twice the area of a triangle, positive if it is clockwise in a picture whose axis y is down.
+pub(crate) fn area([a, b, c]: [IVec2; 3]) -> i64 {
+    let (u, v) = ((b - a).as_i64vec2(), (c - a).as_i64vec2());
+    u.x * v.y - u.y * v.x
+}
+
+/// The triangles of each band of a grid, in order.
+pub(crate) struct Bands(Vec<Vec<Cover>>);
+
+impl Bands {
+    pub fn new<'a>(grid: &Grid, covers: impl IntoIterator<Item = &'a Cover>) -> Self {
+        let mut bands: Vec<Vec<Cover>> = vec![Vec::new(); grid.size[1].div_ceil(BAND)];
+        for cover in covers {
+            let rows = cover.rows(grid);
+            if !rows.is_empty() {
+                bands[rows.start / BAND..=(rows.end - 1) / BAND].iter_mut().for_each(|band| band.push(*cover));
+            }
+        }
+        Self(bands)
+    }
+
+    pub fn of(&self, band: usize) -> &[Cover] {
+        &self.0[band]
+    }
+}
+
+/// The rows of a band.
+pub(crate) fn rows_of(band: usize) -> Range<usize> {
+    band * BAND..(band + 1) * BAND
+}
+
+/// Keeps the nearest triangle of each sample. Of two that are equally near, the later one is kept.
+pub(crate) fn cover(grid: &Grid, bands: &Bands, near: &mut [Vec4], ids: &mut [[u32; SAMPLES]]) {
+    let width = grid.size[0];
+    parallel::pairs(near, ids, width * BAND, |band, near, ids| {
+        let first = band * BAND;
+        for cover in bands.of(band) {
+            cover.scan(grid, rows_of(band), |row, column, bits, found| {
+                let cell = (row - first) * width + column;
+                let kept = found.cmpge(near[cell]).bitmask() & bits;
+                for sample in 0..SAMPLES {
+                    if kept >> sample & 1 == 1 {
+                        near[cell][sample] = found[sample];
+                        ids[cell][sample] = cover.id;
+                    }
+                }
+            });
+        }
+    });
+}
+
+/// Keeps the greatest nearness of each sample.
+pub(crate) fn cover_depth(grid: &Grid, bands: &Bands, near: &mut [Vec4]) {
+    let width = grid.size[0];
+    parallel::chunks(near, width * BAND, |band, near| {
+        let first = band * BAND;
+        for cover in bands.of(band) {
+            cover.scan(grid, rows_of(band), |row, column, bits, found| {
+                let cell = &mut near[(row - first) * width + column];
+                let most = cell.max(found);
+                for sample in 0..SAMPLES {
+                    if bits >> sample & 1 == 1 {
+                        cell[sample] = most[sample];
+                    }
+                }
+            });
+        }
+    });
+}

@@ -1,0 +1,294 @@
+//! From a scene to a picture, step by step.
+
+use crate::geometry::{GROUND, Geometry, SKY, ground};
+use crate::lines::Strokes;
+use crate::occlusion::{self, Front};
+use crate::raster::{BAND, Bands, Grid, SAMPLES, cover, rows_of};
+use crate::shade::Shader;
+use crate::shadow::Shadows;
+use crate::tone::Tone;
+use crate::{Scene, View, parallel};
+use glam::{DVec3, Vec2, Vec3, Vec4};
+
+/// The greatest width and height of a picture, pixels.
+const LARGEST: u32 = 16_384;
+/// The nearness, 1/m, below which the ground is part of the haze.
+const HORIZON: f32 = 1e-5;
+
+/// A rendered picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    size: [u32; 2],
+    view: View,
+    bytes: Vec<u8>,
+    /// The nearness at the middle of each pixel, 1/m.
+    near: Vec<f32>,
+}
+
+/// The size of a picture is not possible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a picture of {width} by {height} pixels: give 1 to 16384 for both")]
+pub struct SizeError {
+    /// The width, pixels.
+    pub width: u32,
+    /// The height, pixels.
+    pub height: u32,
+}
+
+impl Picture {
+    /// Renders a scene. Bodies and areas with coordinates that are not finite are left out where they are not.
+    ///
+    /// The bytes are the same for any number of threads.
+    ///
+    /// # Errors
+    /// The size is 0 or above 16,384 pixels.
+    ///
+    /// ```
+    /// use glam::{DVec3, Vec3};
+    /// use throng_render::{Body, Material, Mesh, Picture, Scene, View};
+    /// let ball = Mesh::capsule(Vec3::Z, Vec3::Z, [1.0; 2], 24);
+    /// let red = Material::plain(throng_render::linear(0xc04030));
+    /// let scene = Scene {
+    ///     ground: Some(Material::paving()),
+    ///     bodies: vec![Body::standing(&ball, DVec3::ZERO, 0.0, red)],
+    ///     ..Scene::default()
+    /// };
+    /// let view = View::look(DVec3::new(0.0, -8.0, 3.0), DVec3::Z, 0.6, [64, 48]);
+    /// let picture = Picture::render(&scene, &view, [64, 48])?;
+    /// let middle = &picture.bytes()[4 * (24 * 64 + 32)..][..4];
+    /// assert!(middle[0] > 2 * middle[2], "the ball is red: {middle:?}");
+    /// # Ok::<(), throng_render::SizeError>(())
+    /// ```
+    pub fn render(scene: &Scene<'_>, view: &View, size: [u32; 2]) -> Result<Self, SizeError> {
+        let [width, height] = size;
+        if !(1..=LARGEST).contains(&width) || !(1..=LARGEST).contains(&height) {
+            return Err(SizeError { width, height });
+        }
+        let grid = Grid::picture(size);
+        let geometry = Geometry::new(scene, view);
+        let samples = Samples::new(scene, &geometry, view, &grid, size);
+        let shader = Shader {
+            view,
+            light: &scene.light,
+            geometry: &geometry,
+            ground: scene.ground,
+            towards: scene.light.sun.direction(),
+            eye: view.eye.as_vec3(),
+        };
+        let seen = samples.seen(&shader, width as usize);
+        let fronts: Vec<Front> = seen.iter().map(|seen| seen.front).collect();
+        let shadows = Shadows::new(&geometry, &scene.light.sun);
+        let lights = occlusion::lights(&fronts, width as usize, view, &scene.light.sun, shadows.as_ref());
+        let colors = samples.colors(&shader, &seen, &lights, width as usize);
+        let colors = above(colors, scene, &shader, &samples, (&grid, size));
+        let tone = Tone::new(scene.light.exposure);
+        let mut bytes = vec![0; grid.cells() * 4];
+        parallel::chunks(&mut bytes, width as usize * 4, |row, bytes| {
+            for (pixel, color) in bytes.as_chunks_mut::<4>().0.iter_mut().zip(&colors[row * width as usize..]) {
+                *pixel = tone.pixel(*color);
+            }
+        });
+        Ok(Self { size, view: *view, bytes, near: fronts.iter().map(|front| front.near).collect() })
+    }
+
+    /// Returns the pixels in rows from the upper left corner: red, green, blue, and an opacity of 255.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// Returns the pixels.
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.bytes
+    }
+
+    /// Returns the width and the height, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// Whether bodies or the ground hide a point that is in the picture. Points outside of the picture are not hidden.
+    pub fn hides(&self, point: DVec3) -> bool {
+        let turned = self.view.turned(self.view.relative(point));
+        if turned.z.is_nan() || turned.z <= 0.0 {
+            return false;
+        }
+        let pixel = self.view.centre + Vec2::new(turned.x, -turned.y) * (self.view.focal / turned.z);
+        let [width, height] = self.size;
+        let inside = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < width as f32 && pixel.y < height as f32;
+        inside && self.near[pixel.y as usize * width as usize + pixel.x as usize] * turned.z > 1.0
+    }
+}
+
+/// What is nearest at each sample.
+struct Samples {
+    near: Vec<Vec4>,
+    ids: Vec<[u32; SAMPLES]>,
+}
+
+/// What most samples of a pixel see.
+#[derive(Clone, Copy)]
+struct Seen {
+    id: u32,
+    front: Front,
+    color: Vec3,
+}
+
+impl Samples {
+    fn new(scene: &Scene<'_>, geometry: &Geometry<'_>, view: &View, grid: &Grid, size: [u32; 2]) -> Self {
+        let mut near = vec![Vec4::ZERO; grid.cells()];
+        let mut ids = vec![[SKY; SAMPLES]; grid.cells()];
+        if scene.ground.is_some() && view.eye.z > 0.0 {
+            let lanes = grid.lanes(ground(view));
+            parallel::pairs(&mut near, &mut ids, grid.size[0], |row, near, ids| {
+                for (column, (near, ids)) in near.iter_mut().zip(ids).enumerate() {
+                    let found = lanes.at(column, row);
+                    for sample in 0..SAMPLES {
+                        if found[sample] > HORIZON {
+                            (near[sample], ids[sample]) = (found[sample], GROUND);
+                        }
+                    }
+                }
+            });
+        }
+        let covers = geometry.covers(view, size, false);
+        cover(grid, &Bands::new(grid, covers.iter().flatten()), &mut near, &mut ids);
+        Self { near, ids }
+    }
+
+    /// Returns the nearness of what some samples of a pixel see: the mean.
+    fn nearness(&self, cell: usize, id: u32) -> (f32, f32) {
+        let own = (0..SAMPLES).filter(|&sample| self.ids[cell][sample] == id);
+        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), sample| (sum + self.near[cell][sample], count + 1.0));
+        (sum / count, count)
+    }
+
+    fn seen(&self, shader: &Shader<'_>, width: usize) -> Vec<Seen> {
+        let none = Seen { id: SKY, front: Front { near: 0.0, normal: Vec3::ZERO }, color: Vec3::ZERO };
+        let mut seen = vec![none; self.ids.len()];
+        parallel::chunks(&mut seen, width, |row, seen| {
+            for (column, seen) in seen.iter_mut().enumerate() {
+                let cell = row * width + column;
+                let ids = self.ids[cell];
+                let of = |id: u32| ids.iter().filter(|&&other| other == id).count();
+                // of two that are seen by as many samples, the first
+                let id = ids.into_iter().reduce(|most, id| if of(id) > of(most) { id } else { most }).unwrap_or(SKY);
+                if id == SKY {
+                    continue;
+                }
+                let (near, _) = self.nearness(cell, id);
+                let (hit, color) = shader.surface(id, near, shader.view.ray(middle(column, row)));
+                *seen = Seen { id, front: Front { near, normal: hit.normal }, color };
+            }
+        });
+        seen
+    }
+
+    /// Returns the colours of all pixels.
+    fn colors(&self, shader: &Shader<'_>, seen: &[Seen], lights: &[occlusion::Light], width: usize) -> Vec<Vec3> {
+        let height = seen.len() / width;
+        let mut colors = vec![Vec3::ZERO; seen.len()];
+        parallel::chunks(&mut colors, width, |row, colors| {
+            for (column, color) in colors.iter_mut().enumerate() {
+                let cell = row * width + column;
+                let ray = shader.view.ray(middle(column, row));
+                let Seen { id, front, color: own } = seen[cell];
+                let main = match id {
+                    SKY => shader.sky(ray),
+                    _ => shader.lit(front.normal, own, lights[cell], front.near, ray),
+                };
+                let ids = self.ids[cell];
+                if ids == [id; SAMPLES] {
+                    *color = main;
+                    continue;
+                }
+                for sample in 0..SAMPLES {
+                    let other = ids[sample];
+                    if ids[..sample].contains(&other) {
+                        continue;
+                    }
+                    let (near, count) = self.nearness(cell, other);
+                    let part = match other {
+                        _ if other == id => main,
+                        SKY => shader.sky(ray),
+                        _ => {
+                            let (hit, color) = shader.surface(other, near, ray);
+                            let light = neighbour(seen, lights, [width, height], [column, row], near);
+                            shader.lit(hit.normal, color, light, near, ray)
+                        }
+                    };
+                    *color += part * (count / SAMPLES as f32);
+                }
+            }
+        });
+        colors
+    }
+}
+
+fn middle(column: usize, row: usize) -> Vec2 {
+    Vec2::new(column as f32 + 0.5, row as f32 + 0.5)
+}
+
+/// Returns the light of the neighbour that is most nearly as near.
+fn neighbour(
+    seen: &[Seen],
+    lights: &[occlusion::Light],
+    [width, height]: [usize; 2],
+    [column, row]: [usize; 2],
+    near: f32,
+) -> occlusion::Light {
+    let columns = column.saturating_sub(1)..(column + 2).min(width);
+    let rows = row.saturating_sub(1)..(row + 2).min(height);
+    let all = rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
+    let apart = |cell: &usize| (seen[*cell].front.near - near).abs();
+    all.min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or([1.0; 2], |cell| lights[cell])
+}
+
+/// Adds what lies above: lines, and then bodies that one can see through.
+fn above(
+    mut colors: Vec<Vec3>,
+    scene: &Scene<'_>,
+    shader: &Shader<'_>,
+    samples: &Samples,
+    (grid, size): (&Grid, [u32; 2]),
+) -> Vec<Vec3> {
+    let width = grid.size[0];
+    let strokes = Strokes::new(&scene.lines, shader.view, size);
+    let lines = Bands::new(grid, &strokes.covers);
+    let clear = shader.geometry.covers(shader.view, size, true);
+    let clear = Bands::new(grid, clear.iter().flatten());
+    let share = |bits: u32, near: Vec4, cell: usize| {
+        let seen = near.cmpge(samples.near[cell]).bitmask() & bits;
+        seen.count_ones() as f32 / SAMPLES as f32
+    };
+    parallel::chunks(&mut colors, width * BAND, |band, colors| {
+        let first = band * BAND * width;
+        for line in lines.of(band) {
+            let stroke = &strokes.all[line.id as usize];
+            line.scan(grid, rows_of(band), |row, column, bits, near| {
+                let cell = row * width + column;
+                let share = share(bits, near, cell);
+                if share > 0.0 {
+                    let at = middle(column, row);
+                    let opacity = stroke.opacity.value(at).clamp(0.0, 1.0) * share;
+                    let color = shader.hazed(stroke.color, near.max_element().max(HORIZON), shader.view.ray(at));
+                    colors[cell - first] = colors[cell - first].lerp(color, opacity);
+                }
+            });
+        }
+        for pane in clear.of(band) {
+            pane.scan(grid, rows_of(band), |row, column, bits, near| {
+                let cell = row * width + column;
+                let share = share(bits, near, cell);
+                if share > 0.0 {
+                    let ray = shader.view.ray(middle(column, row));
+                    let near = near.max_element();
+                    let (hit, color) = shader.surface(pane.id, near, ray);
+                    let lit = shader.lit(hit.normal, color, [1.0, 1.0], near, ray);
+                    let (color, opacity) = shader.glass(&hit, lit, ray);
+                    colors[cell - first] = colors[cell - first].lerp(color, opacity * share);
+                }
+            });
+        }
+    });
+    colors
+}
