@@ -18,6 +18,12 @@ impl Image {
         Self { width, height, data }
     }
 
+    /// Creates a picture of its bytes: `width * height * 4`.
+    pub(crate) fn of(width: u32, height: u32, data: Vec<u8>) -> Self {
+        debug_assert_eq!(data.len(), width as usize * height as usize * 4, "four bytes a pixel");
+        Self { width, height, data }
+    }
+
     /// Returns the width, pixels.
     pub fn width(&self) -> u32 {
         self.width

@@ -7,7 +7,7 @@ use crate::look::Look;
 use crate::primitive::Primitive;
 use crate::projector::Projector;
 use crate::shape::Strides;
-use crate::space::SpaceScene;
+use crate::space::{People, SpaceScene};
 use crate::text::Type;
 use crate::trail::{AgentTrail, Brush, Trail, Trails};
 use crate::{
@@ -53,11 +53,13 @@ pub struct Painter {
     pub(crate) layout: Layout,
     pub(crate) look: Look,
     typeface: Type,
-    trails: Trails,
+    pub(crate) trails: Trails,
     /// The positions of insects while the shutter was open.
     blur: Trails,
     /// The walked distances of agents with shapes.
     pub(crate) strides: Strides,
+    /// Agents that are people, in perspective.
+    pub(crate) people: People,
     /// The trails of annotated agents.
     pub(crate) ways: Trails,
     /// The annotations that have been visible so far.
@@ -105,8 +107,8 @@ impl Painter {
             }
             Projection::Perspective => {
                 let stage = SpaceScene::new(setting, style, layout.unit, view, first, (low, high));
-                let (place, scale) = (stage.ground(), Scale::Grid(stage.cell()));
-                (Perspective::Space(Box::new(stage)), Vec::new(), place, scale)
+                let scale = Scale::Grid(stage.cell());
+                (Perspective::Space(Box::new(stage)), Vec::new(), Vec::new(), scale)
             }
         };
         let legend = if style.legend { layout.fixed(setting, style, &look, scale, &typeface) } else { Vec::new() };
@@ -123,6 +125,7 @@ impl Painter {
             trails: Trails::default(),
             blur: Trails::default(),
             strides: Strides::default(),
+            people: People::new(setting, style, first),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
@@ -174,6 +177,9 @@ impl Painter {
         }
         if look.has_shapes() {
             self.strides.follow(frame);
+        }
+        if matches!(self.view, Perspective::Space(_)) {
+            self.people.follow(frame, look);
         }
         if wanted.kinds.contains(&Annotation::Trails) {
             self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));
@@ -233,17 +239,21 @@ impl Painter {
         Crowd::of(insects.count(), self.layout.unit)
     }
 
-    /// Returns the streaks of insects.
-    pub(crate) fn streaks(&self, frame: &Frame, crowd: Crowd) -> Vec<Trail> {
+    /// Returns the streaks of insects at a time.
+    pub(crate) fn streaks<'a>(
+        &self,
+        insects: impl Iterator<Item = &'a Body>,
+        time: f64,
+        crowd: Crowd,
+    ) -> Vec<Trail> {
         let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
-        let insects = frame.bodies.iter().filter(|body| self.look.form(body) == AgentShape::Insect);
         // Without exposure time (0 or NaN) there are no streaks.
         if seconds.is_nan() || seconds <= 0.0 {
             return Vec::new();
         }
         let streak = |body: &Body| {
             let track = self.blur.tracks.get(&body.number)?;
-            insect::streak(track, body, self.look.coat(body).fill, &projector, (frame.time, seconds), crowd)
+            insect::streak(track, body, self.look.coat(body).fill, &projector, (time, seconds), crowd)
         };
         insects.filter_map(streak).collect()
     }

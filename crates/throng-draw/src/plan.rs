@@ -23,7 +23,8 @@ impl Painter {
         bodies.into_iter().for_each(|body| self.mark(body, camera, crowd, frame.time, &mut agents));
         let mut trails = vec![Primitive::Trails(self.trails(frame.time))];
         if self.look.has(AgentShape::Insect) {
-            trails.push(Primitive::Streaks(self.streaks(frame, crowd)));
+            let insects = frame.bodies.iter().filter(|body| self.look.form(body) == AgentShape::Insect);
+            trails.push(Primitive::Streaks(self.streaks(insects, frame.time, crowd)));
         }
         vec![("trails", trails), ("shadows", shadows), ("agents", agents)]
     }

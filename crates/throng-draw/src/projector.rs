@@ -55,14 +55,6 @@ impl Projector {
         }
     }
 
-    /// Returns the horizontal distance of a point from the viewpoint; 0 in plan view.
-    pub(crate) fn away(&self, point: DVec3) -> f64 {
-        match self {
-            Self::Plan(_) => 0.0,
-            Self::Perspective(lens) => lens.away(point),
-        }
-    }
-
     /// Returns the share of its colour that a point loses to haze, 0 to 1.
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         match self {

@@ -104,8 +104,7 @@ impl Brush {
             let half = ((f64::from(track.radius) * self.projector.scale(point)) as f32 * HALF_WIDTH).max(0.6);
             let fresh = freshness(now - time, self.seconds);
             let opacity = OPACITY * fresh * (1.0 - self.projector.haze(point));
-            let away = self.projector.away(point);
-            Some(End { at: self.projector.pixel(point)?, half: half * (0.35 + 0.65 * fresh), opacity, away })
+            Some(End { at: self.projector.pixel(point)?, half: half * (0.35 + 0.65 * fresh), opacity })
         };
         Trail::parts(track.points.iter().map(end), color)
     }
@@ -150,8 +149,6 @@ pub struct End {
     pub half: f32,
     /// The opacity, 0 to 1.
     pub opacity: f32,
-    /// The horizontal distance from the viewpoint.
-    pub away: f64,
 }
 
 impl TrailLayer {
@@ -292,7 +289,7 @@ mod tests {
 
     #[test]
     fn overlapping_segments_are_no_darker_than_one() {
-        let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5, away: 0.0 };
+        let end = |x: f32| End { at: Vec2::new(x, 10.0), half: 3.0, opacity: 0.5 };
         let mut layer = TrailLayer::new(40, 20);
         let mut image = Image::new(40, 20, PAPER);
         layer.piece(end(5.0), end(20.0), INK);

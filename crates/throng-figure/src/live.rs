@@ -121,6 +121,11 @@ impl Live {
         &self.person
     }
 
+    /// Returns the last sample.
+    pub fn sample(&self) -> Sample {
+        self.last
+    }
+
     /// Returns the pose at the last sample.
     pub fn pose(&self) -> Pose {
         self.pose

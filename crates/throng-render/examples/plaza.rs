@@ -44,7 +44,9 @@ fn people(view: &View, count: u64) -> Vec<(Mesh<'static>, DVec3)> {
 }
 
 fn main() {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "plaza.png".into());
+    let mut arguments = std::env::args().skip(1);
+    let path = arguments.next().unwrap_or_else(|| "plaza.png".into());
+    let frames: usize = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(5);
     let view = View::look(DVec3::new(-17.0, -21.0, 6.5), DVec3::new(-1.0, -1.0, 0.5), 0.6, SIZE);
     let people = people(&view, 200);
     let rectangle = |x: f32, y: f32, wide: f32, deep: f32| {
@@ -85,7 +87,7 @@ fn main() {
         ..Scene::default()
     };
     let mut picture = None;
-    for _ in 0..5 {
+    for _ in 0..frames.max(1) {
         let start = Instant::now();
         picture = Some(Picture::render(&scene, &view, SIZE).expect("the size is possible"));
         println!("{:.1} ms", start.elapsed().as_secs_f64() * 1e3);
@@ -94,5 +96,5 @@ fn main() {
     let mut encoder = png::Encoder::new(file, SIZE[0], SIZE[1]);
     encoder.set_color(png::ColorType::Rgba);
     let mut writer = encoder.write_header().expect("the file can be written");
-    writer.write_image_data(picture.expect("five pictures").bytes()).expect("the file can be written");
+    writer.write_image_data(picture.expect("at least one picture").bytes()).expect("the file can be written");
 }

@@ -87,20 +87,20 @@ impl Material {
     pub(crate) fn shade(&self, place: Vec3, normal: Vec3, footprint: f32) -> f32 {
         match self.pattern {
             Pattern::Plain => 1.0,
-            Pattern::Grain { strength } => 1.0 + strength * grain(place, footprint),
+            Pattern::Grain { strength } => 1.0 + strength * grain(flat(place, normal), footprint),
             Pattern::Slabs { size, strength } => {
-                let across = flat(place, normal) / size;
-                let cell = across.floor();
-                let tone = hash(cell.x as i32, cell.y as i32, 7) - 0.5;
+                let place = flat(place, normal);
+                let across = place / size;
+                let tone = hash(whole(across.x), whole(across.y), 7) - 0.5;
                 let joints = joint(across.x, size, footprint).max(joint(across.y, size, footprint));
                 let seen = visible(size, footprint);
                 1.0 + strength * (0.6 * tone * seen - 1.6 * joints + 0.5 * grain(place, footprint))
             }
             Pattern::Boards { size, strength } => {
                 let across = flat(place, normal) / size;
-                let board = across.y.floor();
-                let tone = hash(board as i32, 3, 11) - 0.5;
-                let fibre = noise(Vec3::new(across.x * 0.12, across.y * 6.0, board * 7.3));
+                let board = whole(across.y);
+                let tone = hash(board, 3, 11) - 0.5;
+                let fibre = noise(Vec2::new(across.x * 0.12 + board as f32 * 7.3, across.y * 6.0));
                 let seen = visible(size, footprint);
                 1.0 + strength * (tone * seen + 0.7 * fibre * seen - 1.4 * joint(across.y, size, footprint))
             }
@@ -125,14 +125,14 @@ fn visible(size: f32, footprint: f32) -> f32 {
 /// Returns the share of the pixel at `across`, in units of `size` metres, that a joint of 12 mm covers.
 fn joint(across: f32, size: f32, footprint: f32) -> f32 {
     const WIDTH: f32 = 0.012;
-    let distance = (across - (across + 0.5).floor()).abs() * size;
+    let distance = (across - whole(across + 0.5) as f32).abs() * size;
     let wide = footprint.max(1e-6);
     let covered = ((WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0) - ((-WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0);
     covered * visible(size, footprint)
 }
 
 /// Returns grain of three sizes, about -1 to 1.
-fn grain(place: Vec3, footprint: f32) -> f32 {
+fn grain(place: Vec2, footprint: f32) -> f32 {
     let layer = |size: f32| {
         let seen = visible(size, footprint);
         if seen > 0.0 { seen * noise(place * (1.0 / size)) } else { 0.0 }
@@ -141,15 +141,19 @@ fn grain(place: Vec3, footprint: f32) -> f32 {
 }
 
 /// Returns smooth noise, -1 to 1: values at the points of a lattice, blended.
-fn noise(place: Vec3) -> f32 {
-    let cell = place.floor();
-    let part = place - cell;
-    let [x, y, z] = [cell.x as i32, cell.y as i32, cell.z as i32];
-    let t = part * part * (Vec3::splat(3.0) - 2.0 * part);
+fn noise(place: Vec2) -> f32 {
+    let [x, y] = place.to_array().map(whole);
+    let part = place - Vec2::new(x as f32, y as f32);
+    let t = part * part * (Vec2::splat(3.0) - 2.0 * part);
     let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
-    let line = |y: i32, z: i32| mix(hash(x, y, z), hash(x.wrapping_add(1), y, z), t.x);
-    let plane = |z: i32| mix(line(y, z), line(y.wrapping_add(1), z), t.y);
-    2.0 * mix(plane(z), plane(z.wrapping_add(1)), t.z) - 1.0
+    let line = |y: i32| mix(hash(x, y, 0), hash(x.wrapping_add(1), y, 0), t.x);
+    2.0 * mix(line(y), line(y.wrapping_add(1)), t.y) - 1.0
+}
+
+/// Returns the greatest whole number that is not above a value.
+fn whole(value: f32) -> i32 {
+    let whole = value as i32;
+    whole.wrapping_sub(i32::from(whole as f32 > value))
 }
 
 /// Returns a number from 0 to 1 that whole numbers determine.

@@ -2,9 +2,10 @@
 
 use crate::geometry::{GROUND, Geometry, SKY, ground};
 use crate::lines::Strokes;
-use crate::occlusion::{self, Front};
+use crate::front::{Front, Fronts};
+use crate::occlusion;
 use crate::raster::{BAND, Bands, Grid, SAMPLES, cover, rows_of};
-use crate::shade::Shader;
+use crate::shade::{Lit, Shader};
 use crate::shadow::Shadows;
 use crate::tone::Tone;
 use crate::{Scene, View, parallel};
@@ -76,9 +77,11 @@ impl Picture {
             eye: view.eye.as_vec3(),
         };
         let seen = samples.seen(&shader, width as usize);
-        let fronts: Vec<Front> = seen.iter().map(|seen| seen.front).collect();
+        let fronts = Fronts { all: seen.iter().map(|seen| seen.front).collect(), width: width as usize };
+        let open = occlusion::open(&fronts, view);
         let shadows = Shadows::new(&geometry, &scene.light.sun);
-        let lights = occlusion::lights(&fronts, width as usize, view, &scene.light.sun, shadows.as_ref());
+        let sun = shadows.map_or_else(|| vec![1.0; open.len()], |shadows| shadows.lights(&fronts, view));
+        let lights: Vec<Lit> = sun.into_iter().zip(open).map(|(sun, open)| Lit { sun, open }).collect();
         let colors = samples.colors(&shader, &seen, &lights, width as usize);
         let colors = above(colors, scene, &shader, &samples, (&grid, size));
         let tone = Tone::new(scene.light.exposure);
@@ -88,7 +91,7 @@ impl Picture {
                 *pixel = tone.pixel(*color);
             }
         });
-        Ok(Self { size, view: *view, bytes, near: fronts.iter().map(|front| front.near).collect() })
+        Ok(Self { size, view: *view, bytes, near: fronts.all.iter().map(|front| front.near).collect() })
     }
 
     /// Returns the pixels in rows from the upper left corner: red, green, blue, and an opacity of 255.
@@ -168,10 +171,7 @@ impl Samples {
         parallel::chunks(&mut seen, width, |row, seen| {
             for (column, seen) in seen.iter_mut().enumerate() {
                 let cell = row * width + column;
-                let ids = self.ids[cell];
-                let of = |id: u32| ids.iter().filter(|&&other| other == id).count();
-                // of two that are seen by as many samples, the first
-                let id = ids.into_iter().reduce(|most, id| if of(id) > of(most) { id } else { most }).unwrap_or(SKY);
+                let id = most(self.ids[cell]);
                 if id == SKY {
                     continue;
                 }
@@ -184,7 +184,7 @@ impl Samples {
     }
 
     /// Returns the colours of all pixels.
-    fn colors(&self, shader: &Shader<'_>, seen: &[Seen], lights: &[occlusion::Light], width: usize) -> Vec<Vec3> {
+    fn colors(&self, shader: &Shader<'_>, seen: &[Seen], lights: &[Lit], width: usize) -> Vec<Vec3> {
         let height = seen.len() / width;
         let mut colors = vec![Vec3::ZERO; seen.len()];
         parallel::chunks(&mut colors, width, |row, colors| {
@@ -224,6 +224,16 @@ impl Samples {
     }
 }
 
+/// Returns what most samples of a pixel see; of two that are seen by as many samples, the first.
+fn most(ids: [u32; SAMPLES]) -> u32 {
+    let first = ids[0];
+    if ids == [first; SAMPLES] {
+        return first;
+    }
+    let of = |id: u32| ids.iter().filter(|&&other| other == id).count();
+    ids.into_iter().fold(first, |most, id| if of(id) > of(most) { id } else { most })
+}
+
 fn middle(column: usize, row: usize) -> Vec2 {
     Vec2::new(column as f32 + 0.5, row as f32 + 0.5)
 }
@@ -231,16 +241,16 @@ fn middle(column: usize, row: usize) -> Vec2 {
 /// Returns the light of the neighbour that is most nearly as near.
 fn neighbour(
     seen: &[Seen],
-    lights: &[occlusion::Light],
+    lights: &[Lit],
     [width, height]: [usize; 2],
     [column, row]: [usize; 2],
     near: f32,
-) -> occlusion::Light {
+) -> Lit {
     let columns = column.saturating_sub(1)..(column + 2).min(width);
     let rows = row.saturating_sub(1)..(row + 2).min(height);
     let all = rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
     let apart = |cell: &usize| (seen[*cell].front.near - near).abs();
-    all.min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or([1.0; 2], |cell| lights[cell])
+    all.min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or(Lit::WHOLE, |cell| lights[cell])
 }
 
 /// Adds what lies above: lines, and then bodies that one can see through.
@@ -283,7 +293,7 @@ fn above(
                     let ray = shader.view.ray(middle(column, row));
                     let near = near.max_element();
                     let (hit, color) = shader.surface(pane.id, near, ray);
-                    let lit = shader.lit(hit.normal, color, [1.0, 1.0], near, ray);
+                    let lit = shader.lit(hit.normal, color, Lit::WHOLE, near, ray);
                     let (color, opacity) = shader.glass(&hit, lit, ray);
                     colors[cell - first] = colors[cell - first].lerp(color, opacity * share);
                 }

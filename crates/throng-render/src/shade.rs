@@ -1,9 +1,22 @@
 //! The colours of what is seen.
 
 use crate::geometry::{GROUND, Geometry, Hit};
-use crate::occlusion;
 use crate::{Light, Material, View};
 use glam::Vec3;
+
+/// The light that reaches a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lit {
+    /// The share of the sun, 0 to 1.
+    pub sun: f32,
+    /// The share of the sky, 0 to 1.
+    pub open: f32,
+}
+
+impl Lit {
+    /// The light where nothing is near.
+    pub const WHOLE: Self = Self { sun: 1.0, open: 1.0 };
+}
 
 /// What colours depend on.
 pub(crate) struct Shader<'a> {
@@ -35,7 +48,7 @@ impl Shader<'_> {
     }
 
     /// Returns the light that a surface reflects, with haze.
-    pub fn lit(&self, normal: Vec3, color: Vec3, [sun, open]: occlusion::Light, near: f32, ray: Vec3) -> Vec3 {
+    pub fn lit(&self, normal: Vec3, color: Vec3, Lit { sun, open }: Lit, near: f32, ray: Vec3) -> Vec3 {
         let sky = &self.light.sky;
         let up = 0.5 + 0.5 * normal.z;
         let around = sky.bounce.lerp(sky.light, up) * open;

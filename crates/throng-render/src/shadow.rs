@@ -5,12 +5,16 @@
 
 use crate::geometry::{Geometry, Surface};
 use crate::raster::{Bands, Cover, Grid, Plane, cover_depth};
+use crate::front::{Fronts, blurred, turn};
 use crate::view::SUB;
-use crate::{Sun, parallel};
+use crate::{Sun, View, parallel};
 use glam::{Vec2, Vec3, Vec4};
 
 /// The number of points of the map along a side.
 const SIDE: usize = 2048;
+/// The side of a tile of the map, points, and the number of tiles along a side.
+const TILE: usize = 16;
+const TILES: usize = SIDE / TILE;
 /// The finest distance of points, metres.
 const FINEST: f32 = 0.004;
 /// The distance within which casters are looked for, and the widest penumbra, metres.
@@ -31,8 +35,12 @@ pub(crate) struct Shadows {
     point: f32,
     /// The angle of the sun.
     size: f32,
+    /// How far casters are looked for, points.
+    search: f32,
     /// The greatest height towards the sun of what is at each point, four points a cell.
     heights: Vec<Vec4>,
+    /// The greatest height that a search from each tile of the map finds.
+    peaks: Vec<f32>,
     /// The points of a disc that are compared.
     disc: [Vec2; SEARCHES + SOFTENERS],
 }
@@ -58,11 +66,14 @@ impl Shadows {
         }
         let point = (wide / (SIDE - 8) as f32).max(FINEST);
         let low = low - Vec2::splat(3.0 * point);
+        let size = sun.size.clamp(0.0, 0.2);
         let mut shadows = Self {
             axes,
             low,
             point,
-            size: sun.size.clamp(0.0, 0.2),
+            size,
+            search: (size * 6.0 / point).clamp(2.0, REACH / point),
+            peaks: Vec::new(),
             heights: vec![Vec4::NEG_INFINITY; Grid::map(SIDE).cells()],
             disc: disc(),
         };
@@ -70,6 +81,7 @@ impl Shadows {
         let grid = Grid::map(SIDE);
         let bands = Bands::new(&grid, covers.iter().flatten());
         cover_depth(&grid, &bands, &mut shadows.heights);
+        shadows.peaks = shadows.peaks();
         Some(shadows)
     }
 
@@ -102,48 +114,79 @@ impl Shadows {
 
     /// Returns the height of what is at a point; nothing beyond the map.
     fn height(&self, at: Vec2) -> f32 {
-        if at.x < 0.0 || at.y < 0.0 || at.x >= SIDE as f32 || at.y >= SIDE as f32 {
+        // From -1 to 0, numbers become 0: the edge of the map is empty.
+        let (x, y) = (at.x as i32 as u32 as usize, at.y as i32 as u32 as usize);
+        if x >= SIDE || y >= SIDE {
             return f32::NEG_INFINITY;
         }
-        let (x, y) = (at.x as usize, at.y as usize);
         self.heights[y * (SIDE / 4) + x / 4][x % 4]
     }
 
-    /// Returns how much of the sun is seen from a place with a normal, 0 to 1. `turn`, 0 to 1, differs between
-    /// neighbouring pixels, so that what is compared differs too.
-    pub fn light(&self, place: Vec3, normal: Vec3, turn: f32) -> f32 {
+    /// Returns the share of the sun that each pixel sees, 0 to 1.
+    pub fn lights(&self, fronts: &Fronts, view: &View) -> Vec<f32> {
+        let mut raw = vec![1.0; fronts.all.len()];
+        parallel::chunks(&mut raw, fronts.width, |row, lights| {
+            for (column, light) in lights.iter_mut().enumerate() {
+                let front = fronts.all[row * fronts.width + column];
+                // What faces away from the sun has no light that a shadow could take.
+                if front.near > 0.0 && front.normal.dot(self.axes[2]) > 0.0 {
+                    let ray = view.ray(Vec2::new(column as f32 + 0.5, row as f32 + 0.5));
+                    *light = self.light(ray * (1.0 / front.near), front.normal, || turn(column, row).direction);
+                }
+            }
+        });
+        blurred(&raw, fronts)
+    }
+
+    /// Returns the share of the sun that a place with a normal sees. `spread`, a direction, differs between neighbouring
+    /// pixels, so that what is compared differs too.
+    fn light(&self, place: Vec3, normal: Vec3, spread: impl FnOnce() -> Vec2) -> f32 {
         let (at, height) = self.at(place + normal * (0.8 * self.point));
-        let side = SIDE as f32;
-        let reach = REACH / self.point;
-        if at.x < -reach || at.y < -reach || at.x > side + reach || at.y > side + reach {
+        // A caster is above the slope of the surface.
+        let least = height + 1.2 * self.point;
+        if self.peak(at) <= least {
             return 1.0;
         }
-        let (sine, cosine) = libm::sincosf(turn * std::f32::consts::TAU);
-        let spread = Vec2::new(cosine, sine);
-        // A caster is above the slope of the surface.
-        let bias = 1.2 * self.point;
+        let spread = spread();
         let (mut sum, mut found) = (0.0, 0.0);
-        let search = (self.size * 6.0 / self.point).clamp(2.0, reach);
-        for point in &self.disc[..SEARCHES] {
-            let caster = self.height(at + spread.rotate(*point) * search);
-            if caster > height + bias {
+        for point in self.disc[..SEARCHES].iter().chain([&Vec2::ZERO]) {
+            let caster = self.height(at + spread.rotate(*point) * self.search);
+            if caster > least {
                 sum += caster - height;
                 found += 1.0;
             }
         }
-        if self.height(at) > height + bias {
-            sum += self.height(at) - height;
-            found += 1.0;
-        }
         if found == 0.0 {
             return 1.0;
         }
-        let soft = (sum / found * self.size / self.point).clamp(0.8, reach);
-        let lit = self.disc[SEARCHES..].iter().filter(|point| {
-            let caster = self.height(at + spread.rotate(**point) * soft);
-            caster <= height + bias
-        });
+        let soft = (sum / found * self.size / self.point).clamp(0.8, self.search);
+        let lit = self.disc[SEARCHES..].iter().filter(|point| self.height(at + spread.rotate(**point) * soft) <= least);
         lit.count() as f32 / SOFTENERS as f32
+    }
+
+    /// Returns the greatest height of what is near a point.
+    fn peak(&self, at: Vec2) -> f32 {
+        let tile = at.clamp(Vec2::ZERO, Vec2::splat(SIDE as f32 - 1.0)).as_usizevec2() / TILE;
+        self.peaks[tile.y * TILES + tile.x]
+    }
+
+    /// Returns the greatest height within the search of each tile of the map and of what is beyond its edge.
+    fn peaks(&self) -> Vec<f32> {
+        let mut own = vec![f32::NEG_INFINITY; TILES * TILES];
+        parallel::chunks(&mut own, TILES, |row, peaks| {
+            for cells in self.heights[row * TILE * SIDE / 4..][..TILE * SIDE / 4].chunks(SIDE / 4) {
+                for (peak, cells) in peaks.iter_mut().zip(cells.chunks(TILE / 4)) {
+                    *peak = cells.iter().fold(*peak, |peak, cell| peak.max(cell.max_element()));
+                }
+            }
+        });
+        let near = (self.search / TILE as f32).ceil() as usize;
+        let span = |at: usize| at.saturating_sub(near)..(at + near + 1).min(TILES);
+        let most = |(row, column): (usize, usize)| {
+            let tiles = span(row).flat_map(|row| span(column).map(move |column| row * TILES + column));
+            tiles.fold(f32::NEG_INFINITY, |peak, tile| peak.max(own[tile]))
+        };
+        (0..TILES * TILES).map(|tile| most((tile / TILES, tile % TILES))).collect()
     }
 }
 

@@ -34,7 +34,6 @@ pub(crate) fn streak(
             at: projector.pixel(point)?,
             half: HALF * radius * (0.4 + 0.6 * fresh),
             opacity,
-            away: projector.away(point),
         })
     };
     let ends: Option<Vec<End>> = if track.points.len() > 1 {
@@ -150,7 +149,7 @@ mod tests {
     use glam::Vec2;
 
     fn streak(from: (f32, f32), to: (f32, f32), opacity: f32) -> Trail {
-        let end = |at: (f32, f32), opacity| End { at: Vec2::from(at), half: 1.5, opacity, away: 0.0 };
+        let end = |at: (f32, f32), opacity| End { at: Vec2::from(at), half: 1.5, opacity };
         Trail { ends: vec![end(from, 0.0), end(to, opacity)], color: Color::rgb(0) }
     }
 
@@ -176,7 +175,6 @@ mod tests {
             at: Vec2::new(5.0 + 9.0 * k as f32, 10.5),
             half: 1.5,
             opacity: 0.12 * k as f32,
-            away: 0.0,
         };
         let pieces = Trail { ends: (0..6).map(end).collect(), color: Color::rgb(0) };
         for x in 6..49 {

@@ -3,7 +3,7 @@
 
 mod posed;
 
-pub(crate) use posed::{Strides, marks};
+pub(crate) use posed::{Strides, marks, mesh};
 
 use glam::Vec3;
 

@@ -5,9 +5,10 @@ use crate::Color;
 use crate::look::Coat;
 use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 use std::collections::BTreeMap;
 use throng_record::{Body, Frame};
+use throng_render::Mesh;
 
 /// The direction of the light, the colour that unlit faces are mixed with, and the share of that colour.
 const LIGHT: Vec3 = Vec3::new(-0.35, -0.35, 0.87);
@@ -52,22 +53,19 @@ pub(crate) fn marks(
     let center = body.center();
     let sight = projector.sight(center).as_vec3();
     let radius = body.radius.max(LEAST / projector.scale(center) as f32);
-    let ahead = body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
-    let left = body.basis.map_or(Vec3::Z, |basis| basis.up).cross(ahead).normalize_or(Vec3::Y);
-    let up = ahead.cross(left);
-    let turned = |local: Vec3| ahead * local.x + left * local.y + up * local.z;
+    let turn = turn(body);
     let phase = strides.phase(shape, body, time);
     let mut faces: Vec<(f32, Vec<Primitive>)> = Vec::new();
     let seamed = radius * projector.scale(center) as f32 > SEAMED;
     for face in outlines(&shape.mesh()) {
-        let corners: Vec<Vec3> = face.iter().map(|vertex| turned(posed(vertex, phase)) * radius).collect();
+        let corners: Vec<Vec3> = face.iter().map(|vertex| turn * posed(vertex, phase) * radius).collect();
         let outwards = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         if shape.is_closed() && outwards.dot(sight) <= 0.0 {
             continue;
         }
         let ring = corners.iter().map(|corner| projector.pixel(center + corner.as_dvec3()));
         let Some(points) = ring.collect::<Option<Vec<Vec2>>>() else { continue };
-        let dark = SHADE * (0.5 - 0.5 * turned(face[0].normal).dot(LIGHT));
+        let dark = SHADE * (0.5 - 0.5 * (turn * face[0].normal).dot(LIGHT));
         let fill = coat.fill.mix(DARK, dark);
         // The outline hides the seams between faces.
         let stroke = Stroke::plain(0.5, fill);
@@ -77,6 +75,25 @@ pub(crate) fn marks(
     }
     faces.sort_by(|a, b| a.0.total_cmp(&b.0));
     faces.into_iter().flat_map(|(_, marks)| marks).collect()
+}
+
+/// Returns the axes of a body: ahead, to the left, and up.
+fn turn(body: &Body) -> Mat3 {
+    let ahead = body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
+    let left = body.basis.map_or(Vec3::Z, |basis| basis.up).cross(ahead).normalize_or(Vec3::Y);
+    Mat3::from_cols(ahead, left, ahead.cross(left))
+}
+
+/// Returns a body as a mesh about its position, at a scale in pixels per metre.
+pub(crate) fn mesh(shape: Shape, body: &Body, (strides, time): (&Strides, f64), scale: f32) -> Mesh<'static> {
+    let turn = turn(body) * body.radius.max(LEAST / scale);
+    let phase = strides.phase(shape, body, time);
+    let mut mesh = Mesh::default();
+    for face in outlines(&shape.mesh()) {
+        let corners: Vec<Vec3> = face.iter().map(|vertex| turn * posed(vertex, phase)).collect();
+        mesh.face(&corners);
+    }
+    mesh
 }
 
 /// Returns the outlines of faces: two consecutive triangles with a common side are one face.

@@ -1,140 +1,145 @@
 //! The ground: walkable areas, a fading grid, and goals.
 
-use super::Lens;
+use super::light::light_of;
 use super::viewpoint::Extent;
-use crate::Style;
+use super::Lens;
 use crate::legend::round_length;
 use crate::place::{LINE, spots_to_go};
-use crate::primitive::{Primitive, Stroke};
 use crate::ribbon::Ribbon;
-use crate::style::Theme;
-use crate::trail::{End, Trail};
+use crate::trail::AgentTrail;
+use crate::{Color, Style};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
-use throng::{Goal, Walkable};
+use throng::Goal;
 use throng_record::{Frame, Setting};
+use throng_render::{Area, Line, LineEnd, Material, Pattern};
 
 /// The approximate number of grid cells across the extent of the scene.
 const CELLS: f64 = 8.0;
 /// The radius of the grid, relative to the reach of the scene.
 const GRID: f64 = 2.6;
 /// The opacity of the grid's lines in the middle.
-const OPACITY: f32 = 0.55;
+const OPACITY: f32 = 0.45;
 /// With more point goals than this they are drawn faint.
 const MANY_GOALS: usize = 40;
 /// The number of corners of a ring.
 const ROUND: usize = 28;
+/// The least width of a trail, pixels.
+const LEAST_TRAIL: f32 = 1.2;
+/// The strength of the grain of the ground.
+const GRAIN: f32 = 0.07;
 
 /// The drawings on the ground, and the goals above it. Goals on the ground lie flat; goals in the air face the
 /// viewpoint.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
-    walkable: Vec<Walkable>,
-    /// The markings.
-    lines: Vec<Vec<DVec2>>,
-    /// The goal areas, and the opacity of their fill.
-    areas: Vec<(Vec<DVec2>, f32)>,
+    /// The ground without end; `None` if things are below it.
+    pub plane: Option<Material>,
+    pub areas: Vec<Area>,
+    lines: Vec<Line>,
     /// The point goals, and their tolerances.
     spots: Vec<(DVec3, f64)>,
-    /// The paths of behaviours.
-    paths: Vec<Ribbon>,
-    theme: Theme,
-    middle: DVec2,
-    /// The radius of the grid, metres.
-    reach: f64,
+    goal: Color,
     /// The width of the grid's cells, metres.
     pub cell: f64,
+    unit: f32,
 }
 
 impl Ground {
-    pub fn new(setting: &Setting, style: &Style, extent: &Extent, first: &Frame) -> Self {
-        let shown = |goal: &Goal| match goal {
-            Goal::Point { .. } | Goal::Air { .. } => None,
-            Goal::Area { corners } => Some((corners.clone(), 0.10)),
-            Goal::Exit { corners } => Some((corners.clone(), 0.24)),
+    pub fn new(setting: &Setting, style: &Style, extent: &Extent, first: &Frame, unit: f32) -> Self {
+        let theme = &style.theme;
+        let plain = |color: Color| Material {
+            opacity: f32::from(color.a) / 255.0,
+            pattern: Pattern::Grain { strength: GRAIN },
+            ..Material::plain(light_of(color))
         };
+        let below = first.bodies.iter().any(|body| body.altitude < 0.0);
+        let around = if setting.walkable.is_empty() { theme.ground } else { theme.outside };
+        let (mut areas, mut lines) = (Vec::new(), Vec::new());
+        for area in &setting.walkable {
+            let rings: Vec<Vec<DVec2>> = std::iter::once(&area.outer).chain(&area.holes).cloned().collect();
+            lines.push(line(rings[0].iter().map(|p| p.extend(0.0)), true, (1.2 * unit, theme.edge)));
+            areas.push(Area::new(&rings, plain(theme.ground)));
+        }
+        for ribbon in setting.paths.iter().map(|path| Ribbon::new(path, setting.origin)) {
+            let rings = ribbon.areas.iter().map(|ring| ring.iter().map(|corner| corner.truncate()).collect());
+            areas.extend(rings.map(|ring| Area::new(&[ring], plain(Ribbon::tone(theme)))));
+            let stroke = Ribbon::stroke(theme, unit);
+            lines.push(line(ribbon.spine.into_iter(), false, (stroke.width, stroke.color)));
+        }
+        let marking = (LINE * unit, theme.edge);
+        lines.extend(style.lines.iter().map(|points| line(points.iter().map(|p| p.extend(0.0)), false, marking)));
         let goals = &setting.goals[..if style.goals { setting.goals.len() } else { 0 }];
-        let spots = spots_to_go(setting, first).filter(|(at, near)| style.goals && at.is_finite() && near.is_finite());
-        Self {
-            walkable: setting.walkable.clone(),
-            lines: style.lines.clone(),
-            areas: goals.iter().filter_map(shown).collect(),
-            spots: spots.collect(),
-            paths: setting.paths.iter().map(|path| Ribbon::new(path, setting.origin)).collect(),
-            theme: style.theme.clone(),
-            middle: extent.middle().truncate(),
-            reach: GRID * extent.reach(),
-            cell: round_length(2.0 * extent.reach() / CELLS),
-        }
-    }
-
-    pub fn marks(&self, lens: &Lens, unit: f32) -> Vec<Primitive> {
-        let theme = &self.theme;
-        let flat = |ring: &[DVec2]| lens.area(ring.iter().filter(|corner| corner.is_finite()).map(|p| p.extend(0.0)));
-        let mut marks = Vec::new();
-        for area in &self.walkable {
-            let rings: Vec<_> = std::iter::once(&area.outer).chain(&area.holes).map(|ring| flat(ring)).collect();
-            let edge = Primitive::Line {
-                points: rings[0].clone(),
-                closed: true,
-                stroke: Stroke::plain(1.2 * unit, theme.edge),
+        for goal in goals {
+            let (corners, tint) = match goal {
+                Goal::Point { .. } | Goal::Air { .. } => continue,
+                Goal::Area { corners } => (corners, 0.16),
+                Goal::Exit { corners } => (corners, 0.32),
             };
-            marks.extend([Primitive::Area { rings, fill: theme.ground }, edge]);
+            areas.push(Area::new(&[corners.clone()], plain(theme.goal.alpha(tint))));
+            let edge = (1.1 * unit, theme.goal.alpha(0.8));
+            lines.push(line(corners.iter().map(|corner| corner.extend(0.0)), true, edge));
         }
-        let ribbons = self.paths.iter().flat_map(|path| &path.areas).map(|area| lens.area(area.iter().copied()));
-        marks.extend(ribbons.map(|ring| Primitive::Area { rings: vec![ring], fill: Ribbon::tone(theme) }));
-        marks.push(Primitive::Trails(self.grid(lens, unit)));
-        for line in &self.lines {
-            let stroke = Stroke::plain(LINE * unit, theme.edge);
-            let ends = line
-                .windows(2)
-                .filter_map(|ends| Some((lens.pixel(ends[0].extend(0.0))?, lens.pixel(ends[1].extend(0.0))?)));
-            marks.extend(ends.map(|(a, b)| Primitive::Line { points: vec![a, b], closed: false, stroke }));
-        }
-        let spines = self.paths.iter().flat_map(|path| path.spine.windows(2));
-        marks.extend(spines.filter_map(|ends| {
-            let points = lens.line(ends[0], ends[1])?.to_vec();
-            Some(Primitive::Line { points, closed: false, stroke: Ribbon::stroke(theme, unit) })
-        }));
-        for (corners, tint) in &self.areas {
-            let points = flat(corners);
-            marks.push(Primitive::Area { rings: vec![points.clone()], fill: theme.goal.alpha(*tint) });
-            let stroke = Stroke { width: 1.1 * unit, color: theme.goal.alpha(0.8), dash: Some(4.0 * unit) };
-            marks.push(Primitive::Line { points, closed: true, stroke });
-        }
-        let faint = if self.spots.len() > MANY_GOALS { 0.35 } else { 0.9 };
-        for &(at, near) in &self.spots {
-            // The ring keeps a visible size.
-            let radius = near.max(3.0 * f64::from(unit) / lens.scale(at));
-            let stroke = Stroke::plain(1.1 * unit, theme.goal.alpha(faint * (1.0 - lens.haze(at))));
-            if at.z > 0.0 {
-                let ring = |center| Primitive::Ring { center, radius: (radius * lens.scale(at)) as f32, stroke };
-                marks.extend(lens.pixel(at).map(ring));
-            } else {
-                let around = (0..ROUND).map(|k| DVec2::from_angle(k as f64 * TAU / ROUND as f64) * radius);
-                let points = lens.area(around.map(|out| at + out.extend(0.0)));
-                marks.push(Primitive::Line { points, closed: true, stroke });
-            }
-        }
-        marks
+        let spots = spots_to_go(setting, first).filter(|(at, near)| style.goals && at.is_finite() && near.is_finite());
+        let reach = GRID * extent.reach();
+        let cell = round_length(2.0 * extent.reach() / CELLS);
+        lines.splice(0..0, grid(extent.middle().truncate(), reach, cell, (0.9 * unit, theme.edge)));
+        let spots: Vec<(DVec3, f64)> = spots.collect();
+        let faint = if spots.len() > MANY_GOALS { 0.35 } else { 0.9 };
+        let plane = (!below).then(|| plain(around));
+        Self { plane, areas, lines, spots, goal: theme.goal.alpha(faint), cell, unit }
     }
 
-    /// Returns lines in both directions that fade towards the rim of the grid.
-    fn grid(&self, lens: &Lens, unit: f32) -> Vec<Trail> {
-        let (cell, count) = (self.cell, (self.reach / self.cell).ceil());
-        let origin = (self.middle / cell).round() * cell;
-        let steps = || (0..=2 * count as usize).map(move |k| (k as f64 - count) * cell);
-        let end = |point: DVec2| {
-            let spot = point.extend(0.0);
-            let fresh = 1.0 - (point.distance(self.middle) / self.reach).min(1.0) as f32;
-            Some(End { at: lens.pixel(spot)?, half: 0.45 * unit, opacity: OPACITY * fresh, away: 0.0 })
+    /// Returns the lines as a viewpoint shows them.
+    pub fn lines(&self, lens: &Lens) -> Vec<Line> {
+        let spot = |&(at, near): &(DVec3, f64)| {
+            // The ring keeps a visible size.
+            let radius = near.max(3.0 * f64::from(self.unit) / lens.scale(at));
+            let [aside, above] = if at.z > 0.0 { lens.axes() } else { [DVec3::X, DVec3::Y] };
+            let angles = (0..ROUND).map(|k| DVec2::from_angle(k as f64 * TAU / ROUND as f64) * radius);
+            let ring = angles.map(|out| at + aside * out.x + above * out.y);
+            line(ring, true, (1.1 * self.unit, self.goal))
         };
-        let lines = steps().flat_map(|across| {
-            let line = move |turn: fn(DVec2) -> DVec2| steps().map(move |along| turn(DVec2::new(along, across)));
-            [line(|p| p).collect::<Vec<_>>(), line(DVec2::perp).collect()]
-        });
-        lines
-            .flat_map(|line| Trail::parts(line.into_iter().map(|offset| end(origin + offset)), self.theme.edge))
-            .collect()
+        self.lines.iter().cloned().chain(self.spots.iter().map(spot)).collect()
     }
+}
+
+/// Returns a line through points, of a width in pixels; those on the ground lie flat.
+fn line(points: impl Iterator<Item = DVec3>, closed: bool, (width, color): (f32, Color)) -> Line {
+    let opacity = f32::from(color.a) / 255.0;
+    let mut ends: Vec<LineEnd> = points.map(|at| LineEnd { at, width, opacity }).collect();
+    if closed {
+        ends.extend(ends.first().copied());
+    }
+    let flat = ends.iter().all(|end| end.at.z == 0.0);
+    Line { ends, color: light_of(color), flat }
+}
+
+/// Returns lines in both directions that fade towards the rim of the grid.
+fn grid(middle: DVec2, reach: f64, cell: f64, (width, color): (f32, Color)) -> Vec<Line> {
+    let count = (reach / cell).ceil();
+    let origin = (middle / cell).round() * cell;
+    let steps = || (0..=2 * count as usize).map(move |k| (k as f64 - count) * cell);
+    let end = |offset: DVec2| {
+        let at = origin + offset;
+        let fresh = 1.0 - (at.distance(middle) / reach).min(1.0) as f32;
+        LineEnd { at: at.extend(0.0), width, opacity: OPACITY * fresh }
+    };
+    let line = |ends: Vec<LineEnd>| Line { ends, color: light_of(color), flat: true };
+    let both = steps().flat_map(|across| {
+        let along = |turn: fn(DVec2) -> DVec2| line(steps().map(|along| end(turn(DVec2::new(along, across)))).collect());
+        [along(|p| p), along(DVec2::perp)]
+    });
+    both.collect()
+}
+
+/// Returns the trail of an agent as it looks at a time if it fades within `seconds`.
+pub(super) fn trail(track: &AgentTrail, usual: Color, lens: &Lens, (now, seconds): (f64, f64)) -> Line {
+    let end = |(at, half, opacity): (DVec3, f32, f32)| {
+        let width = (2.0 * half * lens.scale(at) as f32).max(LEAST_TRAIL);
+        LineEnd { at, width, opacity }
+    };
+    let ends: Vec<LineEnd> = track.fading(now, seconds).map(end).collect();
+    let flat = ends.iter().all(|end| end.at.z == 0.0);
+    Line { ends, color: light_of(track.color.unwrap_or(usual)), flat }
 }

@@ -1,6 +1,7 @@
 //! The perspective projection from points in space to pixels.
 
 use glam::{DMat4, DVec3, Vec2};
+use throng_render::View;
 
 /// The distance of the near plane, relative to the distance of the target.
 const NEAR: f64 = 0.02;
@@ -51,6 +52,24 @@ impl Lens {
     /// Returns the depth of a point along the view direction, metres.
     pub fn depth(&self, point: DVec3) -> f64 {
         (point - self.eye).dot(self.forward)
+    }
+
+    /// Returns the directions to the right and to the top of the picture, of length 1.
+    pub(crate) fn axes(&self) -> [DVec3; 2] {
+        [self.right, self.up]
+    }
+
+    /// Returns the view of the renderer.
+    pub(crate) fn view(&self) -> View {
+        View {
+            eye: self.eye,
+            right: self.right.as_vec3(),
+            up: self.up.as_vec3(),
+            forward: self.forward.as_vec3(),
+            centre: self.anchor,
+            focal: self.focal as f32,
+            near: self.near as f32,
+        }
     }
 
     /// Returns the pixel of a point; `None` if it is behind the near plane.
@@ -117,12 +136,6 @@ impl Lens {
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         let [from, to] = self.clear;
         (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0).powi(2)) as f32
-    }
-
-    /// Returns the horizontal distance of a point from the viewpoint. Of two points on one line of sight, the nearer
-    /// one has the smaller horizontal distance; the foot and the top of a vertical object have the same.
-    pub(crate) fn away(&self, point: DVec3) -> f64 {
-        (point - self.eye).truncate().length()
     }
 
     /// Returns the direction on the picture of a direction at a point; `None` if it is parallel to the line of sight.

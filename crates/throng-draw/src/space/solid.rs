@@ -1,111 +1,113 @@
-//! Upright solids: obstacles, walls and oblong bodies as prisms with shaded faces.
+//! Things that stand: obstacles, holes in the ground, and surfaces.
 
-use super::Lens;
+use super::light::light_of;
 use crate::Color;
-use crate::primitive::{Primitive, Stroke};
-use glam::DVec2;
+use glam::{DVec2, DVec3, Mat3, Vec2, Vec3};
+use std::collections::BTreeMap;
 use throng::Obstacle;
+use throng_record::Shell;
+use throng_render::{Body, Line, LineEnd, Material, Mesh, Pattern};
 
 /// The number of corners of a round obstacle.
-const ROUND: usize = 32;
-/// The direction of the light (from the left and the front), the darkening of a face that faces away from it, and the
-/// least darkening.
-const LIGHT: DVec2 = DVec2::new(-0.6, -0.8);
-const SHADE: f32 = 0.28;
-const AWAY: f32 = 0.1;
+const ROUND: usize = 48;
+/// Half the thickness of walls that have none, metres.
+const THIN: f64 = 0.04;
+/// The strength of the grain of obstacles.
+const GRAIN: f32 = 0.08;
+/// The cosine of the angle between two facets below which their common edge is not drawn as an edge.
+const SMOOTH: f32 = 0.85;
+/// The opacity of the lines of containers: of sharp edges, and of lines on round surfaces.
+const EDGE: f32 = 0.8;
+const LINE: f32 = 0.22;
 
-/// The colours of a solid.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Tone {
-    pub fill: Color,
-    pub edge: Color,
-    /// The colour of faces that face away from the light.
-    pub dark: Color,
-    /// The colour of the haze.
-    pub air: Color,
-}
-
-/// An upright solid.
+/// A mesh at a place.
 #[derive(Clone, Debug)]
 pub(super) struct Solid {
-    /// The corners, counter-clockwise if the solid is closed.
-    corners: Vec<DVec2>,
-    /// Whether the solid is a prism; otherwise it is a thin wall from corner to corner.
-    closed: bool,
-    low: f64,
-    high: f64,
+    mesh: Mesh<'static>,
+    place: DVec3,
+    material: Material,
+    thin: bool,
 }
 
-/// A part of a solid, with its horizontal distance from the viewpoint.
-pub(super) type Face = (f64, Vec<Primitive>);
-
 impl Solid {
-    pub fn obstacle(obstacle: &Obstacle, height: f64) -> Self {
+    /// Returns the parts of an obstacle from the ground to a height, metres.
+    pub fn obstacle(obstacle: &Obstacle, height: f64, color: Color) -> Vec<Self> {
+        let prism = |corners: &[DVec2]| Self::prism(corners, [0.0, height], color);
         match obstacle {
             Obstacle::Circle { center, radius } => {
                 let around = (0..ROUND).map(|k| DVec2::from_angle(k as f64 * std::f64::consts::TAU / ROUND as f64));
-                Self::prism(around.map(|out| *center + out * *radius).collect(), 0.0, height)
+                vec![prism(&around.map(|out| *center + out * *radius).collect::<Vec<_>>())]
             }
-            Obstacle::Polygon { corners } => Self::prism(corners.clone(), 0.0, height),
-            Obstacle::Wall { points } => Self { corners: points.clone(), closed: false, low: 0.0, high: height },
-        }
-    }
-
-    /// Creates a prism from the height `low` to `high` over a ring of corners.
-    pub fn prism(mut corners: Vec<DVec2>, low: f64, high: f64) -> Self {
-        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-        if edges.map(|(a, b)| a.perp_dot(*b)).sum::<f64>() < 0.0 {
-            corners.reverse();
-        }
-        Self { corners, closed: true, low, high }
-    }
-
-    /// Adds the visible faces, in pieces of at most `piece` metres, so that bodies can be drawn between two pieces.
-    pub fn faces(&self, tone: Tone, lens: &Lens, piece: f64, unit: f32, faces: &mut Vec<Face>) {
-        let corners = &self.corners;
-        if corners.iter().any(|corner| !corner.is_finite()) || corners.len() < 2 {
-            return;
-        }
-        if self.closed && lens.eye.z > self.high {
-            let top = corners.iter().map(|corner| corner.extend(self.high));
-            let away = top.clone().map(|corner| lens.away(corner)).fold(0.0, f64::max);
-            let (points, fill) = (lens.area(top), tone.fill.mix(tone.air, lens.haze(corners[0].extend(self.high))));
-            let area = Primitive::Area { rings: vec![points.clone()], fill };
-            let edge = Primitive::Line { points, closed: true, stroke: Stroke::plain(unit, tone.edge) };
-            faces.push((away, vec![area, edge]));
-        }
-        let edges = if self.closed { corners.len() } else { corners.len() - 1 };
-        for k in 0..edges {
-            let (from, to) = (corners[k], corners[(k + 1) % corners.len()]);
-            let out = (from - to).perp().normalize_or_zero();
-            let seen = (lens.eye.truncate() - from).dot(out) > 0.0;
-            if seen || !self.closed {
-                let out = if seen { out } else { -out };
-                let dark = AWAY + SHADE * (0.5 - 0.5 * out.dot(LIGHT) as f32);
-                // A side has one colour; haze by piece would show steps.
-                let middle = ((from + to) * 0.5).extend(0.5 * (self.low + self.high));
-                let side = Tone { fill: tone.fill.mix(tone.dark, dark).mix(tone.air, lens.haze(middle)), ..tone };
-                let parts = ((from.distance(to) / piece).ceil() as usize).clamp(1, 64);
-                let at = |part: usize| from.lerp(to, part as f64 / parts as f64);
-                faces.extend((0..parts).map(|part| self.side([at(part), at(part + 1)], side, lens, unit)));
+            Obstacle::Polygon { corners } => vec![prism(corners)],
+            Obstacle::Wall { points } => {
+                let part = |ends: &[DVec2]| {
+                    let along = (ends[1] - ends[0]).normalize_or_zero() * THIN;
+                    let (from, to, side) = (ends[0] - along, ends[1] + along, along.perp());
+                    prism(&[from - side, to - side, to + side, from + side])
+                };
+                points.windows(2).map(part).collect()
             }
         }
     }
 
-    fn side(&self, [from, to]: [DVec2; 2], tone: Tone, lens: &Lens, unit: f32) -> Face {
-        let middle = ((from + to) * 0.5).extend(0.5 * (self.low + self.high));
-        let ring =
-            lens.area([from.extend(self.low), to.extend(self.low), to.extend(self.high), from.extend(self.high)]);
-        // The line hides the seams between pieces.
-        let seam = Primitive::Line { points: ring.clone(), closed: true, stroke: Stroke::plain(0.6, tone.fill) };
-        let mut marks = vec![Primitive::Area { rings: vec![ring], fill: tone.fill }, seam];
-        if let Some(points) = lens.line(from.extend(self.high), to.extend(self.high)) {
-            marks.push(Primitive::Line {
-                points: points.to_vec(),
-                closed: false,
-                stroke: Stroke::plain(unit, tone.edge),
-            });
-        }
-        (lens.away(middle), marks)
+    /// Returns a prism over a ring of corners from the first to the second height, metres.
+    pub fn prism(corners: &[DVec2], [low, high]: [f64; 2], color: Color) -> Self {
+        let place = origin(corners);
+        let ring: Vec<Vec2> = corners.iter().map(|corner| (*corner - place).as_vec2()).collect();
+        let mesh = Mesh::prism(&[ring], 0.0, (high - low) as f32);
+        Self { mesh, place: place.extend(low), material: material(color), thin: false }
     }
+
+    /// Returns a surface; `None` for a container, which has lines instead.
+    pub fn shell(shell: &Shell, origin: DVec2, color: Color) -> Option<Self> {
+        if shell.hollow {
+            return None;
+        }
+        let mut mesh = Mesh::default();
+        shell.facets.iter().for_each(|facet| mesh.face(facet));
+        // A single facet is a sheet, which has two sides.
+        let thin = shell.facets.len() == 1;
+        Some(Self { mesh, place: origin.extend(0.0), material: material(color), thin })
+    }
+
+    /// Returns it as a part of a scene.
+    pub fn body(&self) -> Body<'_> {
+        let Self { mesh, place, material, thin } = self;
+        Body { mesh, place: *place, turn: Mat3::IDENTITY, material: *material, thin: *thin }
+    }
+}
+
+fn origin(corners: &[DVec2]) -> DVec2 {
+    corners.iter().copied().find(|corner| corner.is_finite()).unwrap_or_default()
+}
+
+fn material(color: Color) -> Material {
+    Material { pattern: Pattern::Grain { strength: GRAIN }, ..Material::plain(light_of(color)) }
+}
+
+/// Returns the edges of a container as lines.
+pub(super) fn container(shell: &Shell, origin: DVec2, width: f32, color: Color) -> Vec<Line> {
+    /// The ends of an edge, whether the surface is bent at it, and the normal of its first facet.
+    type Edge = ([Vec3; 2], bool, Vec3);
+    if !shell.hollow {
+        return Vec::new();
+    }
+    let mut edges: BTreeMap<[[u32; 3]; 2], Edge> = BTreeMap::new();
+    let key = |point: Vec3| point.to_array().map(f32::to_bits);
+    for facet in &shell.facets {
+        let sides = || facet.iter().copied().zip(facet.iter().copied().cycle().skip(1));
+        let normal = sides().map(|(a, b)| (a - facet[0]).cross(b - facet[0])).sum::<Vec3>().normalize_or_zero();
+        for (from, to) in sides() {
+            match edges.get_mut(&[key(to), key(from)]) {
+                Some((_, sharp, twin)) => *sharp = twin.dot(normal) < SMOOTH,
+                None => _ = edges.insert([key(from), key(to)], ([from, to], true, normal)),
+            }
+        }
+    }
+    let line = |(ends, sharp, _): &Edge| {
+        let opacity = if *sharp { EDGE } else { LINE };
+        let end = |at: Vec3| LineEnd { at: at.as_dvec3() + origin.extend(0.0), width, opacity };
+        Line { ends: ends.map(end).to_vec(), color: light_of(color), flat: false }
+    };
+    edges.values().map(line).collect()
 }

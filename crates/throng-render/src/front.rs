@@ -1,0 +1,90 @@
+//! What is seen in the middle of each pixel, and what neighbouring pixels have in common.
+
+use crate::parallel;
+use glam::{Vec2, Vec3};
+
+/// The radius of the blur that evens out comparisons with few places, pixels.
+const BLUR: usize = 2;
+
+/// What is seen in the middle of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Front {
+    /// The nearness, 1/m; 0 for the sky.
+    pub near: f32,
+    /// The normal of the surface.
+    pub normal: Vec3,
+}
+
+/// What is seen in the middle of all pixels, in rows.
+pub(crate) struct Fronts {
+    pub all: Vec<Front>,
+    /// The number of pixels in a row.
+    pub width: usize,
+}
+
+/// Returns how certainly two pixels see the same surface, 0 to 1: it has about the same depth and direction.
+pub(crate) fn alike(a: &Front, b: &Front) -> f32 {
+    let apart = (a.near - b.near).abs() / b.near;
+    (1.0 - 25.0 * apart).max(0.0) * (a.normal.dot(b.normal) * 4.0 - 3.0).max(0.0)
+}
+
+/// A turn that differs between the pixels of a small square.
+#[derive(Clone, Copy)]
+pub(crate) struct Turn {
+    /// The share of a full turn, 0 to 1.
+    pub share: f32,
+    /// The direction after the turn.
+    pub direction: Vec2,
+}
+
+/// Returns the turn of a pixel (interleaved gradient noise: Jimenez, 2014).
+pub(crate) fn turn(column: usize, row: usize) -> Turn {
+    let value = 52.982_918 * (0.067_110_56 * column as f32 + 0.005_837_15 * row as f32).fract();
+    let share = value.fract();
+    // A square of side 1 about the middle is turned instead of a circle: the direction needs no sine.
+    let quarter = share * 4.0;
+    let part = quarter.fract() - 0.5;
+    let side = Vec2::new(1.0, 2.0 * part).normalize();
+    let direction = match quarter as u32 {
+        0 => side,
+        1 => side.perp(),
+        2 => -side,
+        _ => -side.perp(),
+    };
+    Turn { share, direction }
+}
+
+/// Returns the mean of the values of neighbours that belong to the same surface, along rows and then along columns.
+pub(crate) fn blurred(values: &[f32], fronts: &Fronts) -> Vec<f32> {
+    blurred_along(&blurred_along(values, fronts, false), fronts, true)
+}
+
+fn blurred_along(values: &[f32], fronts: &Fronts, vertical: bool) -> Vec<f32> {
+    let width = fronts.width;
+    let height = values.len() / width;
+    let mut out = vec![1.0; values.len()];
+    parallel::chunks(&mut out, width, |row, out| {
+        for (column, out) in out.iter_mut().enumerate() {
+            let here = row * width + column;
+            let own = values[here];
+            *out = own;
+            let (at, most, stride) = if vertical { (row, height, width) } else { (column, width, 1) };
+            let (low, high) = (at.saturating_sub(BLUR), (at + BLUR + 1).min(most));
+            let cells = (low..high).map(|k| here - (at - low) * stride + (k - low) * stride);
+            if cells.clone().all(|cell| values[cell] == own) {
+                continue;
+            }
+            let front = fronts.all[here];
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for cell in cells {
+                let weight = alike(&fronts.all[cell], &front);
+                sum += weight * values[cell];
+                weights += weight;
+            }
+            if weights > 0.0 {
+                *out = sum / weights;
+            }
+        }
+    });
+    out
+}
