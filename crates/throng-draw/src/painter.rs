@@ -240,12 +240,7 @@ impl Painter {
     }
 
     /// Returns the streaks of insects at a time.
-    pub(crate) fn streaks<'a>(
-        &self,
-        insects: impl Iterator<Item = &'a Body>,
-        time: f64,
-        crowd: Crowd,
-    ) -> Vec<Trail> {
+    pub(crate) fn streaks<'a>(&self, insects: impl Iterator<Item = &'a Body>, time: f64, crowd: Crowd) -> Vec<Trail> {
         let (projector, seconds) = (self.projector(), f64::from(self.style.shutter));
         // Without exposure time (0 or NaN) there are no streaks.
         if seconds.is_nan() || seconds <= 0.0 {

@@ -75,7 +75,11 @@ fn main() {
         material: Material::plain(Vec3::ONE),
         thin: false,
     }));
-    let end = |x: f64| LineEnd { at: DVec3::new(x, -9.0 + 0.4 * x.sin(), 0.0), width: 3.0, opacity: ((x + 20.0) / 30.0) as f32 };
+    let end = |x: f64| LineEnd {
+        at: DVec3::new(x, -9.0 + 0.4 * x.sin(), 0.0),
+        width: 3.0,
+        opacity: ((x + 20.0) / 30.0) as f32,
+    };
     let scene = Scene {
         ground: Some(Material::paving()),
         areas: vec![Area::new(
@@ -83,7 +87,11 @@ fn main() {
             Material::plain(linear(0x9fb58c)),
         )],
         bodies,
-        lines: vec![Line { ends: (0..60).map(|k| end(-20.0 + 0.5 * f64::from(k))).collect(), color: linear(0x3060c0), flat: true }],
+        lines: vec![Line {
+            ends: (0..60).map(|k| end(-20.0 + 0.5 * f64::from(k))).collect(),
+            color: linear(0x3060c0),
+            flat: true,
+        }],
         ..Scene::default()
     };
     let mut picture = None;

@@ -71,9 +71,14 @@ impl<'a> Geometry<'a> {
         parallel::map(order.len(), |k| self.surfaces[order[k]].covers(view, &guard, order[k] < self.areas))
     }
 
+    /// Returns the number of the surface of a triangle.
+    pub fn owner(&self, id: u32) -> u32 {
+        self.owners[id as usize]
+    }
+
     /// Returns the surface of a triangle.
     pub fn surface(&self, id: u32) -> &Surface<'a> {
-        &self.surfaces[self.owners[id as usize] as usize]
+        &self.surfaces[self.owner(id) as usize]
     }
 
     /// Returns what is seen of a triangle in a direction.
@@ -86,9 +91,8 @@ impl<'a> Geometry<'a> {
         let sum = shares[0] + shares[1] + shares[2];
         let least = if sum < 0.0 { shares.map(|share| (-share).max(0.0)) } else { shares.map(|share| share.max(0.0)) };
         let sum = (least[0] + least[1] + least[2]).max(f32::MIN_POSITIVE);
-        let mix = |of: &[Vec3]| {
-            (of[corners[0]] * least[0] + of[corners[1]] * least[1] + of[corners[2]] * least[2]) / sum
-        };
+        let mix =
+            |of: &[Vec3]| (of[corners[0]] * least[0] + of[corners[1]] * least[1] + of[corners[2]] * least[2]) / sum;
         let face = (b - a).cross(c - a).normalize_or(Vec3::Z);
         let (normal, face) = (mix(&surface.normals).normalize_or(face), if face.dot(ray) > 0.0 { -face } else { face });
         let normal = if surface.thin && normal.dot(ray) > 0.0 { -normal } else { normal };

@@ -80,15 +80,15 @@ pub struct Light {
 impl Default for Light {
     fn default() -> Self {
         Self {
-            sun: Sun { azimuth: 2.5, elevation: 0.68, color: Vec3::new(1.0, 0.93, 0.82) * 0.95, size: 0.05 },
+            sun: Sun { azimuth: 2.5, elevation: 0.68, color: Vec3::new(1.0, 0.93, 0.82) * 1.5, size: 0.05 },
             sky: Sky {
                 horizon: linear(0xe9eef2),
                 zenith: linear(0x9fbfdd),
-                light: Vec3::new(0.46, 0.51, 0.58),
-                bounce: Vec3::new(0.25, 0.235, 0.215),
+                light: Vec3::new(0.37, 0.42, 0.51),
+                bounce: Vec3::new(0.24, 0.22, 0.2),
             },
             haze: Haze { distance: 220.0 },
-            exposure: 1.0,
+            exposure: 0.8,
         }
     }
 }

@@ -9,6 +9,9 @@ use glam::{IVec2, Vec2, Vec3};
 /// How much farther than its width a corner may reach at a bend.
 const MITRE: f32 = 2.0;
 
+/// The greatest width of a line, pixels.
+const WIDEST: f32 = 4096.0;
+
 /// The strokes of lines in the picture.
 #[derive(Default)]
 pub(crate) struct Strokes {
@@ -18,6 +21,8 @@ pub(crate) struct Strokes {
 
 /// A part of a line in the picture.
 pub(crate) struct Stroke {
+    /// The number of its line.
+    pub line: u32,
     pub color: Vec3,
     /// The opacity.
     pub opacity: Plane,
@@ -36,18 +41,23 @@ impl Strokes {
     pub fn new(lines: &[Line], view: &View, size: [u32; 2]) -> Self {
         let guard = Guard::new(view, size);
         let mut strokes = Self::default();
-        lines.iter().for_each(|line| strokes.line(line, view, &guard));
+        for (number, line) in lines.iter().enumerate() {
+            strokes.line(line, number as u32, view, &guard);
+        }
         strokes
     }
 
-    fn line(&mut self, line: &Line, view: &View, guard: &Guard) {
+    fn line(&mut self, line: &Line, number: u32, view: &View, guard: &Guard) {
         let turned = |end: &LineEnd| view.turned(view.relative(if line.flat { end.at.with_z(0.0) } else { end.at }));
         let places: Vec<Vec3> = line.ends.iter().map(turned).collect();
         let end = |k: usize| guard.holds(places[k]).then(|| End::new(view, places[k], &line.ends[k]));
         // The direction across the line at each of its ends, where both parts are in the picture.
         let across = |k: usize| {
-            let (Some(before), Some(here), Some(after)) = (end(k.checked_sub(1)?), end(k), end(k + 1)) else { return None };
-            let [a, b] = [here.pixel - before.pixel, after.pixel - here.pixel].map(|way| way.normalize_or_zero().perp());
+            let (Some(before), Some(here), Some(after)) = (end(k.checked_sub(1)?), end(k), end(k + 1)) else {
+                return None;
+            };
+            let [a, b] =
+                [here.pixel - before.pixel, after.pixel - here.pixel].map(|way| way.normalize_or_zero().perp());
             let middle = (a + b).try_normalize()?;
             Some(middle * (1.0 / middle.dot(a).max(1.0 / MITRE)))
         };
@@ -68,11 +78,11 @@ impl Strokes {
                 let (width, opacity) = (mix(from.width, to.width), mix(from.opacity, to.opacity));
                 End::new(view, ends[0].0.lerp(ends[1].0, part), &LineEnd { at: from.at, width, opacity })
             });
-            self.part(ends, sides, line, view);
+            self.part(ends, sides, (line, number), view);
         }
     }
 
-    fn part(&mut self, ends: [End; 2], sides: [Option<Vec2>; 2], line: &Line, view: &View) {
+    fn part(&mut self, ends: [End; 2], sides: [Option<Vec2>; 2], (line, number): (&Line, u32), view: &View) {
         let [from, to] = ends;
         let way = to.pixel - from.pixel;
         let length = way.length();
@@ -97,7 +107,7 @@ impl Strokes {
         let id = self.all.len() as u32;
         let [[a, b], [c, d]]: [[IVec2; 2]; 2] = corners;
         self.covers.extend([[a, b, d], [a, d, c]].into_iter().filter_map(|face| Cover::new(face, near, limits, id)));
-        self.all.push(Stroke { color: line.color, opacity: along(from.opacity, to.opacity) });
+        self.all.push(Stroke { line: number, color: line.color, opacity: along(from.opacity, to.opacity) });
     }
 }
 
@@ -106,7 +116,7 @@ impl End {
     fn new(view: &View, place: Vec3, end: &LineEnd) -> Self {
         let near = 1.0 / place.z;
         let pixel = view.centre + Vec2::new(place.x, -place.y) * (view.focal * near);
-        let width = end.width.max(0.0);
+        let width = end.width.max(0.0).min(WIDEST);
         Self { pixel, near, half: 0.5 * width.max(1.0), opacity: end.opacity * width.min(1.0) }
     }
 }

@@ -127,7 +127,8 @@ fn joint(across: f32, size: f32, footprint: f32) -> f32 {
     const WIDTH: f32 = 0.012;
     let distance = (across - whole(across + 0.5) as f32).abs() * size;
     let wide = footprint.max(1e-6);
-    let covered = ((WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0) - ((-WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0);
+    let covered = ((WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0)
+        - ((-WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0);
     covered * visible(size, footprint)
 }
 
@@ -158,7 +159,9 @@ fn whole(value: f32) -> i32 {
 
 /// Returns a number from 0 to 1 that whole numbers determine.
 fn hash(x: i32, y: i32, z: i32) -> f32 {
-    let mut bits = (x as u32).wrapping_mul(0x8da6_b343) ^ (y as u32).wrapping_mul(0xd816_3841) ^ (z as u32).wrapping_mul(0xcb1a_b31f);
+    let mut bits = (x as u32).wrapping_mul(0x8da6_b343)
+        ^ (y as u32).wrapping_mul(0xd816_3841)
+        ^ (z as u32).wrapping_mul(0xcb1a_b31f);
     bits = (bits ^ (bits >> 15)).wrapping_mul(0x2c1b_3c6d);
     bits = (bits ^ (bits >> 13)).wrapping_mul(0x297a_2d39);
     ((bits ^ (bits >> 16)) >> 8) as f32 / (1 << 24) as f32

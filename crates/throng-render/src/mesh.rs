@@ -26,7 +26,9 @@ pub enum MeshError {
         name: &'static str,
     },
     /// A triangle has a vertex that does not exist.
-    #[error("triangle {triangle} has the vertex {vertex}, and the mesh has {positions} vertices: give indices below that")]
+    #[error(
+        "triangle {triangle} has the vertex {vertex}, and the mesh has {positions} vertices: give indices below that"
+    )]
     Vertex {
         /// The index of the triangle.
         triangle: usize,
@@ -175,7 +177,12 @@ impl<'a> Mesh<'a> {
                 triangles.extend([[a, b, d], [a, d, c]]);
             }
         }
-        Mesh { positions: positions.into(), normals: normals.into(), colors: Cow::default(), triangles: triangles.into() }
+        Mesh {
+            positions: positions.into(),
+            normals: normals.into(),
+            colors: Cow::default(),
+            triangles: triangles.into(),
+        }
     }
 }
 

@@ -112,8 +112,10 @@ impl<'a> Coarse<'a> {
             return first;
         }
         let weights = cells.iter().map(|&cell| alike(&self.fronts.all[cell], front));
-        let (sum, weight) =
-            cells.iter().zip(weights).fold((0.0, 0.0), |(sum, all), (&cell, weight)| (sum + weight * open[cell], all + weight));
+        let (sum, weight) = cells
+            .iter()
+            .zip(weights)
+            .fold((0.0, 0.0), |(sum, all), (&cell, weight)| (sum + weight * open[cell], all + weight));
         if weight > 0.0 {
             return sum / weight;
         }

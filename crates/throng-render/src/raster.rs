@@ -134,7 +134,8 @@ impl Cover {
             let mut span = columns.clone();
             let mut values = [[0.0; SAMPLES]; 3];
             for (value, (start, slope)) in values.iter_mut().zip(&edges) {
-                let samples = grid.samples.map(|[x, y]| start + slope[0] * f64::from(x) + slope[1] * (top + f64::from(y)));
+                let samples =
+                    grid.samples.map(|[x, y]| start + slope[0] * f64::from(x) + slope[1] * (top + f64::from(y)));
                 let most = samples.iter().copied().fold(f64::NEG_INFINITY, f64::max);
                 // Where the greatest of the samples is negative, the cell is outside.
                 let step = slope[0] * cell[0];

@@ -1,8 +1,8 @@
 //! From a scene to a picture, step by step.
 
+use crate::front::{Front, Fronts};
 use crate::geometry::{GROUND, Geometry, SKY, ground};
 use crate::lines::Strokes;
-use crate::front::{Front, Fronts};
 use crate::occlusion;
 use crate::raster::{BAND, Bands, Grid, SAMPLES, cover, rows_of};
 use crate::shade::{Lit, Shader};
@@ -239,13 +239,7 @@ fn middle(column: usize, row: usize) -> Vec2 {
 }
 
 /// Returns the light of the neighbour that is most nearly as near.
-fn neighbour(
-    seen: &[Seen],
-    lights: &[Lit],
-    [width, height]: [usize; 2],
-    [column, row]: [usize; 2],
-    near: f32,
-) -> Lit {
+fn neighbour(seen: &[Seen], lights: &[Lit], [width, height]: [usize; 2], [column, row]: [usize; 2], near: f32) -> Lit {
     let columns = column.saturating_sub(1)..(column + 2).min(width);
     let rows = row.saturating_sub(1)..(row + 2).min(height);
     let all = rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
@@ -266,39 +260,65 @@ fn above(
     let lines = Bands::new(grid, &strokes.covers);
     let clear = shader.geometry.covers(shader.view, size, true);
     let clear = Bands::new(grid, clear.iter().flatten());
-    let share = |bits: u32, near: Vec4, cell: usize| {
-        let seen = near.cmpge(samples.near[cell]).bitmask() & bits;
-        seen.count_ones() as f32 / SAMPLES as f32
-    };
     parallel::chunks(&mut colors, width * BAND, |band, colors| {
         let first = band * BAND * width;
+        let mut layers = vec![Layer::default(); colors.len()];
+        let seen = |bits: u32, near: Vec4, cell: usize| near.cmpge(samples.near[cell]).bitmask() & bits;
         for line in lines.of(band) {
             let stroke = &strokes.all[line.id as usize];
             line.scan(grid, rows_of(band), |row, column, bits, near| {
                 let cell = row * width + column;
-                let share = share(bits, near, cell);
+                let (layer, under) = (&mut layers[cell - first], &mut colors[cell - first]);
+                let share = layer.share((true, stroke.line), seen(bits, near, cell), *under);
                 if share > 0.0 {
                     let at = middle(column, row);
-                    let opacity = stroke.opacity.value(at).clamp(0.0, 1.0) * share;
                     let color = shader.hazed(stroke.color, near.max_element().max(HORIZON), shader.view.ray(at));
-                    colors[cell - first] = colors[cell - first].lerp(color, opacity);
+                    *under += (color - layer.under) * (stroke.opacity.value(at).clamp(0.0, 1.0) * share);
                 }
             });
         }
         for pane in clear.of(band) {
+            let owner = shader.geometry.owner(pane.id);
             pane.scan(grid, rows_of(band), |row, column, bits, near| {
                 let cell = row * width + column;
-                let share = share(bits, near, cell);
+                let (layer, under) = (&mut layers[cell - first], &mut colors[cell - first]);
+                let share = layer.share((false, owner), seen(bits, near, cell), *under);
                 if share > 0.0 {
                     let ray = shader.view.ray(middle(column, row));
                     let near = near.max_element();
                     let (hit, color) = shader.surface(pane.id, near, ray);
                     let lit = shader.lit(hit.normal, color, Lit::WHOLE, near, ray);
                     let (color, opacity) = shader.glass(&hit, lit, ray);
-                    colors[cell - first] = colors[cell - first].lerp(color, opacity * share);
+                    *under += (color - layer.under) * (opacity * share);
                 }
             });
         }
     });
     colors
+}
+
+/// What was last laid over a pixel. The triangles of one line, or of one body, cover a sample once.
+#[derive(Clone, Copy, Default)]
+struct Layer {
+    /// Whether it is a line, and its number; `None` for nothing.
+    of: Option<(bool, u32)>,
+    /// The samples that it covers.
+    bits: u32,
+    /// The colour under it.
+    under: Vec3,
+}
+
+impl Layer {
+    /// Adds samples of a line or a body over a colour; returns the share of the pixel that it covers anew.
+    fn share(&mut self, of: (bool, u32), bits: u32, under: Vec3) -> f32 {
+        if bits == 0 {
+            return 0.0;
+        }
+        if self.of != Some(of) {
+            *self = Self { of: Some(of), bits: 0, under };
+        }
+        let new = bits & !self.bits;
+        self.bits |= bits;
+        new.count_ones() as f32 / SAMPLES as f32
+    }
 }

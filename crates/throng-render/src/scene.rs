@@ -82,7 +82,7 @@ pub struct Line {
 pub struct LineEnd {
     /// The position, metres.
     pub at: DVec3,
-    /// The width, pixels.
+    /// The width, pixels, up to 4096.
     pub width: f32,
     /// The opacity, 0 to 1.
     pub opacity: f32,

@@ -3,9 +3,9 @@
 //! Penumbras are as wide as the sun and the distance of what casts the shadow make them (Fernando, Percentage-Closer
 //! Soft Shadows, 2005). Closed bodies cast the shadow of their far sides, so that lit sides do not shade themselves.
 
+use crate::front::{Fronts, blurred, turn};
 use crate::geometry::{Geometry, Surface};
 use crate::raster::{Bands, Cover, Grid, Plane, cover_depth};
-use crate::front::{Fronts, blurred, turn};
 use crate::view::SUB;
 use crate::{Sun, View, parallel};
 use glam::{Vec2, Vec3, Vec4};
@@ -72,7 +72,7 @@ impl Shadows {
             low,
             point,
             size,
-            search: (size * 6.0 / point).clamp(2.0, REACH / point),
+            search: (size * 6.0 / point).min(REACH / point).max(2.0),
             peaks: Vec::new(),
             heights: vec![Vec4::NEG_INFINITY; Grid::map(SIDE).cells()],
             disc: disc(),

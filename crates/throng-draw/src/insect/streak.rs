@@ -30,11 +30,7 @@ pub(crate) fn streak(
         let fresh = (1.0 - (now - time) / seconds).clamp(0.0, 1.0) as f32;
         let radius = (f64::from(body.radius) * projector.scale(point)).max(f64::from(crowd.least)) as f32;
         let opacity = LIGHT * crowd.left.sqrt() * fresh * (1.0 - projector.haze(point));
-        Some(End {
-            at: projector.pixel(point)?,
-            half: HALF * radius * (0.4 + 0.6 * fresh),
-            opacity,
-        })
+        Some(End { at: projector.pixel(point)?, half: HALF * radius * (0.4 + 0.6 * fresh), opacity })
     };
     let ends: Option<Vec<End>> = if track.points.len() > 1 {
         // The oldest end is the position at which the shutter opened.
@@ -171,11 +167,7 @@ mod tests {
     #[test]
     fn segments_of_one_streak_meet_without_a_seam() {
         let whole = streak((5.0, 10.5), (50.0, 10.5), 0.6);
-        let end = |k: usize| End {
-            at: Vec2::new(5.0 + 9.0 * k as f32, 10.5),
-            half: 1.5,
-            opacity: 0.12 * k as f32,
-        };
+        let end = |k: usize| End { at: Vec2::new(5.0 + 9.0 * k as f32, 10.5), half: 1.5, opacity: 0.12 * k as f32 };
         let pieces = Trail { ends: (0..6).map(end).collect(), color: Color::rgb(0) };
         for x in 6..49 {
             let (a, b) = (shade(std::slice::from_ref(&whole), x), shade(std::slice::from_ref(&pieces), x));

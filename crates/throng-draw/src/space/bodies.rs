@@ -106,7 +106,8 @@ impl<'a> Agents<'a> {
                 Form::Ball(level) => {
                     let place = middle(body);
                     let least = LEAST_RADIUS / stage.lens.scale(place) as f32;
-                    let ball = Placed::standing(&stage.stock.balls[*level], place, body.heading, Material::plain(color));
+                    let ball =
+                        Placed::standing(&stage.stock.balls[*level], place, body.heading, Material::plain(color));
                     Placed { turn: ball.turn * body.radius.max(least), ..ball }
                 }
                 Form::Dart(basis) => {

@@ -1,8 +1,8 @@
 //! The ground: walkable areas, a fading grid, and goals.
 
+use super::Lens;
 use super::light::light_of;
 use super::viewpoint::Extent;
-use super::Lens;
 use crate::legend::round_length;
 use crate::place::{LINE, spots_to_go};
 use crate::ribbon::Ribbon;
@@ -127,7 +127,8 @@ fn grid(middle: DVec2, reach: f64, cell: f64, (width, color): (f32, Color)) -> V
     };
     let line = |ends: Vec<LineEnd>| Line { ends, color: light_of(color), flat: true };
     let both = steps().flat_map(|across| {
-        let along = |turn: fn(DVec2) -> DVec2| line(steps().map(|along| end(turn(DVec2::new(along, across)))).collect());
+        let along =
+            |turn: fn(DVec2) -> DVec2| line(steps().map(|along| end(turn(DVec2::new(along, across)))).collect());
         [along(|p| p), along(DVec2::perp)]
     });
     both.collect()

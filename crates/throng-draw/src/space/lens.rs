@@ -116,32 +116,10 @@ impl Lens {
         Some([(from, a), (to, b)].map(|(point, depth)| self.project(ahead(point, depth))))
     }
 
-    /// Returns the part of a polygon in front of the near plane, in pixels (Sutherland, Hodgman, 1974).
-    pub(crate) fn area(&self, corners: impl IntoIterator<Item = DVec3>) -> Vec<Vec2> {
-        let corners: Vec<(DVec3, f64)> = corners.into_iter().map(|p| (p, self.depth(p) - self.near)).collect();
-        let mut area = Vec::with_capacity(corners.len() + 2);
-        for (i, &(to, b)) in corners.iter().enumerate() {
-            let (from, a) = corners[(i + corners.len() - 1) % corners.len()];
-            if (a < 0.0) != (b < 0.0) {
-                area.push(self.project(from.lerp(to, a / (a - b))));
-            }
-            if b >= 0.0 {
-                area.push(self.project(to));
-            }
-        }
-        area
-    }
-
     /// Returns the share of its colour that a point loses to haze, 0 to 1.
     pub(crate) fn haze(&self, point: DVec3) -> f32 {
         let [from, to] = self.clear;
         (HAZE * ((self.depth(point) - from) / (to - from)).clamp(0.0, 1.0).powi(2)) as f32
-    }
-
-    /// Returns the direction on the picture of a direction at a point; `None` if it is parallel to the line of sight.
-    pub(crate) fn direction(&self, point: DVec3, direction: DVec3) -> Option<Vec2> {
-        let step = 1e-3 * self.depth(point).max(self.near);
-        (self.pixel(point + direction * step)? - self.pixel(point)?).try_normalize()
     }
 }
 
@@ -171,8 +149,6 @@ mod tests {
         assert_eq!(lens.line(behind, behind - DVec3::Y), None);
         let [from, to] = lens.line(behind, DVec3::X).unwrap();
         assert!(from.x > 500.0 && to == lens.pixel(DVec3::X).unwrap(), "{from} {to}");
-        assert_eq!(lens.area([behind, DVec3::X, DVec3::ZERO]).len(), 4, "a triangle without its tip");
-        assert_eq!(lens.area([behind; 3]), []);
     }
 
     #[test]
@@ -190,6 +166,5 @@ mod tests {
     fn straight_down_north_is_up() {
         let lens = Lens::new(DVec3::Z * 10.0, DVec3::ZERO, 100.0, Vec2::ZERO, 5.0);
         assert_eq!(lens.pixel(DVec3::new(1.0, 2.0, 0.0)), Some(Vec2::new(10.0, -20.0)));
-        assert_eq!(lens.direction(DVec3::ZERO, DVec3::Y), Some(Vec2::NEG_Y));
     }
 }

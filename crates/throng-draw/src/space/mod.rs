@@ -129,7 +129,13 @@ impl Painter {
             ground: stage.ground.plane,
             areas: stage.ground.areas.clone(),
             bodies: stage.solids.iter().map(Solid::body).chain(agents.placed(stage, &self.look)).collect(),
-            lines: stage.ground.lines(&stage.lens).into_iter().chain(stage.edges.iter().cloned()).chain(trails).collect(),
+            lines: stage
+                .ground
+                .lines(&stage.lens)
+                .into_iter()
+                .chain(stage.edges.iter().cloned())
+                .chain(trails)
+                .collect(),
             light: stage.light,
         };
         let picture = Picture::render(&scene, &stage.lens.view(), stage.size).expect("the size was checked");

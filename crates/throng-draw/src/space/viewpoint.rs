@@ -147,11 +147,6 @@ impl Orbit {
         self.sight.map_or(self.target, |(sight, _)| sight.target)
     }
 
-    /// Whether the viewpoint moves.
-    pub(crate) fn moves(&self) -> bool {
-        self.rate != 0.0 || self.follow.is_some()
-    }
-
     /// Moves the viewpoint to its place at the time of a frame.
     pub(crate) fn turn(&mut self, frame: &Frame) -> Lens {
         if let Some(follow) = self.follow

@@ -109,7 +109,8 @@ impl Mesh {
         vertices
             .map(|((position, normal), (numbers, weights))| {
                 let parts = numbers.iter().zip(weights).filter(|(_, weight)| **weight > 0.0);
-                let matrix = parts.fold(Mat4::ZERO, |sum, (&number, &weight)| sum + moved[usize::from(number)] * weight);
+                let matrix =
+                    parts.fold(Mat4::ZERO, |sum, (&number, &weight)| sum + moved[usize::from(number)] * weight);
                 let normal = matrix.transform_vector3(*normal).normalize_or(Vec3::Z);
                 (matrix.transform_point3(*position * height as f32), normal)
             })

@@ -1,0 +1,6 @@
+//! Tests of pictures against ray casting, and of their promises.
+
+mod depth;
+mod light;
+mod limits;
+mod scene;
