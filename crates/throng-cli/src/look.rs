@@ -5,7 +5,7 @@ use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
 use glam::DVec2;
-use throng_draw::{ColorBy, Projection, Style, WorldBox, columns, title_height};
+use throng_draw::{ColorBy, Following, Motion, Projection, Style, WorldBox, columns, title_height};
 use throng_scene::Scene;
 
 /// The largest size of a sheet without a given size, pixels; such a sheet is about twice as wide as high.
@@ -13,6 +13,9 @@ const LARGEST: [f64; 2] = [1920.0, 1440.0];
 const ASPECT: f64 = 2.0;
 /// The maximum number of panels: more would be too small.
 const MOST: usize = 9;
+
+/// The angular velocity of a camera that orbits, degrees a second: a round in half a minute.
+const ORBIT: f64 = 12.0;
 
 /// Options for the look of pictures.
 #[derive(Args, Debug)]
@@ -22,9 +25,11 @@ pub struct LookArgs {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
 
-    /// The part of the world to show, metres: two opposite corners [default: everything]
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = parse_four, allow_hyphen_values = true)]
-    pub camera: Option<[f64; 4]>,
+    /// The part of the world to show, metres: two opposite corners X0,Y0,X1,Y1 [default: everything]. Or how the camera
+    /// moves, in perspective: `crowd` (agents fill the picture), `orbit:12` (degrees a second about the scene),
+    /// `follow:3` (agent 3). The scene's `view.camera` can have keys as well
+    #[arg(long, value_name = "WHAT", value_parser = parse_camera, allow_hyphen_values = true)]
+    pub camera: Option<CameraArg>,
 
     /// Whether the world is drawn in plan view or in perspective [default: the scene's `view.projection`, else in
     /// perspective if agents fly]
@@ -46,6 +51,15 @@ pub struct LookArgs {
     /// How fields are drawn.
     #[command(flatten)]
     pub field: FieldArgs,
+}
+
+/// What a camera shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CameraArg {
+    /// The part of the world between two corners.
+    Part([f64; 4]),
+    /// What its motion leads to.
+    Moves(Motion),
 }
 
 /// The projections.
@@ -82,10 +96,24 @@ impl LookArgs {
     /// The camera's view is empty.
     pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
         let said = Style::said(scene);
-        let given = self.camera.map(|[x0, y0, x1, y1]| {
-            let (a, b) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
-            WorldBox { min: a.min(b), max: a.max(b) }
-        });
+        let mut viewpoint = said.viewpoint.clone();
+        let mut projection = self.projection.map(ProjectionArg::projection).or(said.projection);
+        let given = match &self.camera {
+            Some(CameraArg::Part([x0, y0, x1, y1])) => {
+                let (a, b) = (DVec2::new(*x0, *y0), DVec2::new(*x1, *y1));
+                Some(WorldBox { min: a.min(b), max: a.max(b) })
+            }
+            Some(CameraArg::Moves(motion)) if projection == Some(Projection::Plan) && self.projection.is_some() => {
+                let text = format!("a camera that moves ({}) needs a view in perspective", name(motion));
+                return Err(Failure::hint(text, "leave out --projection plan, or give two corners"));
+            }
+            Some(CameraArg::Moves(motion)) => {
+                viewpoint.motion = motion.clone();
+                projection = Some(Projection::Perspective);
+                None
+            }
+            None => None,
+        };
         let shown = given.or(said.view);
         if let Some(shown) = shown.filter(|shown| (shown.max - shown.min).min_element() <= 0.0) {
             let text = format!("the camera sees {} by {} m", shown.max.x - shown.min.x, shown.max.y - shown.min.y);
@@ -97,7 +125,8 @@ impl LookArgs {
             width,
             height,
             view: shown,
-            projection: self.projection.map(ProjectionArg::projection).or(said.projection),
+            projection,
+            viewpoint,
             trails: self.trails.map_or(said.trails, |seconds| seconds as f32),
             color_by: match self.color {
                 ColorArg::Group => ColorBy::Group,
@@ -166,6 +195,37 @@ fn shaped_like(extent: DVec2) -> (u32, u32) {
     // Title and legend take 28 pixels at the sides and about 110 above and below.
     let height = 932.0 * extent.y / extent.x + 110.0;
     (960, height.clamp(280.0, 720.0) as u32 / 2 * 2)
+}
+
+/// Parses what a camera shows.
+fn parse_camera(text: &str) -> Result<CameraArg, String> {
+    let motion = match text.split_once(':').unwrap_or((text, "")) {
+        ("crowd", "") => Motion::Crowd,
+        ("orbit", rate) => {
+            let rate = if rate.is_empty() { Some(ORBIT) } else { rate.parse().ok() };
+            Motion::Orbit(
+                rate.filter(|rate: &f64| rate.abs() <= 3600.0)
+                    .ok_or("write orbit: and degrees a second, such as orbit:12")?,
+            )
+        }
+        ("follow", number) => Motion::Follow(Following::usual(
+            number.parse().map_err(|_| "write follow: and the number of an agent, such as follow:3")?,
+        )),
+        _ => {
+            let part = parse_four(text).map_err(|error| format!("{error}; or crowd, orbit:12 or follow:3"))?;
+            return Ok(CameraArg::Part(part));
+        }
+    };
+    Ok(CameraArg::Moves(motion))
+}
+
+fn name(motion: &Motion) -> &'static str {
+    match motion {
+        Motion::Crowd => "crowd",
+        Motion::Orbit(_) => "orbit",
+        Motion::Follow(_) => "follow",
+        _ => "keys",
+    }
 }
 
 /// Parses width and height.

@@ -6,7 +6,7 @@ use throng::avoid::Orca;
 use throng::motion::{Locomotion, Vehicle};
 use throng::steer::Target;
 use throng::{Agent, Error, Group, GroupId, Obstacle, Settings, SubSteps, World};
-use throng_draw::{Annotation, Film, Projection, Still, Style, Theme, Viewpoint};
+use throng_draw::{Annotation, Film, Motion, Projection, Still, Style, Theme, Viewpoint};
 use throng_record::{Frame, Setting};
 use throng_steer::{Evade, Flocking, Pursue, Seek, Separation, UnalignedAvoidance, Wander, WeightedSum};
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             "plan" => style.projection = Some(Projection::Plan),
             "perspective" => style.projection = Some(Projection::Perspective),
             "dark" => style.theme = Theme::dark(),
-            "orbit" => style.viewpoint.orbit = 12.0,
+            "orbit" => style.viewpoint.motion = Motion::Orbit(12.0),
             "near" => {
                 style.viewpoint = Viewpoint {
                     eye: Some(DVec3::new(-30.0, -45.0, 62.0)),

@@ -1,8 +1,8 @@
 //! The style of pictures from a scene.
 
-use crate::{AgentShape, Color, Projection, Style, Viewpoint, WorldBox};
+use crate::{AgentShape, Color, Following, Motion, Projection, Style, Viewpoint, WorldBox};
 use glam::DVec2;
-use throng_scene::{Camera, Colour, Scene};
+use throng_scene::{Camera, CameraKey, Colour, Scene};
 
 impl Style {
     /// Returns the style from the scene's `[view]` and its groups, with defaults for the rest.
@@ -22,9 +22,9 @@ impl Style {
             projection: match view.projection {
                 Some(throng_scene::Projection::Plan) => Some(Projection::Plan),
                 Some(throng_scene::Projection::Perspective) => Some(Projection::Perspective),
-                None => view.camera.map(|_| Projection::Perspective),
+                None => view.camera.as_ref().map(|_| Projection::Perspective),
             },
-            viewpoint: viewpoint(view.camera.unwrap_or_default()),
+            viewpoint: viewpoint(view.camera.clone().unwrap_or_default()),
             trails: view.trails.map_or(default.trails, |seconds| seconds as f32),
             groups: scene.groups.iter().map(|group| group.colour.map(color)).collect(),
             forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
@@ -50,11 +50,24 @@ fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
 
 fn viewpoint(camera: Camera) -> Viewpoint {
     let standard = Viewpoint::default();
+    let key = |key: CameraKey| crate::CameraKey {
+        time: key.time,
+        eye: key.eye.into(),
+        target: key.target.into(),
+        field_of_view: key.field_of_view,
+        cut: key.cut,
+    };
+    let motion = match camera {
+        Camera { follow: Some(number), .. } => Motion::Follow(Following::usual(number)),
+        Camera { orbit: Some(rate), .. } => Motion::Orbit(rate),
+        Camera { crowd: true, .. } => Motion::Crowd,
+        Camera { ref keys, .. } if !keys.is_empty() => Motion::Keys(keys.iter().copied().map(key).collect()),
+        _ => standard.motion,
+    };
     Viewpoint {
         eye: camera.eye.map(Into::into),
         target: camera.target.map(Into::into),
         field_of_view: camera.field_of_view.unwrap_or(standard.field_of_view),
-        orbit: camera.orbit.unwrap_or(standard.orbit),
-        follow: None,
+        motion,
     }
 }

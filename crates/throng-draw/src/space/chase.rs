@@ -3,9 +3,6 @@
 use glam::{DVec3, Vec2};
 use throng_record::Body;
 
-/// The rate of the exponential approach to the wanted viewpoint, 1/s.
-const HASTE: f64 = 7.0;
-
 /// The agent that a viewpoint follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
@@ -35,9 +32,9 @@ pub struct Sight {
 }
 
 impl Sight {
-    /// Moves smoothly towards another viewpoint for `seconds`; most of the motion takes half a second.
-    pub fn approach(&mut self, wanted: Self, seconds: f64) {
-        let part = 1.0 - (-HASTE * seconds).exp();
+    /// Moves smoothly towards another viewpoint for `seconds`, at a rate of the exponential approach, 1/s.
+    pub fn approach(&mut self, wanted: Self, seconds: f64, rate: f64) {
+        let part = if rate.is_finite() { 1.0 - libm::exp(-rate * seconds.max(0.0)) } else { 1.0 };
         self.eye = self.eye.lerp(wanted.eye, part);
         self.target = self.target.lerp(wanted.target, part);
     }
@@ -87,4 +84,14 @@ pub struct Following {
     pub chase: Chase,
     /// The distance in radii of the agent, greater than 0.
     pub aside: f64,
+}
+
+/// The usual distance from an agent that is followed, radii.
+const ASIDE: f64 = 28.0;
+
+impl Following {
+    /// Returns the usual way of following an agent: at a fixed distance that shows it and what is around it.
+    pub fn usual(number: u32) -> Self {
+        Self { number, chase: Chase::Distance, aside: ASIDE }
+    }
 }

@@ -1,8 +1,8 @@
 //! The ground: walkable areas, a fading grid, and goals.
 
 use super::Lens;
+use super::extent::Extent;
 use super::light::light_of;
-use super::viewpoint::Extent;
 use crate::legend::round_length;
 use crate::place::{LINE, spots_to_go};
 use crate::ribbon::Ribbon;

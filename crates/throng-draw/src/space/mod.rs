@@ -2,17 +2,20 @@
 
 mod bodies;
 mod chase;
+mod extent;
 mod ground;
+mod keys;
 mod lens;
 mod light;
 mod people;
+mod rig;
 mod solid;
 mod viewpoint;
 
 pub use chase::{Chase, Followed, Following, Sight};
 pub use lens::Lens;
 pub(crate) use people::People;
-pub use viewpoint::Viewpoint;
+pub use viewpoint::{CameraKey, Motion, Viewpoint};
 
 use crate::insect::{Crowd, Insect};
 use crate::look::Coat;
@@ -21,23 +24,24 @@ use crate::primitive::Primitive;
 use crate::rounded::Rounded;
 use crate::{AgentShape, Color, Image, Painter, Style, WorldBox};
 use bodies::{Agents, Stock};
+use extent::Extent;
 use glam::{DVec2, Vec2};
 use ground::Ground;
 use light::light;
+use rig::Rig;
 use solid::{Solid, container};
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Light, Line, Picture, Scene};
-use viewpoint::{Extent, Orbit};
 
 /// The least radius of darts in the middle of the picture, in units of the layout.
 const LEAST_DART: f32 = 3.4;
-/// The least height of obstacles, metres; people can look over them.
-const LEAST_HEIGHT: f64 = 1.2;
+/// The height of walls, metres; where agents fly, the least height.
+const WALL: f64 = 1.2;
 
 /// The constant parts of the scene, and the viewpoint.
 #[derive(Clone, Debug)]
 pub(crate) struct SpaceScene {
-    orbit: Orbit,
+    rig: Rig,
     pub lens: Lens,
     ground: Ground,
     solids: Vec<Solid>,
@@ -62,20 +66,21 @@ impl SpaceScene {
         first: &Frame,
         room: (Vec2, Vec2),
     ) -> Self {
-        let extent = Extent::of(view, setting, first);
-        let mut orbit = Orbit::new(&style.viewpoint, &extent, style.height, room);
-        let lens = orbit.turn(first);
+        let extent = Extent::of(view, style.view.is_some(), setting, first);
+        let mut rig = Rig::new(&style.viewpoint, &extent, style.height, room);
+        let lens = rig.turn(first);
         let theme = &style.theme;
-        let height = extent.height.max(LEAST_HEIGHT);
+        // People can look over walls, and so can viewpoints.
+        let height = if setting.in_space { extent.height.max(WALL) } else { WALL };
         let holes = setting.walkable.iter().flat_map(|area| &area.holes);
         let solids = setting.obstacles.iter().flat_map(|obstacle| Solid::obstacle(obstacle, height, theme.obstacle));
         let solids = solids.chain(holes.map(|hole| Solid::prism(hole, [0.0, height], theme.obstacle)));
         let shells = setting.shells.iter();
         let solids = solids.chain(shells.filter_map(|shell| Solid::shell(shell, setting.origin, theme.obstacle)));
         let edge = |shell| container(shell, setting.origin, 0.9 * unit, theme.edge);
-        let shown = |radii: &mut dyn Iterator<Item = f32>| radii.fold(0.0, f32::max) * lens.scale(orbit.target) as f32;
+        let shown = |radii: &mut dyn Iterator<Item = f32>| radii.fold(0.0, f32::max) * lens.scale(rig.middle()) as f32;
         let darts = shown(&mut first.bodies.iter().filter(|body| body.basis.is_some()).map(|body| body.radius));
-        let out = lens.eye - orbit.target;
+        let out = lens.eye - rig.middle();
         Self {
             lens,
             ground: Ground::new(setting, style, &extent, first, unit),
@@ -86,7 +91,7 @@ impl SpaceScene {
             growth: growth(LEAST_DART * unit, darts),
             shown: shown(&mut first.bodies.iter().map(|body| body.radius)),
             size: [style.width, style.height],
-            orbit,
+            rig,
         }
     }
 
@@ -97,12 +102,12 @@ impl SpaceScene {
 
     /// Moves the viewpoint to its place at a moment.
     pub(crate) fn turn(&mut self, frame: &Frame) {
-        self.lens = self.orbit.turn(frame);
+        self.lens = self.rig.turn(frame);
     }
 
     /// Returns pixels per metre in the middle of the picture.
     pub(crate) fn scale(&self) -> f64 {
-        self.lens.scale(self.orbit.middle())
+        self.lens.scale(self.rig.middle())
     }
 
     /// Returns the width of the grid's cells, metres.

@@ -6,7 +6,7 @@ use throng::motion::{Basis, Locomotion, Vehicle};
 use throng::steer::Target;
 use throng::{Agent, Goal, Group, Obstacle, Settings, World};
 use throng_draw::{
-    Chase, Color, ColorBy, Following, Image, Look, Painter, Projection, Style, Theme, Viewpoint, palette, ramp,
+    Chase, Color, ColorBy, Following, Image, Look, Motion, Painter, Projection, Style, Theme, Viewpoint, palette, ramp,
 };
 use throng_record::{Body, Frame, Setting};
 use throng_steer::Seek;
@@ -125,7 +125,7 @@ fn vehicles_show_how_they_climb_and_bank() {
 
 #[test]
 fn the_eye_orbits_and_the_same_moments_give_the_same_picture() {
-    let viewpoint = Viewpoint { orbit: 90.0, ..style().viewpoint };
+    let viewpoint = Viewpoint { motion: Motion::Orbit(90.0), ..style().viewpoint };
     let style = Style { viewpoint, legend: true, trails: 1.0, ..style() };
     let moment = |k: u32| {
         let bodies = [body(0, DVec3::new(2.0, f64::from(k) * 0.1, 4.0)), body(1, DVec3::new(0.0, 0.0, 3.0))];
@@ -155,8 +155,8 @@ fn an_eye_follows_an_agent() {
         Frame { time: way, ..frame(&[body(0, DVec3::ZERO), body(7, DVec3::new(way, 30.0 + way, 0.0))]) }
     };
     for chase in [Chase::Distance, Chase::Offset, Chase::PointOfView, Chase::Down] {
-        let follow = Some(Following { number: 7, chase, aside: 30.0 });
-        let style = Style { viewpoint: Viewpoint { follow, ..style().viewpoint }, ..style() };
+        let motion = Motion::Follow(Following { number: 7, chase, aside: 30.0 });
+        let style = Style { viewpoint: Viewpoint { motion, ..style().viewpoint }, ..style() };
         let mut painter = Painter::new(&setting(), &style, &moment(0)).unwrap();
         for k in 0..40 {
             let now = moment(k);

@@ -7,7 +7,8 @@ use crate::error::Kind;
 use crate::file::{Path, Problem};
 use crate::registry::{ChosenPlacement, Models};
 use crate::scene::{
-    Body, Camera, Expect, Group, Mover, Obstacle, Point, Rectangle, Scene, Shape, Sides, SubSteps, View, WrapAround,
+    Body, Camera, Expect, Group, Mover, Obstacle, Point, Rectangle, Scene, Shape, Sides, SpacePoint, SubSteps, View,
+    WrapAround,
 };
 
 type Checked = Result<(), Problem>;
@@ -215,17 +216,45 @@ fn check_view(view: &View) -> Checked {
 }
 
 fn check_camera(path: &Path, camera: &Camera) -> Checked {
-    for (key, spot) in [("eye", &camera.eye), ("target", &camera.target)] {
-        if let Some(spot) = spot {
-            check_spot(&path.key(key), spot)?;
+    check_sight(path, camera.eye, camera.target, camera.field_of_view)?;
+    check_some(&path.key("orbit"), camera.orbit, Limit::Between(-3600.0, 3600.0))?;
+    let motions = [
+        ("follow", camera.follow.is_some()),
+        ("orbit", camera.orbit.is_some()),
+        ("crowd", camera.crowd),
+        ("keys", !camera.keys.is_empty()),
+    ];
+    let mut given = motions.into_iter().filter(|(_, given)| *given).map(|(name, _)| name);
+    if let (Some(first), Some(second)) = (given.next(), given.next()) {
+        let message = format!("the camera has both {first} and {second}, which move it");
+        return Err(Problem::new(&path.key(second), Kind::Conflict, message).hint("leave out one of the two"));
+    }
+    for (i, key) in camera.keys.iter().enumerate() {
+        let path = path.key("keys").index(i);
+        check_some(&path.key("time"), Some(key.time), Limit::NotNegative)?;
+        check_sight(&path, Some(key.eye), Some(key.target), key.field_of_view)?;
+        if let Some(before) =
+            i.checked_sub(1).map(|before| camera.keys[before].time).filter(|before| *before > key.time)
+        {
+            let message = format!("a key at {} s follows a key at {before} s", key.time);
+            return Err(Problem::new(&path.key("time"), Kind::OutOfRange, message).hint("sort the keys by time"));
         }
     }
-    if camera.eye.is_some() && camera.eye == camera.target {
+    Ok(())
+}
+
+/// Checks where a camera is and what it looks at.
+fn check_sight(path: &Path, eye: Option<SpacePoint>, target: Option<SpacePoint>, angle: Option<f64>) -> Checked {
+    for (key, spot) in [("eye", eye), ("target", target)] {
+        if let Some(spot) = spot {
+            check_spot(&path.key(key), &spot)?;
+        }
+    }
+    if eye.is_some() && eye == target {
         let message = "the camera's eye and target are the same point";
         return Err(Problem::new(&path.key("eye"), Kind::Conflict, message).hint("move one of eye and target"));
     }
-    check_some(&path.key("field_of_view"), camera.field_of_view, Limit::Between(1.0, 170.0))?;
-    check_some(&path.key("orbit"), camera.orbit, Limit::Between(-3600.0, 3600.0))
+    check_some(&path.key("field_of_view"), angle, Limit::Between(1.0, 170.0))
 }
 
 fn check_expect(expect: &Expect) -> Checked {

@@ -49,7 +49,7 @@ pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };
 pub use time::{SubSteps, Time, Until};
-pub use view::{AgentShape, Camera, Colour, Projection, View};
+pub use view::{AgentShape, Camera, CameraKey, Colour, Projection, View};
 pub use wrap_around::WrapAround;
 
 pub use crate::file::Origin;

@@ -82,10 +82,10 @@ pub enum AgentShape {
 }
 
 /// The camera of a view in perspective.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {
-    /// Position of the eye. Without it, slightly above all agents, far enough away to see all of the scene.
+    /// Position of the eye. Without it, slightly above all agents, where they fill the picture.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub eye: Option<SpacePoint>,
     /// The point in the middle of the picture. Without it, the middle of the scene.
@@ -97,6 +97,33 @@ pub struct Camera {
     /// Angular speed of the eye around its target, degrees a second, counter-clockwise from above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orbit: Option<f64>,
+    /// Number of the agent that the camera follows, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub follow: Option<u32>,
+    /// Whether the camera moves so that the agents fill the picture.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub crowd: bool,
+    /// Where the camera is at which time, in the order of time. It moves smoothly from key to key.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub keys: Vec<CameraKey>,
+}
+
+/// The camera at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CameraKey {
+    /// The time, seconds. Limit: >= 0.
+    pub time: f64,
+    /// Position of the eye.
+    pub eye: SpacePoint,
+    /// The point in the middle of the picture.
+    pub target: SpacePoint,
+    /// The angle between the top and the bottom of the picture, degrees. Without it, that of the camera. Limit: 1 to 170.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub field_of_view: Option<f64>,
+    /// Whether the film cuts to this key; otherwise the camera moves to it from the key before.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub cut: bool,
 }
 
 /// A colour: red, green, blue. In files `"#rrggbb"`.

@@ -2,7 +2,7 @@
 
 use super::mode::Mode;
 use glam::{DVec2, DVec3, Vec2};
-use throng_draw::{Camera, Followed, Following, Lens, Projector, Sight, Viewpoint, WorldBox};
+use throng_draw::{Camera, Followed, Following, Lens, Motion, Projector, Sight, Viewpoint, WorldBox};
 
 /// The vertical field of view in perspective, radians.
 const FIELD_OF_VIEW: f64 = 0.66;
@@ -15,6 +15,9 @@ const DISTANCES: (f64, f64) = (0.5, 20_000.0);
 const SCALES: (f64, f64) = (0.005, 5_000.0);
 /// Rotation of an orbit per point of the screen, radians.
 const TURN: f64 = 0.006;
+
+/// The rate at which a camera approaches its place, 1/s: most of a motion takes half a second.
+const HASTE: f64 = 7.0;
 
 /// A camera with its target pose and its current pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +129,7 @@ impl Eye {
     /// Advances the smooth motion by `seconds`.
     pub fn settle(&mut self, followed: Option<Followed>, seconds: f64) {
         self.followed = followed.or(self.followed);
-        self.shown.approach(self.wanted(), seconds);
+        self.shown.approach(self.wanted(), seconds, HASTE);
     }
 
     /// Whether the camera is still moving.
@@ -167,8 +170,9 @@ impl Eye {
             eye: Some(self.shown.eye),
             target: Some(self.shown.target),
             field_of_view: FIELD_OF_VIEW.to_degrees(),
-            orbit: 0.0,
-            follow: follow.map(|(chase, number)| Following { number, chase, aside: self.aside }),
+            motion: follow.map_or(Motion::Still, |(chase, number)| {
+                Motion::Follow(Following { number, chase, aside: self.aside })
+            }),
         }
     }
 

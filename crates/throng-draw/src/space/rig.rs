@@ -1,0 +1,234 @@
+//! A viewpoint that moves.
+
+use super::extent::{Extent, people};
+use super::{Followed, Lens, Motion, Sight, Viewpoint, keys};
+use glam::{DVec2, DVec3, Vec2};
+use throng_record::Frame;
+
+/// The default elevation of the viewpoint above the ground, and its azimuth from +x, radians.
+const ELEVATION: f64 = 0.36;
+const AZIMUTH: f64 = -2.0;
+/// The number of iterations that centre things in the picture.
+const CENTERING: usize = 8;
+/// The rates at which a viewpoint approaches its place behind a followed agent, and before a crowd, 1/s.
+const CHASING: f64 = 7.0;
+const FRAMING: f64 = 0.9;
+/// The least distance of the viewpoint from a crowd, metres.
+const NEAREST: f64 = 6.0;
+
+/// A moving viewpoint.
+#[derive(Clone, Debug)]
+pub(crate) struct Rig {
+    /// Where it starts.
+    start: Sight,
+    motion: Motion,
+    /// The vertical field of view, degrees.
+    angle: f64,
+    window: Window,
+    reach: f64,
+    /// Where it is, and since when.
+    now: Option<(Sight, f64)>,
+}
+
+/// The part of the picture that things are to fill.
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    /// The height of the whole picture, pixels.
+    height: f64,
+    /// The pixel in the middle of the part, and half of its size.
+    anchor: Vec2,
+    half: DVec2,
+}
+
+impl Window {
+    /// Returns the focal length, pixels, for a vertical field of view, degrees.
+    fn focal(&self, angle: f64) -> f64 {
+        0.5 * self.height / (0.5 * angle.to_radians()).tan()
+    }
+
+    /// Returns the viewpoint in the direction `out` from which points fill the window; `target`: what it looks at, if
+    /// that is given.
+    fn fit(&self, points: &[DVec3], out: DVec3, focal: f64, target: Option<DVec3>) -> Option<Sight> {
+        let right = DVec3::Z.cross(out).try_normalize().unwrap_or(DVec3::X);
+        let up = out.cross(right);
+        let first = points.first()?;
+        let mut middle = target.unwrap_or(*first);
+        let mut distance = 0.0;
+        let slopes = (self.half / focal).max(DVec2::splat(1e-3));
+        for _ in 0..if target.is_none() { CENTERING } else { 1 } {
+            let offsets = || points.iter().map(|&point| point - middle);
+            let aside = |offset: DVec3| DVec2::new(offset.dot(right), offset.dot(up));
+            // A point fits if its lateral offset over its depth is within the edges of the window.
+            let least = |offset: DVec3| (aside(offset).abs() / slopes).max_element() + offset.dot(out);
+            distance = offsets().map(least).fold(1e-3, f64::max);
+            let seen = offsets().map(|offset| aside(offset) / (distance - offset.dot(out)).max(1e-6));
+            let (low, high) =
+                seen.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+            if target.is_none() {
+                let shift = (low + high) * 0.5 * distance;
+                middle += right * shift.x + up * shift.y;
+            }
+        }
+        Some(Sight { eye: middle + out * distance, target: middle })
+    }
+}
+
+impl Rig {
+    /// Creates the viewpoint of a picture `height` pixels high. The scene lies between the pixels `low` and `high`.
+    pub(crate) fn new(viewpoint: &Viewpoint, extent: &Extent, height: u32, (low, high): (Vec2, Vec2)) -> Self {
+        let half = ((high - low).as_dvec2() * 0.5).max(DVec2::ONE);
+        let window = Window { height: height.into(), anchor: (low + high) * 0.5, half };
+        let focal = window.focal(viewpoint.field_of_view);
+        let out = DVec2::from_angle(AZIMUTH).extend(0.0) * ELEVATION.cos() + DVec3::Z * ELEVATION.sin();
+        let target = viewpoint.target.unwrap_or_else(|| extent.middle());
+        let start = match viewpoint.eye {
+            Some(eye) => Sight { eye, target },
+            None => {
+                let turns = matches!(viewpoint.motion, Motion::Orbit(_));
+                let points = extent.points(turns);
+                // A viewpoint that turns looks at the middle of its circle.
+                let target = if turns { Some(target) } else { viewpoint.target };
+                window
+                    .fit(&points, out, focal, target)
+                    .unwrap_or(Sight { eye: target.unwrap_or_default() + out, target: target.unwrap_or_default() })
+            }
+        };
+        Self {
+            start,
+            motion: viewpoint.motion.clone(),
+            angle: viewpoint.field_of_view,
+            window,
+            reach: extent.reach(),
+            now: None,
+        }
+    }
+
+    /// Returns the point in the middle of the picture.
+    pub(crate) fn middle(&self) -> DVec3 {
+        self.now.map_or(self.start.target, |(sight, _)| sight.target)
+    }
+
+    /// Moves the viewpoint to its place at the time of a frame.
+    pub(crate) fn turn(&mut self, frame: &Frame) -> Lens {
+        let Sight { eye, target } = self.start;
+        let (wanted, rate) = match &self.motion {
+            Motion::Still => (None, 0.0),
+            Motion::Orbit(rate) => {
+                let turn = DVec2::from_angle(rate.to_radians() * frame.time);
+                let from = eye - target;
+                let eye = target + turn.rotate(from.truncate()).extend(from.z);
+                (Some(Sight { eye, target }), f64::INFINITY)
+            }
+            Motion::Keys(keys) => match keys::at(keys, frame.time, self.angle) {
+                Some((sight, angle)) => {
+                    self.now = Some((sight, frame.time));
+                    return self.lens(sight, angle);
+                }
+                None => (None, 0.0),
+            },
+            Motion::Follow(follow) => {
+                let from = self.now.map_or(eye, |(sight, _)| sight.eye);
+                let found = frame.bodies.binary_search_by_key(&follow.number, |body| body.number).ok();
+                let followed = found.map(|at| Followed::from(&frame.bodies[at]));
+                (followed.map(|followed| follow.chase.sight(&followed, follow.aside, from)), CHASING)
+            }
+            Motion::Crowd => {
+                let points: Vec<DVec3> = people(frame).collect();
+                let out = (eye - target).normalize_or(DVec3::Z);
+                let fit = self.window.fit(&points, out, self.window.focal(self.angle), None);
+                let far = |sight: Sight| {
+                    let distance = sight.eye.distance(sight.target).max(NEAREST);
+                    Sight { eye: sight.target + out * distance, ..sight }
+                };
+                (fit.map(far), FRAMING)
+            }
+        };
+        if let Some(wanted) = wanted {
+            let (sight, since) = self.now.get_or_insert((wanted, frame.time));
+            sight.approach(wanted, frame.time - *since, rate);
+            *since = frame.time;
+        }
+        self.lens(self.now.map_or(self.start, |(sight, _)| sight), self.angle)
+    }
+
+    fn lens(&self, Sight { eye, target }: Sight, angle: f64) -> Lens {
+        Lens::new(eye, target, self.window.focal(angle), self.window.anchor, self.reach)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::WorldBox;
+    use throng_record::Setting;
+
+    /// Returns how far from the edges of a room all points are, pixels: the least.
+    fn inside(lens: &Lens, points: &[DVec3], (low, high): (Vec2, Vec2)) -> f32 {
+        let pixel = |point: &DVec3| lens.pixel(*point).expect("the point is before the viewpoint");
+        points.iter().map(pixel).fold(f32::INFINITY, |least, at| least.min((at - low).min(high - at).min_element()))
+    }
+
+    #[test]
+    fn everything_is_in_the_picture_all_the_way_round() {
+        let room = (Vec2::splat(20.0), Vec2::new(620.0, 460.0));
+        let ground = WorldBox { min: DVec2::new(10.0, -3.0), max: DVec2::new(40.0, 2.0) };
+        for (height, orbit) in [(0.0, 0.0), (12.0, 0.0), (90.0, 0.0), (12.0, 20.0)] {
+            let setting = Setting {
+                in_space: true,
+                walkable: vec![throng::Walkable::new(vec![DVec2::ZERO; 3])],
+                ..Setting::default()
+            };
+            let body = throng_record::Body { altitude: height as f32, radius: 0.0, ..body(DVec2::new(20.0, 0.0)) };
+            let extent = Extent::of(ground, true, &setting, &Frame { bodies: vec![body], ..Frame::default() });
+            let motion = if orbit == 0.0 { Motion::Still } else { Motion::Orbit(orbit) };
+            let mut rig = Rig::new(&Viewpoint { motion, ..Viewpoint::default() }, &extent, 480, room);
+            let least = (0..18).map(|time| {
+                let lens = rig.turn(&Frame { time: f64::from(time), ..Frame::default() });
+                inside(&lens, &extent.points(false), room)
+            });
+            let tightest = least.fold(f32::INFINITY, f32::min);
+            assert!((-1e-3..60.0).contains(&tightest), "{height} m high, {orbit} degrees a second: {tightest} pixels");
+        }
+    }
+
+    fn body(position: DVec2) -> throng_record::Body {
+        throng_record::Body {
+            number: 0,
+            group: 0,
+            goal: None,
+            position,
+            altitude: 0.0,
+            velocity: Vec2::ZERO,
+            vertical_velocity: 0.0,
+            heading: 0.0,
+            basis: None,
+            radius: 0.25,
+            core: Vec2::ZERO,
+            preferred_speed: 1.3,
+            status: throng::Status::Walking,
+        }
+    }
+
+    #[test]
+    fn a_crowd_fills_the_picture_wherever_it_goes() {
+        let room = (Vec2::splat(20.0), Vec2::new(620.0, 460.0));
+        let moment = |time: f64| {
+            let spread = 3.0 + 0.5 * time;
+            let bodies = (0..12).map(|k| body(DVec2::from_angle(f64::from(k)) * spread + DVec2::X * 1.2 * time));
+            Frame { time, bodies: bodies.collect(), ..Frame::default() }
+        };
+        let ground = WorldBox { min: DVec2::splat(-90.0), max: DVec2::splat(90.0) };
+        let extent = Extent::of(ground, true, &Setting::default(), &moment(0.0));
+        let mut rig = Rig::new(&Viewpoint { motion: Motion::Crowd, ..Viewpoint::default() }, &extent, 480, room);
+        for k in 0..500 {
+            let frame = moment(f64::from(k) / 25.0);
+            let lens = rig.turn(&frame);
+            let least = inside(&lens, &people(&frame).collect::<Vec<_>>(), room);
+            // The viewpoint lags behind a crowd that moves.
+            assert!((-120.0..90.0).contains(&least), "{least} pixels after {} s", frame.time);
+        }
+        let rest = rig.turn(&Frame { time: 30.0, ..moment(20.0) });
+        let least = inside(&rest, &people(&moment(20.0)).collect::<Vec<_>>(), room);
+        assert!((-1.0..8.0).contains(&least), "{least} pixels at rest");
+    }
+}
