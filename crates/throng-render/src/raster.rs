@@ -79,7 +79,7 @@ impl Lanes {
 /// A triangle in the picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cover {
-    /// The corners in subdivisions, clockwise in the picture, whose axis y is down.
+    /// The corners in subdivisions, clockwise in the picture (its axis y is down).
     corners: [IVec2; 3],
     /// What samples keep the greatest of: the nearness.
     near: Plane,
@@ -177,7 +177,7 @@ fn limited(value: f64) -> i32 {
     value.clamp(-1e9, 1e9) as i32
 }
 
-/// Returns twice the area of a triangle, positive if it is clockwise in a picture whose axis y is down.
+/// Returns twice the area of a triangle, positive if it is clockwise in a picture (its axis y is down).
 pub(crate) fn area([a, b, c]: [IVec2; 3]) -> i64 {
     let (u, v) = ((b - a).as_i64vec2(), (c - a).as_i64vec2());
     u.x * v.y - u.y * v.x

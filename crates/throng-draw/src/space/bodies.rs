@@ -16,8 +16,8 @@ const DART: [Vec3; 4] =
     [Vec3::new(1.9, 0.0, 0.0), Vec3::new(-1.3, 1.35, 0.35), Vec3::new(-0.75, 0.0, -0.1), Vec3::new(-1.3, -1.35, 0.35)];
 /// The numbers of corners around balls, and the radii from which each is used, pixels.
 const BALLS: [(u32, f32); 3] = [(8, 0.0), (16, 6.0), (32, 24.0)];
-/// The part of a ball, seen from its middle, whose colour shows the heading: the least cosine of the angle to it, and the
-/// factor of its colour.
+/// The dark part of a ball, which shows the heading: the least cosine of the angle to it, seen from the middle of the ball,
+/// and the factor of its colour.
 const FRONT: f32 = 0.9;
 const MARKED: f32 = 0.25;
 

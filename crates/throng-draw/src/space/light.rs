@@ -6,8 +6,8 @@ use throng_render::{Haze, Light, Sky, Sun, linear};
 
 /// The angle from the direction of the viewpoint to the sun, which is to the left and behind the viewpoint, radians.
 const ASIDE: f64 = -0.75;
-/// The height of the sun above the horizon, radians: over people, whose shadows show their steps; and over agents that
-/// fly, whose shadows are almost straight below them.
+/// The height of the sun above the horizon, radians: over people, because long shadows show steps; and over agents that
+/// fly, because their shadows are then almost straight below them.
 const AFTERNOON: f32 = 0.72;
 const NOON: f32 = 1.2;
 /// The distance of the haze, in distances of the farthest things.
