@@ -1,4 +1,4 @@
-//! A plaza with walls, glass, benches and people who walk.
+//! A plaza with walls, glass, benches and walking people.
 
 use glam::{DVec2, DVec3, Mat3, Vec2, Vec3};
 use std::borrow::Cow;
@@ -71,7 +71,7 @@ impl Plaza {
     }
 }
 
-/// Returns the meshes of people who walk, with their places.
+/// Returns the meshes of walking people, with their places.
 fn people(view: &View, count: u64) -> Vec<(Mesh<'static>, DVec3)> {
     let figure = |number: u64| {
         let person = Person::new(3, number);
