@@ -3,7 +3,7 @@
 use crate::parallel;
 use crate::view::SUB;
 use glam::{IVec2, Vec2, Vec4};
-use std::ops::Range;
+use std::ops::{Add, Mul, Range};
 
 /// The number of samples of a cell.
 pub(crate) const SAMPLES: usize = 4;
@@ -108,67 +108,130 @@ impl Cover {
 
     /// Calls `each` for the cells that it covers in `rows`: with the row and the column, with the samples that it covers
     /// as bits, and with their nearness.
-    pub fn scan(&self, grid: &Grid, rows: Range<usize>, mut each: impl FnMut(usize, usize, u32, Vec4)) {
+    pub fn scan(&self, grid: &Grid, rows: Range<usize>, each: impl FnMut(usize, usize, u32, Vec4)) {
         let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         let own = self.rows(grid);
         let rows = own.start.max(rows.start)..own.end.min(rows.end);
-        let columns = [a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)].map(|x| x.div_euclid(grid.cell[0]));
+        let columns = [low.x, high.x].map(|x| x.div_euclid(grid.cell[0]));
         let columns = columns[0].max(0)..(columns[1] + 1).min(grid.size[0] as i32);
         if columns.is_empty() {
             return;
         }
-        // The value of an edge is positive inside; all values are whole numbers, and exact.
-        let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| {
-            let along = to - from;
-            // A sample on the line of two triangles belongs to the one below or to the right of it.
-            let own = along.y < 0 || (along.y == 0 && along.x > 0);
-            let slope = [f64::from(-along.y), f64::from(along.x)];
-            let start = -(slope[0] * f64::from(from.x) + slope[1] * f64::from(from.y)) - if own { 0.0 } else { 1.0 };
-            (start, slope)
-        });
+        // Both kinds of numbers are exact.
+        if (high - low).max_element() < SMALL {
+            self.cells::<i32>(grid, rows, columns, each);
+        } else {
+            self.cells::<f64>(grid, rows, columns, each);
+        }
+    }
+
+    fn cells<T: Number>(
+        &self,
+        grid: &Grid,
+        rows: Range<usize>,
+        columns: Range<i32>,
+        mut each: impl FnMut(usize, usize, u32, Vec4),
+    ) {
+        let [a, b, c] = self.corners;
+        let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| Edge::new(from, to, grid));
+        let steps = edges.map(|edge| T::of(edge.slope.x) * T::of(grid.cell[0]));
         let lanes = grid.lanes(self.near);
-        let cell = [grid.cell[0], grid.cell[1]].map(f64::from);
         let [low, high] = self.limits.map(Vec4::splat);
         for row in rows {
-            let top = row as f64 * cell[1];
+            let top = row as i32 * grid.cell[1];
             let mut span = columns.clone();
-            let mut values = [[0.0; SAMPLES]; 3];
-            for (value, (start, slope)) in values.iter_mut().zip(&edges) {
-                let samples =
-                    grid.samples.map(|[x, y]| start + slope[0] * f64::from(x) + slope[1] * (top + f64::from(y)));
-                let most = samples.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                // Where the greatest of the samples is negative, the cell is outside.
-                let step = slope[0] * cell[0];
-                if step > 0.0 {
-                    span.start = span.start.max(limited((-most / step).floor()));
-                } else if step < 0.0 {
-                    span.end = span.end.min(limited((most / -step).floor()).saturating_add(1));
-                } else if most < 0.0 {
-                    span.end = span.start;
-                }
-                *value = samples;
+            if span.len() > WIDE {
+                edges.iter().for_each(|edge| edge.narrow(&mut span, top, grid));
             }
             if span.is_empty() {
                 continue;
             }
-            let begin = f64::from(span.start) * cell[0];
-            for (value, (_, slope)) in values.iter_mut().zip(&edges) {
-                value.iter_mut().for_each(|sample| *sample += slope[0] * begin);
-            }
-            let steps = edges.map(|(_, slope)| slope[0] * cell[0]);
+            let begin = span.start * grid.cell[0];
+            let mut values = edges.map(|edge| grid.samples.map(|[x, y]| edge.value::<T>(begin + x, top + y)));
             for column in span {
                 let mut bits = 0;
                 for sample in 0..SAMPLES {
-                    let least = values[0][sample].min(values[1][sample]).min(values[2][sample]);
-                    bits |= u32::from(least >= 0.0) << sample;
+                    let inside = T::none_negative([values[0][sample], values[1][sample], values[2][sample]]);
+                    bits |= u32::from(inside) << sample;
                 }
                 if bits != 0 {
                     each(row, column as usize, bits, lanes.at(column as usize, row).max(low).min(high));
                 }
                 for (value, step) in values.iter_mut().zip(steps) {
-                    value.iter_mut().for_each(|sample| *sample += step);
+                    value.iter_mut().for_each(|sample| *sample = *sample + step);
                 }
             }
+        }
+    }
+}
+
+/// The largest triangle with products of lengths that fit 32 bits, with the cells about it: subdivisions.
+const SMALL: i32 = 1 << 13;
+/// The number of cells of a row from which those outside are skipped at once.
+const WIDE: usize = 6;
+
+/// Numbers in which edges are evaluated.
+trait Number: Copy + Add<Output = Self> + Mul<Output = Self> {
+    fn of(value: i32) -> Self;
+    fn none_negative(values: [Self; 3]) -> bool;
+}
+
+impl Number for i32 {
+    fn of(value: i32) -> Self {
+        value
+    }
+
+    fn none_negative([a, b, c]: [Self; 3]) -> bool {
+        (a | b | c) >= 0
+    }
+}
+
+impl Number for f64 {
+    fn of(value: i32) -> Self {
+        value.into()
+    }
+
+    fn none_negative([a, b, c]: [Self; 3]) -> bool {
+        a.min(b).min(c) >= 0.0
+    }
+}
+
+/// An edge of a triangle. Its value is not negative at the samples that it does not exclude.
+#[derive(Clone, Copy)]
+struct Edge {
+    from: IVec2,
+    slope: IVec2,
+    /// What is taken off: a sample on the line of two triangles belongs to the one below or to the right of it.
+    less: i32,
+    /// The sample of a cell with the greatest value.
+    most: [i32; 2],
+}
+
+impl Edge {
+    fn new(from: IVec2, to: IVec2, grid: &Grid) -> Self {
+        let along = to - from;
+        let own = along.y < 0 || (along.y == 0 && along.x > 0);
+        let slope = IVec2::new(-along.y, along.x);
+        let value = |[x, y]: &[i32; 2]| i64::from(slope.x) * i64::from(*x) + i64::from(slope.y) * i64::from(*y);
+        let most = grid.samples.into_iter().max_by_key(value).unwrap_or_default();
+        Self { from, slope, less: i32::from(!own), most }
+    }
+
+    fn value<T: Number>(&self, x: i32, y: i32) -> T {
+        T::of(self.slope.x) * T::of(x - self.from.x) + T::of(self.slope.y) * T::of(y - self.from.y) + T::of(-self.less)
+    }
+
+    /// Leaves out the cells of a row with no sample at which it is not negative.
+    fn narrow(&self, span: &mut Range<i32>, top: i32, grid: &Grid) {
+        let most: f64 = self.value(self.most[0], top + self.most[1]);
+        let step = f64::from(self.slope.x) * f64::from(grid.cell[0]);
+        if step > 0.0 {
+            span.start = span.start.max(limited((-most / step).floor()));
+        } else if step < 0.0 {
+            span.end = span.end.min(limited((most / -step).floor()).saturating_add(1));
+        } else if most < 0.0 {
+            span.end = span.start;
         }
     }
 }
