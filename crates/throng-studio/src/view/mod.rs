@@ -14,6 +14,7 @@ mod marks;
 mod mesh;
 mod mode;
 mod moment;
+mod people;
 mod scenery;
 mod streams;
 mod thoughts;
@@ -37,6 +38,7 @@ use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
 use glam::Vec2;
 use moment::{interpolated, nearest, pair};
+use people::DrawnPeople;
 use std::sync::{Arc, Mutex, PoisonError};
 use throng_draw::{Annotation, Annotations, Color, Followed, Projection, Projector, Style, Theme};
 
@@ -238,12 +240,15 @@ impl ViewOptions {
         let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
         let marked = Arc::new(self.marked(shown, settings, &theme));
-        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, marked];
+        let unit = ui.ctx().pixels_per_point();
+        let seen = DrawnPeople::seen(shown, self.crowd.tops(), share, (projector, size, unit));
+        let people = seen.filter(|_| settings.draws_people(plan));
+        let people = Arc::new(Geometry { people, deep: true, ..Geometry::default() });
+        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, people, marked];
         let new =
             |(k, layer): &(usize, &Arc<Geometry>)| self.layers.get(*k).is_none_or(|before| !Arc::ptr_eq(before, layer));
         self.handed_over = layers.iter().enumerate().filter(new).map(|(_, layer)| layer.bytes()).sum();
         self.layers.clone_from(&layers);
-        let unit = ui.ctx().pixels_per_point();
         let shadows = settings.layers.shadows;
         let lighting =
             Lighting { share, shadows, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
