@@ -57,9 +57,8 @@ impl People {
     pub fn see(&mut self, frame: &Frame, setting: &Setting, period: f64) {
         let gap = frame.time - self.time;
         let last = self.poses.last().filter(|_| gap > 0.0 && gap < 1.5 * period).cloned();
-        self.time = frame.time;
         let Some(last) = last else {
-            *self = Self { time: frame.time, ..Self::default() };
+            *self = Self::default();
             return;
         };
         self.enter(frame, setting);
@@ -91,6 +90,7 @@ impl People {
 
     /// Takes the next state of each agent. Agents without a person get one, and people without an agent leave.
     fn enter(&mut self, frame: &Frame, setting: &Setting) {
+        self.time = frame.time;
         let bodies = if frame.bodies.len() > MANY { &[] } else { frame.bodies.as_slice() };
         let mut known = std::mem::take(&mut self.followers).into_iter().peekable();
         let follower = |body: &Body| {

@@ -99,7 +99,9 @@ impl ViewOptions {
             .hover_pos()
             .or(response.interact_pointer_pos())
             .map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
-        self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
+        let drawn = settings.draws_people(matches!(projector, Projector::Plan(_)));
+        let people = shown.people.last().filter(|_| drawn).map_or(&[][..], |poses| &poses.people);
+        self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share, people));
         if response.clicked() && !self.lent {
             self.selected = self.hovered;
         }

@@ -103,3 +103,110 @@ fn seen(projector: &Projector, size: Vec2, middle: DVec3, height: f64) -> Option
     let inside = at.cmpge(Vec2::splat(-tall)) & at.cmple(size + tall);
     inside.all().then_some(tall)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::moment::nearest;
+    use super::*;
+    use crate::play::{Command, Engine};
+    use glam::DVec2;
+    use std::time::Duration;
+    use throng_draw::Lens;
+
+    const SIZE: Vec2 = Vec2::new(800.0, 600.0);
+
+    /// Returns a moment of the circle with people.
+    fn shown() -> Arc<RunMoment> {
+        let mut engine = Engine::default();
+        let scene = Arc::new(throng_scene::gallery::scene("circle").unwrap());
+        engine.command(Command::Load { name: "circle".into(), scene, run: false });
+        engine.command(Command::People(true));
+        engine.command(Command::Seek(40));
+        while engine.idle().is_some() {
+            engine.work(Duration::from_millis(20));
+        }
+        engine.shown().unwrap()
+    }
+
+    /// Returns the view of a point from a distance, with this number of pixels per metre at one metre.
+    fn view(target: DVec3, away: f64, focal: f64) -> Projector {
+        Projector::Perspective(Lens::new(target + DVec3::new(0.0, -away, 0.1), target, focal, SIZE * 0.5, away))
+    }
+
+    #[test]
+    fn the_level_is_that_of_the_height_on_the_screen() {
+        let found = [500.0, 140.0, 139.0, 60.0, 59.0, 22.0, 21.0, 0.0].map(level);
+        use Level::{Blocks, Coarse, Fine, Medium};
+        assert_eq!(found, [Fine, Fine, Medium, Medium, Coarse, Coarse, Blocks, Blocks]);
+    }
+
+    #[test]
+    fn a_person_is_drawn_once_with_the_body_of_its_build_and_height() {
+        let shown = shown();
+        let person = shown.frame.bodies[5];
+        let (_, own) = shown.people[1].people[5];
+        for (focal, expected) in
+            [(3000.0, Level::Fine), (700.0, Level::Medium), (300.0, Level::Coarse), (60.0, Level::Blocks)]
+        {
+            // 10 m away, `focal` / 10 pixels are a metre
+            let projector = view(person.position.extend(0.9), 10.0, focal);
+            let tops = vec![Some(Color::rgb(0x123456)); 36];
+            let people = DrawnPeople::seen(&shown, &tops, 0.25, (&projector, SIZE, 1.0)).unwrap();
+            let drawn: Vec<_> = people.bodies.iter().flatten().filter(|drawn| drawn.who[1] == 5.0).collect();
+            assert_eq!(drawn.len(), 1);
+            assert_eq!((drawn[0].who, drawn[0].top), ([5.0, 5.0, own.look.into(), 0.0], [0x12, 0x34, 0x56, 255]));
+            assert!(people.bodies[body(own.build, expected)].contains(drawn[0]), "{focal}");
+            assert_eq!(people.share, 0.25);
+        }
+    }
+
+    #[test]
+    fn people_outside_of_the_view_and_at_the_eye_are_not_drawn() {
+        let shown = shown();
+        let count = |projector: &Projector| {
+            let people = DrawnPeople::seen(&shown, &[None; 36], 1.0, (projector, SIZE, 1.0)).unwrap();
+            people.bodies.iter().flatten().count()
+        };
+        let all = view(DVec3::ZERO, 60.0, 600.0);
+        assert_eq!(count(&all), 36);
+        // a look away from the crowd
+        assert_eq!(count(&view(DVec3::new(0.0, -500.0, 1.0), 100.0, 600.0)), 0);
+        // from the head of an agent
+        let head = shown.frame.bodies[3].position.extend(1.6);
+        let inside = Projector::Perspective(Lens::new(head, head + DVec3::X, 600.0, SIZE * 0.5, 1.0));
+        let people = DrawnPeople::seen(&shown, &[None; 36], 1.0, (&inside, SIZE, 1.0)).unwrap();
+        assert!(people.bodies.iter().flatten().all(|drawn| drawn.who[1] != 3.0));
+    }
+
+    #[test]
+    fn a_click_on_the_chest_selects_the_person_in_front() {
+        let shown = shown();
+        let people = &shown.people[1].people;
+        let body = shown.frame.bodies[7];
+        // behind it stands no other agent, as the eye is outside of the circle
+        let out = (body.position - DVec2::ZERO).normalize();
+        let eye = (body.position + out * 8.0).extend(1.5);
+        let chest = body.position.extend(1.3);
+        let projector = Projector::Perspective(Lens::new(eye, chest, 900.0, SIZE * 0.5, 8.0));
+        let at = projector.pixel(chest).unwrap();
+        assert_eq!(nearest(&shown, &projector, at, 1.0, people), Some(7));
+        assert_ne!(nearest(&shown, &projector, at, 1.0, &[]), Some(7), "a disc on the ground is lower");
+        assert_eq!(nearest(&shown, &projector, at - Vec2::new(0.0, 250.0), 1.0, people), None);
+    }
+
+    #[test]
+    fn every_mesh_fits_into_the_buffers() {
+        for build in BUILDS {
+            for level in Level::ALL {
+                let mesh = throng_figure::Mesh::new(build, level);
+                assert!(mesh.positions.len() <= 1 << 16);
+                for (joints, weights) in mesh.joints.iter().zip(&mesh.weights) {
+                    assert!(
+                        (weights[0] + weights[1] - 1.0).abs() < 1e-5,
+                        "two joints move a vertex: {joints:?} {weights:?}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -106,12 +106,21 @@ fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
         BodyVertex { at: mesh.positions[k], normal: mesh.normals[k], bones }
     };
     let vertices: Vec<BodyVertex> = (0..mesh.positions.len()).map(vertex).collect();
-    let triangles: Vec<u16> = mesh.triangles.iter().flatten().map(|&vertex| vertex as u16).collect();
+    let triangles: Vec<u16> = mesh.triangles.iter().flat_map(|&triangle| painted(mesh, triangle)).collect();
     let fields = [("who", Attribute::Floats(4)), ("fill", Attribute::Colour)];
     let mut buffer = Buffer::new(gl, &fields, Some(0))?;
     let corners = [("at", Attribute::Floats(3)), ("normal", Attribute::Floats(3)), ("bones", Attribute::Floats(4))];
     buffer.hold(gl, &vertices, &corners, &triangles)?;
     Ok(buffer)
+}
+
+/// Returns a triangle with the vertex of its first region last: a triangle has the colour of its last vertex, so regions
+/// meet along rings.
+fn painted(mesh: &Mesh, mut triangle: [u32; 3]) -> [u16; 3] {
+    let region = |vertex: u32| mesh.regions[vertex as usize];
+    let first = (0..3).min_by_key(|&corner| region(triangle[corner])).unwrap_or(2);
+    triangle.rotate_left((first + 1) % 3);
+    triangle.map(|vertex| vertex as u16)
 }
 
 /// Poses in the memory of the graphics processor.

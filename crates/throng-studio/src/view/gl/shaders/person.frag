@@ -1,4 +1,4 @@
-in vec4 paint;
+flat in vec4 paint;
 in vec3 side;
 in float height;
 out vec4 pixel;

@@ -12,7 +12,7 @@ uniform highp sampler2D poses_now;
 uniform int in_row;
 // Colours of the regions of each look.
 uniform vec3 palette[LOOKS * REGIONS];
-out vec4 paint;
+flat out vec4 paint;
 out vec3 side;
 out float height;
 
