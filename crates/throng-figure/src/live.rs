@@ -20,7 +20,7 @@ const FASTEST_ROLL: f64 = 14.0;
 /// Below this speed a person stands at its first sample, m/s.
 const STILL: f64 = 0.05;
 /// How long a person walks at least before its first sample, if it moves there, s.
-const RUN_UP: f64 = 1.0;
+const RUN_UP: f64 = 1.4;
 /// The speed of which the cycle divides time, m/s.
 const COMFORTABLE: f64 = 1.3;
 
@@ -125,7 +125,7 @@ impl Live {
     }
 
     /// Returns a person in the middle of its way: it has walked or run at this velocity (m/s), facing as it does at the
-    /// sample, for one or two seconds. Below 0.05 m/s and above 15 m/s it stands.
+    /// sample, for 1.4 to 3 seconds. Below 0.05 m/s and above 15 m/s it stands.
     ///
     /// It began at one of the times of a fixed cycle. So at samples of the same motion that follow one another, in either
     /// direction of time, the legs go on.

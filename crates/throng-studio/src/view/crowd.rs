@@ -4,6 +4,7 @@ use super::colors::Coloring;
 use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
+use super::people;
 use crate::play::{PosesBetween, RunMoment};
 use crate::settings::Settings;
 use std::sync::Arc;
@@ -107,8 +108,7 @@ impl Crowd {
         let origin = shown.setting.origin;
         let mut agents = Geometry { deep: !plan, ..Geometry::default() };
         agents.discs.reserve(shown.frame.bodies.len());
-        let mut people =
-            shown.people.last().filter(|_| settings.draws_people(plan)).map_or(&[][..], |poses| &poses.people);
+        let mut people = people::drawn(shown, settings, plan);
         // a single group needs no colour
         let plain = settings.coloring == Coloring::Group && shown.setting.groups.len() < 2;
         self.tops.clear();
@@ -118,11 +118,11 @@ impl Crowd {
             while gone.next_if(|(number, _)| *number < body.number).is_some() {}
             let before = gone.next_if(|(number, _)| *number == body.number).map_or(0.0, |(_, way)| way);
             let coat = look.coat(body);
-            if let Some(((_, _), rest)) = people.split_first().filter(|((number, _), _)| *number == body.number) {
+            if let Some(((_, person), rest)) = people.split_first().filter(|((number, _), _)| *number == body.number) {
                 people = rest;
                 self.tops.push((!plain).then_some(coat.fill));
                 if settings.layers.shadows {
-                    agents.discs.push(Disc::shadow(from, body, coat, origin));
+                    agents.discs.push(Disc::shadow(from, &people::broad(body, person), coat, origin));
                 }
                 continue;
             }

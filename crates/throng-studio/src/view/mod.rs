@@ -40,7 +40,7 @@ use glam::Vec2;
 use moment::{interpolated, nearest, pair};
 use people::DrawnPeople;
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Annotation, Annotations, Color, Followed, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, Projection, Projector, Style, Theme};
 
 /// The least height of the box around flocks, metres.
 const HEADROOM: f64 = 1.8;
@@ -91,16 +91,16 @@ impl ViewOptions {
         }
         let share = shown.share();
         self.handle(ui, &response, rect, size);
+        let people = people::drawn(shown, settings, self.eye.mode() == Mode::Plan);
         let body = self.selected.and_then(|number| between(shown, number, share));
-        self.eye.settle(body.as_ref().map(Followed::from), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
+        let followed = body.map(|body| people::followed(&body, people));
+        self.eye.settle(followed, f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
         // a lifted finger has no hover position
         let pointer = response
             .hover_pos()
             .or(response.interact_pointer_pos())
             .map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
-        let drawn = settings.draws_people(matches!(projector, Projector::Plan(_)));
-        let people = shown.people.last().filter(|_| drawn).map_or(&[][..], |poses| &poses.people);
         self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share, people));
         if response.clicked() && !self.lent {
             self.selected = self.hovered;
@@ -241,7 +241,7 @@ impl ViewOptions {
         let look = || settings.coloring.look(shown, &theme);
         let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
-        let marked = Arc::new(self.marked(shown, settings, &theme));
+        let marked = Arc::new(self.marked(shown, settings, plan, &theme));
         let unit = ui.ctx().pixels_per_point();
         let seen = DrawnPeople::seen(shown, self.crowd.tops(), share, (projector, size, unit));
         let people = seen.filter(|_| settings.draws_people(plan));
@@ -285,11 +285,14 @@ impl ViewOptions {
     }
 
     /// Returns rings around the selected and the hovered agent, and the path of the selected agent.
-    fn marked(&self, shown: &RunMoment, settings: &Settings, theme: &Theme) -> Geometry {
+    fn marked(&self, shown: &RunMoment, settings: &Settings, plan: bool, theme: &Theme) -> Geometry {
         let way = self.selected.filter(|_| settings.layers.paths).map(|number| mesh::way(shown, number, theme));
         let mut marks = way.unwrap_or_default();
+        let people = people::drawn(shown, settings, plan);
         for (number, opacity) in [(self.hovered, 0.45), (self.selected, 0.95)] {
             let Some((before, now)) = number.and_then(|number| pair(shown, number)) else { continue };
+            let broad = people::person(people, now.number).map(|person| people::broad(now, person));
+            let now = broad.as_ref().unwrap_or(now);
             marks.discs.push(Disc::round_agent(before, now, theme.text.alpha(opacity), shown.setting.origin));
         }
         marks

@@ -1,5 +1,6 @@
 //! Agents at the displayed moment, interpolated between two states.
 
+use super::people::person;
 use crate::play::RunMoment;
 use glam::{DVec3, Vec2};
 use throng_draw::Projector;
@@ -62,9 +63,8 @@ pub fn nearest(
         let center: DVec3 = body.center();
         let scale = projector.scale(center) as f32;
         let foot = projector.pixel(center)?;
-        let person = people.binary_search_by_key(&body.number, |(number, _)| *number).ok();
-        let up = |at: usize| projector.pixel(center + DVec3::Z * (people[at].1.height - f64::from(body.radius)));
-        let along = person.and_then(up).unwrap_or(foot) - foot;
+        let up = |person: &Person| projector.pixel(center + DVec3::Z * (person.height - f64::from(body.radius)));
+        let along = person(people, body.number).and_then(up).unwrap_or(foot) - foot;
         let part = ((at - foot).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
         let beyond = (foot + along * part).distance(at) - scale * body.shape().bounding_radius();
         (beyond <= REACH).then_some((beyond.max(0.0), -scale))

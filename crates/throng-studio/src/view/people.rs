@@ -2,11 +2,13 @@
 
 use super::geometry::paint;
 use crate::play::{Poses, RunMoment};
+use crate::settings::Settings;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec2};
 use std::sync::Arc;
-use throng_draw::{Color, Projector};
-use throng_figure::{Build, Level};
+use throng_draw::{Color, Followed, Projector};
+use throng_figure::{Build, Level, Person};
+use throng_record::Body;
 
 /// All builds of bodies.
 pub const BUILDS: [Build; 3] = [Build::Woman, Build::Man, Build::Child];
@@ -19,6 +21,9 @@ const LEAST: [f32; Level::ALL.len() - 1] = [140.0, 60.0, 22.0];
 
 /// A person nearer to the eye than this is not drawn: the eye is in its head, metres.
 const NEAREST: f64 = 0.6;
+
+/// The radius of a person on the ground, in heights.
+const BREADTH: f32 = 0.13;
 
 /// A person that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -39,6 +44,28 @@ pub struct DrawnPeople {
     pub share: f32,
     /// The people with each body, in the order of [`body`].
     pub bodies: [Vec<DrawnPerson>; BODIES],
+}
+
+/// Returns the people that are drawn, in a plan or in a view in space.
+pub fn drawn<'a>(shown: &'a RunMoment, settings: &Settings, plan: bool) -> &'a [(u32, Person)] {
+    shown.people.last().filter(|_| settings.draws_people(plan)).map_or(&[], |poses| &poses.people)
+}
+
+/// Returns the person of an agent, if there is one.
+pub fn person(people: &[(u32, Person)], number: u32) -> Option<&Person> {
+    people.binary_search_by_key(&number, |(number, _)| *number).ok().map(|at| &people[at].1)
+}
+
+/// Returns an agent as broad as its person, which may be broader than its body.
+pub fn broad(body: &Body, person: &Person) -> Body {
+    Body { radius: body.radius.max(BREADTH * person.height as f32), core: Vec2::ZERO, ..*body }
+}
+
+/// Returns what a camera follows of an agent: of a person, the middle of the body.
+pub fn followed(body: &Body, people: &[(u32, Person)]) -> Followed {
+    let plain = Followed::from(body);
+    let Some(person) = person(people, body.number) else { return plain };
+    Followed { center: plain.center + DVec3::Z * 0.5 * person.height, radius: 0.11 * person.height, ..plain }
 }
 
 /// Returns the number of a body.
