@@ -39,9 +39,12 @@ pub type PosesBetween = Arc<[Arc<Poses>]>;
 
 /// Returns the person of an agent, `None` for an agent that flies or is larger than a person.
 pub fn person(setting: &Setting, body: &Body) -> Option<Person> {
-    let shape = body.shape();
-    let stands = !setting.in_space && body.basis.is_none() && shape.bounding_radius() <= WIDEST;
-    stands.then(|| Person::of_agent(body.number, shape.clearance_radius()))?
+    Person::of_agent(body.number, body.shape().clearance_radius()).filter(|_| stands(setting, body))
+}
+
+/// Whether an agent is on the ground and no larger than a person.
+fn stands(setting: &Setting, body: &Body) -> bool {
+    !setting.in_space && body.basis.is_none() && body.shape().bounding_radius() <= WIDEST
 }
 
 /// The people of a run. Their poses are a function of the states since the last jump in time.
@@ -107,7 +110,7 @@ impl People {
                 None => Follower::new(body.number, person(setting, body)?, next).map(Box::new),
             }
         };
-        self.followers = bodies.iter().filter_map(follower).collect();
+        self.followers = bodies.iter().filter(|body| stands(setting, body)).filter_map(follower).collect();
     }
 
     /// Moves all people and returns their poses.

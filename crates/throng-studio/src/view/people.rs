@@ -111,9 +111,10 @@ impl DrawnPeople {
         Some(Self { poses, share: at - part as f32, bodies })
     }
 
-    /// Returns the size of the buffers in bytes, without poses.
+    /// Returns the size of the buffers in bytes, with the poses of one moment.
     pub fn bytes(&self) -> usize {
-        self.bodies.iter().map(|people| size_of_val(people.as_slice())).sum()
+        let people: usize = self.bodies.iter().map(|people| size_of_val(people.as_slice())).sum();
+        people + size_of_val(self.poses[1].joints.as_slice())
     }
 }
 
@@ -197,7 +198,7 @@ mod tests {
         let all = view(DVec3::ZERO, 60.0, 600.0);
         assert_eq!(count(&all), 36);
         // a look away from the crowd
-        assert_eq!(count(&view(DVec3::new(0.0, -500.0, 1.0), 100.0, 600.0)), 0);
+        assert_eq!(count(&view(DVec3::new(0.0, 500.0, 1.0), 100.0, 600.0)), 0);
         // from the head of an agent
         let head = shown.frame.bodies[3].position.extend(1.6);
         let inside = Projector::Perspective(Lens::new(head, head + DVec3::X, 600.0, SIZE * 0.5, 1.0));
