@@ -1,6 +1,7 @@
 //! A person that follows an agent while it moves.
 
 use crate::error::Error;
+use crate::gait::cycle_duration;
 use crate::math::{direction, mix, smooth, wrapped};
 use crate::path::{Ahead, Extrapolated, Sample, Tracker};
 use crate::person::{Person, Side};
@@ -15,6 +16,13 @@ const LONGEST_STEP: f64 = 0.02;
 const LONGEST_GAP: f64 = 2.0;
 /// The largest angular speed of a foot on the ground, rad/s.
 const FASTEST_ROLL: f64 = 14.0;
+
+/// Below this speed a person stands at its first sample, m/s.
+const STILL: f64 = 0.05;
+/// How long a person walks at least before its first sample, if it moves there, s.
+const RUN_UP: f64 = 1.4;
+/// The speed of which the cycle divides time, m/s.
+const COMFORTABLE: f64 = 1.3;
 
 /// How fast a foot in the air follows its aim: the rest of the way is this power of the rest of the time.
 const FOLLOWING: f64 = 2.5;
@@ -116,6 +124,31 @@ impl Live {
         })
     }
 
+    /// Returns a person in the middle of its way: it has walked or run at this velocity (m/s), facing as it does at the
+    /// sample, for 1.4 to 3 seconds. Below 0.05 m/s and above 15 m/s it stands.
+    ///
+    /// It began at one of the times of a fixed cycle. So at samples of the same motion that follow one another, in either
+    /// direction of time, the legs go on.
+    ///
+    /// # Errors
+    /// A number of the sample or of the velocity is not finite.
+    pub fn moving(person: Person, sample: Sample, velocity: DVec2) -> Result<Live, Error> {
+        check_sample(&sample, 0)?;
+        if !velocity.is_finite() {
+            return Err(Error::NotFinite { index: 0 });
+        }
+        if !(STILL..=FASTEST).contains(&velocity.length()) {
+            return Live::new(person, sample);
+        }
+        let cycle = cycle_duration(COMFORTABLE, person.leg()) * person.stride;
+        let run_up = RUN_UP + (sample.time - RUN_UP - person.phase * cycle).rem_euclid(cycle);
+        let (time, position) = (sample.time - run_up, sample.position - velocity * run_up);
+        let mut live = Live::new(person, Sample { time, position, ..sample })?;
+        live.tracker.motion.velocity = velocity;
+        live.go(sample);
+        Ok(live)
+    }
+
     /// Returns the person.
     pub fn person(&self) -> &Person {
         &self.person
@@ -146,24 +179,29 @@ impl Live {
         if gap > LONGEST_GAP || self.last.position.distance(sample.position) > FASTEST * gap {
             *self = Live::new(self.person, sample)?;
         } else {
-            let parts = libm::ceil(gap / LONGEST_STEP).max(1.0);
-            let from = self.last;
-            let turn = wrapped(sample.heading - from.heading);
-            for part in 1..=parts as usize {
-                let share = part as f64 / parts;
-                self.advance(Sample {
-                    time: from.time + gap * share,
-                    position: from.position + (sample.position - from.position) * share,
-                    heading: from.heading + turn * share,
-                });
-            }
-            self.last = sample;
-            let pelvis = self.state.pelvis_rotation();
-            self.pose =
-                pose(&self.person, &self.state, pelvis, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
+            self.go(sample);
         }
         self.samples = samples;
         Ok(self.pose)
+    }
+
+    /// Goes on a straight line to a later sample.
+    fn go(&mut self, sample: Sample) {
+        let from = self.last;
+        let gap = sample.time - from.time;
+        let parts = libm::ceil(gap / LONGEST_STEP).max(1.0);
+        let turn = wrapped(sample.heading - from.heading);
+        for part in 1..=parts as usize {
+            let share = part as f64 / parts;
+            self.advance(Sample {
+                time: from.time + gap * share,
+                position: from.position + (sample.position - from.position) * share,
+                heading: from.heading + turn * share,
+            });
+        }
+        self.last = sample;
+        let pelvis = self.state.pelvis_rotation();
+        self.pose = pose(&self.person, &self.state, pelvis, &[self.feet[0].pose, self.feet[1].pose]).near(&self.pose);
     }
 
     fn advance(&mut self, sample: Sample) {

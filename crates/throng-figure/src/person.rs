@@ -3,6 +3,14 @@
 use crate::math::{normal, uniform};
 use crate::pose::Proportions;
 
+/// The largest radius of an agent that is a person, m.
+const LARGEST: f32 = 0.5;
+/// Below this radius an agent is a child, m. The bodies of adult pedestrians have radii from 0.13 m on: they keep more
+/// distance than their bodies.
+const CHILD: f32 = 0.11;
+/// Height of a child, m.
+const CHILD_HEIGHT: f64 = 1.2;
+
 /// The proportions of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Build {
@@ -112,6 +120,26 @@ impl Person {
             look: (draw(11) * 16.0) as u8,
             seed: seed ^ number.wrapping_mul(0x9E37_79B9_7F4A_7C15),
         }
+    }
+
+    /// Returns the person of an agent on the ground, by its number and its radius (m): an adult, or below 0.11 m a child
+    /// of 1.2 m. Returns `None` above 0.5 m: the agent is no person.
+    ///
+    /// ```
+    /// use throng_figure::{Build, Person};
+    ///
+    /// assert_eq!(Person::of_agent(12, 0.25), Some(Person::new(0, 12)));
+    /// assert_eq!(Person::of_agent(12, 0.1).map(|child| child.build), Some(Build::Child));
+    /// assert_eq!(Person::of_agent(12, 1.0), None);
+    /// ```
+    pub fn of_agent(number: u32, radius: f32) -> Option<Person> {
+        let person = Person::new(0, u64::from(number));
+        let adult = radius >= CHILD;
+        (radius <= LARGEST).then(
+            || {
+                if adult { person } else { person.with_build(Build::Child).with_height(CHILD_HEIGHT) }
+            },
+        )
     }
 
     /// Returns the person with this height, m. Heights outside 0.5..=2.5 are limited to it.

@@ -1,5 +1,6 @@
 //! Measures the processor time that drawing a crowd takes, without simulation and without the graphics processor. Every
-//! frame draws a new state, which is the worst case.
+//! frame draws a new state, which is the worst case. The poses of people are computed beside that, once per state: their
+//! time is that of a step with people beyond that of a step without them, on all threads.
 //!
 //! usage: cargo run --release -p throng-studio --example drawing_time [AGENTS ...]
 #![allow(clippy::print_stdout)]
@@ -22,21 +23,26 @@ const SIZE: [f32; 2] = [1280.0, 720.0];
 
 fn main() -> Result<(), Failure> {
     let asked = std::env::args().skip(1).map(|count| count.parse()).collect::<Result<Vec<usize>, _>>()?;
-    let counts = if asked.is_empty() { vec![10_000, 100_000] } else { asked };
+    let counts = if asked.is_empty() { vec![1000, 10_000, 100_000] } else { asked };
     println!("{:>8}  {:<34} {:>8} {:>8} {:>10}", "agents", "drawn", "mean ms", "worst ms", "upload MB");
     counts.into_iter().try_for_each(measure)
 }
 
 fn measure(count: usize) -> Result<(), Failure> {
-    let states = states(count)?;
+    let (without, _) = states(count, false)?;
+    let (with, states) = states(count, true)?;
+    println!("{count:>8}  {:<34} {:>8.2}", "poses of people", (with - without) * 1e3);
     let plain = Settings { coloring: Coloring::Speed, trails: 0.0, ..Settings::default() };
+    let mut walkers = plain.clone();
+    walkers.layers.people = false;
     let trails = Settings { trails: 1.5, ..plain.clone() };
     for (says, settings, mode, selected) in [
         ("plan", &plain, Mode::Plan, None),
         ("plan, trails", &trails, Mode::Plan, None),
         ("plan, one selected", &plain, Mode::Plan, Some(count as u32 / 2)),
-        ("walking figures", &plain, Mode::Orbit, None),
-        ("walking figures, trails", &trails, Mode::Orbit, None),
+        ("walking figures", &walkers, Mode::Orbit, None),
+        ("walking figures, trails", &Settings { trails: 1.5, ..walkers.clone() }, Mode::Orbit, None),
+        ("people", &plain, Mode::Orbit, None),
         ("density", &Settings { coloring: Coloring::Density, ..plain.clone() }, Mode::Plan, None),
     ] {
         let (mean, worst, bytes) = draw(&states, settings, mode, selected);
@@ -46,8 +52,8 @@ fn measure(count: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns consecutive states of a walking crowd.
-fn states(count: usize) -> Result<Vec<Arc<RunMoment>>, Failure> {
+/// Returns consecutive states of a walking crowd, with or without people, and the mean time of a step, seconds.
+fn states(count: usize, people: bool) -> Result<(f64, Vec<Arc<RunMoment>>), Failure> {
     let side = (count as f64).sqrt().ceil() as usize;
     let text = format!(
         "title = \"Crowd\"\n[[group]]\nname = \"crowd\"\ncount = {count}\n\
@@ -56,15 +62,21 @@ fn states(count: usize) -> Result<Vec<Arc<RunMoment>>, Failure> {
     let scene = Arc::new(Scene::parse("crowd.toml", text)?);
     let mut engine = Engine::default();
     engine.command(Command::Load { name: "crowd".into(), scene, run: false });
+    engine.command(Command::People(people));
+    engine.shown();
     let mut states = Vec::new();
-    for _ in 0..STATES {
+    let mut begun = Instant::now();
+    for state in 0..STATES {
+        if state == WARM {
+            begun = Instant::now();
+        }
         engine.command(Command::Step);
         while engine.idle().is_some() {
             engine.work(Duration::from_secs(1));
         }
         states.push(engine.shown().ok_or("nothing is shown")?);
     }
-    Ok(states)
+    Ok((begun.elapsed().as_secs_f64() / (STATES - WARM) as f64, states))
 }
 
 /// Draws all states, one per frame. Returns the mean time, the longest time, and the bytes uploaded in the last frame.

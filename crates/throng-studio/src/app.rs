@@ -46,6 +46,8 @@ pub struct App {
     reading: Option<u64>,
     /// The agent with the requested decision trace.
     explained: Option<u32>,
+    /// Whether people are requested.
+    people: bool,
     help: bool,
     /// Actions requested by keys since the last frame.
     actions: Vec<Action>,
@@ -102,6 +104,7 @@ impl App {
             recording: None,
             reading: None,
             explained: None,
+            people: false,
             help: false,
             actions: Vec::new(),
             look: None,
@@ -382,6 +385,7 @@ impl eframe::App for App {
         panels::help(&ctx, &mut self.help);
         self.ask_name(&ctx);
         self.explain();
+        self.ask_people();
         if let Some(shown) = &shown {
             let mut open = self.settings.panels.why;
             self.why.ui(&ctx, &mut open, shown, &self.settings, &self.options.typeface);

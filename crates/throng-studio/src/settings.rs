@@ -91,6 +91,11 @@ impl Settings {
         Ok(())
     }
 
+    /// Whether agents that are people are drawn as walking people, in a plan or in a view in space.
+    pub fn draws_people(&self, plan: bool) -> bool {
+        !plan && self.layers.people && self.marks == Marks::Fitting
+    }
+
     /// Returns the colours of everything but the agents.
     pub fn theme(&self) -> Theme {
         if self.dark { Theme::dark() } else { Theme::light() }

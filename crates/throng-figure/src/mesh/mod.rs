@@ -98,13 +98,7 @@ impl Mesh {
         joints: &[Placed; JOINTS],
         origin: DVec3,
     ) -> (Vec<Vec3>, Vec<Vec3>) {
-        let rest = skeleton.rest_positions();
-        let moved: [Mat4; JOINTS] = std::array::from_fn(|joint| {
-            let Placed { position, rotation } = joints[joint];
-            let shift = position - origin - rotation * rest[joint];
-            let turn = Mat4::from_quat(rotation.as_quat());
-            Mat4::from_translation(shift.as_vec3()) * turn
-        });
+        let moved = skeleton.skin_matrices(joints, origin);
         let vertices = self.positions.iter().zip(&self.normals).zip(self.joints.iter().zip(&self.weights));
         vertices
             .map(|((position, normal), (numbers, weights))| {

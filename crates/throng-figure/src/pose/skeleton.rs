@@ -2,7 +2,7 @@
 
 use super::Pose;
 use crate::person::{Build, Person};
-use glam::{DMat4, DQuat, DVec3};
+use glam::{DMat4, DQuat, DVec3, Mat4};
 
 /// Number of joints.
 pub const JOINTS: usize = 19;
@@ -273,5 +273,16 @@ impl Skeleton {
     /// Returns the matrix of each joint at rest, as files of skins need it (its inverse is the inverse bind matrix).
     pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
         self.rest_positions().map(DMat4::from_translation)
+    }
+
+    /// Returns the matrix of each joint that moves a body at rest (m) to where it is relative to `origin`, as pictures
+    /// need it.
+    pub fn skin_matrices(&self, joints: &[Placed; JOINTS], origin: DVec3) -> [Mat4; JOINTS] {
+        let rest = self.rest_positions();
+        std::array::from_fn(|joint| {
+            let Placed { position, rotation } = joints[joint];
+            let shift = position - origin - rotation * rest[joint];
+            Mat4::from_translation(shift.as_vec3()) * Mat4::from_quat(rotation.as_quat())
+        })
     }
 }

@@ -1,8 +1,9 @@
 //! People that follow agents live obey the same laws.
 
 use crate::paths::all;
+use glam::DVec2;
 use throng_figure::measure::FeetMeasure;
-use throng_figure::{Live, Person, Pose, Skeleton};
+use throng_figure::{Joint, Live, Person, Pose, Sample, Skeleton};
 
 #[test]
 fn feet_of_live_people_do_not_slide() {
@@ -79,5 +80,74 @@ fn live_people_move_smoothly() {
             }
             last = pose;
         }
+    }
+}
+
+/// Returns a sample of a straight motion.
+fn straight(velocity: DVec2, time: f64) -> Sample {
+    Sample { time, position: velocity * time, heading: velocity.to_angle() }
+}
+
+#[test]
+fn a_person_in_the_middle_of_its_way_walks_at_once() {
+    for speed in [0.1, 0.3, 0.7, 1.0, 1.3, 1.6, 1.9, 2.5, 3.5] {
+        for number in 0..4 {
+            let (person, velocity) = (Person::new(3, number), DVec2::from_angle(0.7 * speed) * speed);
+            let mut live = Live::moving(person, straight(velocity, 50.0), velocity).unwrap();
+            assert!((live.pose().hips.truncate() - velocity * 50.0).length() < 0.06, "{speed} m/s");
+            let skeleton = Skeleton::new(&person);
+            let mut measure = FeetMeasure::new(&person);
+            let mut last = live.pose();
+            measure.push(50.0, &skeleton.world(&last));
+            for moment in 1..100 {
+                let time = 50.0 + f64::from(moment) / 50.0;
+                let pose = live.step(straight(velocity, time)).unwrap();
+                measure.push(time, &skeleton.world(&pose));
+                let away = (pose.hips - last.hips).length() * 50.0;
+                assert!((away - speed).abs() < 0.6 + 0.3 * speed, "{speed} m/s: the hips move at {away} m/s");
+                last = pose;
+            }
+            let report = measure.report();
+            assert!(report.largest_slide < 0.012 && report.penetration < 0.012, "{speed} m/s: {report:?}");
+            assert!(speed < 0.3 || report.steps >= 2, "{speed} m/s: {report:?}");
+        }
+    }
+}
+
+#[test]
+fn legs_go_on_from_start_to_start() {
+    for speed in [0.5, 1.0, 1.3, 1.6] {
+        let (person, velocity) = (Person::new(4, 5), DVec2::new(speed, 0.0));
+        let skeleton = Skeleton::new(&person);
+        // a foot in the air is at most 1.9 times as fast as in the mean, which is v / (1 - duty)
+        // the feet against the hips, moment by moment, each time begun anew
+        let feet: Vec<[f64; 2]> = (0..250)
+            .map(|moment| {
+                let live = Live::moving(person, straight(velocity, 40.0 + f64::from(moment) / 25.0), velocity).unwrap();
+                let joints = skeleton.world(&live.pose());
+                [Joint::LeftFoot, Joint::RightFoot].map(|foot| joints[foot.index()].position.x - live.pose().hips.x)
+            })
+            .collect();
+        let jumps = feet.windows(2).filter(|pair| {
+            let [a, b] = [pair[0], pair[1]];
+            (0..2).any(|foot| (a[foot] - b[foot]).abs() * 25.0 > 6.0 * speed)
+        });
+        // at most once in a cycle of 1.1 s
+        assert!(jumps.count() <= 10, "{speed} m/s");
+        let (most, least) =
+            feet.iter().fold((f64::MIN, f64::MAX), |(most, least), [left, _]| (most.max(*left), least.min(*left)));
+        assert!(most - least > 0.25, "{speed} m/s: the legs stand still");
+    }
+}
+
+#[test]
+fn a_start_with_bad_numbers_is_an_error() {
+    let sample = straight(DVec2::X, 1.0);
+    let person = Person::new(1, 1);
+    assert!(Live::moving(person, sample, DVec2::NAN).is_err());
+    assert!(Live::moving(person, Sample { heading: f64::INFINITY, ..sample }, DVec2::X).is_err());
+    let stands = Live::new(person, sample).unwrap().pose();
+    for speed in [0.0, 0.01, 20.0, 1e300] {
+        assert_eq!(Live::moving(person, sample, DVec2::X * speed).unwrap().pose(), stands);
     }
 }

@@ -3,6 +3,7 @@
 use super::App;
 use crate::play::{Command, RunMoment, Trouble};
 use crate::state::State;
+use crate::view::Mode;
 use eframe::egui::{Label, RichText, Sense, Ui};
 
 impl App {
@@ -26,6 +27,15 @@ impl App {
         if wanted != self.explained {
             self.explained = wanted;
             self.player.command(Command::Explain(wanted));
+        }
+    }
+
+    /// Requests people if any view draws them.
+    pub(super) fn ask_people(&mut self) {
+        let wanted = self.views.iter().any(|view| self.settings.draws_people(view.eye.mode() == Mode::Plan));
+        if wanted != self.people {
+            self.people = wanted;
+            self.player.command(Command::People(wanted));
         }
     }
 

@@ -29,6 +29,9 @@ fn switches(ui: &mut Ui, settings: &mut Settings) {
     }
     let layers = &mut settings.layers;
     ui.checkbox(&mut layers.shadows, "shadows");
+    ui.checkbox(&mut layers.people, "walking people").on_hover_text(
+        "agents on the ground with a radius of at most 0.5 m are people, in a view in space with the shape `fitting`",
+    );
     ui.checkbox(&mut settings.annotations, "annotations of the selected agent (A)");
     ui.checkbox(&mut layers.paths, "planned path of the selected agent");
     ui.checkbox(&mut layers.mesh, "navigation mesh")

@@ -59,6 +59,8 @@ pub enum Command {
     Beside(Option<Model>),
     /// Sets the meters of this run and of later runs.
     Meters(Arc<[Meter]>),
+    /// Sets whether people follow the agents, so that they can be drawn.
+    People(bool),
 }
 
 /// Plays scenes: give it a [`command`](Self::command), let it [`work`](Self::work), and read the published state
@@ -76,6 +78,7 @@ pub struct Engine {
     goal: Option<u64>,
     explained: Option<u32>,
     meters: Arc<[Meter]>,
+    people: bool,
     trouble: Option<Trouble>,
 }
 
@@ -91,6 +94,7 @@ impl Default for Engine {
             goal: None,
             explained: None,
             meters: Arc::from([]),
+            people: false,
             trouble: None,
         }
     }
@@ -124,6 +128,7 @@ impl Engine {
                 }
                 self.meters = meters;
             }
+            Command::People(wanted) => self.people = wanted,
             Command::Explain(number) => {
                 self.explained = number;
                 self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.stage.explain(number));
@@ -283,15 +288,19 @@ impl Engine {
 
     /// Returns the current state, `None` before the first scene.
     pub fn shown(&mut self) -> Option<Arc<RunMoment>> {
-        let beside =
-            self.beside.as_mut().map(|run| Arc::new(Self::show(run, (self.runs, self.playing, self.pace), None)));
+        // a run on the way to a step shows states for a moment only
+        let hurries = [self.lags() || self.goal.is_some(), self.goal.is_some()];
+        let [beside, main] = hurries.map(|hurry| (self.people, hurry));
+        let now = (self.runs, self.playing, self.pace);
+        let beside = self.beside.as_mut().map(|run| Arc::new(Self::show(run, now, beside, None)));
         let run = self.run.as_mut()?;
-        Some(Arc::new(Self::show(run, (self.runs, self.playing, self.pace), beside)))
+        Some(Arc::new(Self::show(run, now, main, beside)))
     }
 
     fn show(
         run: &mut PlayedRun,
         (runs, playing, pace): (u64, bool, Pace),
+        (people, hurry): (bool, bool),
         beside: Option<Arc<RunMoment>>,
     ) -> RunMoment {
         RunMoment {
@@ -315,6 +324,7 @@ impl Engine {
             kept: run.stage.kept(),
             reel: run.stage.reel(),
             pace,
+            people: run.poses(people, hurry),
             beside,
         }
     }

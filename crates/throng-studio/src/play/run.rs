@@ -2,6 +2,7 @@
 
 use super::live::Live;
 use super::meter::Meter;
+use super::people::{People, PosesBetween};
 use super::playable::Playable;
 use super::reel::{Reel, ReelReplay};
 use super::run_moment::{Cost, Trouble};
@@ -23,6 +24,8 @@ pub(super) struct PlayedRun {
     pub frame: Arc<Frame>,
     pub cost: Cost,
     pub series: Arc<Series>,
+    /// The people, if they are wanted.
+    people: Option<People>,
 }
 
 impl PlayedRun {
@@ -61,6 +64,7 @@ impl PlayedRun {
             frame,
             cost: Cost::default(),
             series: Arc::new(Series::new(&stage.observe(), meters)),
+            people: None,
             name,
             scene,
             stage,
@@ -109,6 +113,19 @@ impl PlayedRun {
         // reuses the memory of the previous frame if no reader holds it
         self.stage.capture(Arc::make_mut(&mut next));
         self.frame = next;
+        if let Some(people) = &mut self.people {
+            people.see(&self.frame, &self.setting, self.scene.time.step);
+        }
+    }
+
+    /// Returns the poses of people from the previous to the current state, if they are `wanted`. On the way to another
+    /// state, in a `hurry`, they stand.
+    pub fn poses(&mut self, wanted: bool, hurry: bool) -> PosesBetween {
+        if !wanted {
+            self.people = None;
+            return PosesBetween::default();
+        }
+        self.people.get_or_insert_default().poses(&self.frame, &self.setting, hurry)
     }
 }
 

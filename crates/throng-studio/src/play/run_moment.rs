@@ -1,6 +1,7 @@
 //! The published state of a run.
 
 use super::pace::Pace;
+use super::people::PosesBetween;
 use super::reel::Reel;
 use super::series::Series;
 use std::sync::Arc;
@@ -53,6 +54,8 @@ pub struct RunMoment {
     pub beside: Option<Arc<RunMoment>>,
     /// The replayed trajectories, if this is a replay.
     pub reel: Option<Arc<Reel>>,
+    /// The people from [`RunMoment::before`] to [`RunMoment::frame`], if they are wanted.
+    pub people: PosesBetween,
     pub(super) pace: Pace,
 }
 

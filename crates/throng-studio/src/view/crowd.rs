@@ -1,12 +1,14 @@
 //! Geometry of agents and trails. It is rebuilt for each new state.
 
+use super::colors::Coloring;
 use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
-use crate::play::RunMoment;
+use super::people;
+use crate::play::{PosesBetween, RunMoment};
 use crate::settings::Settings;
 use std::sync::Arc;
-use throng_draw::{Look, Trails};
+use throng_draw::{Color, Look, Trails};
 use throng_record::Frame;
 
 /// The spacing of trail points, in radii of a body. It grows in proportion beyond `MANY` agents.
@@ -15,14 +17,33 @@ const MANY: f64 = 5000.0;
 /// Beyond this number of agents no trails are drawn.
 const MOST_TRAILS: usize = 20_000;
 
+/// What the agents are drawn from: the state, the people of it, the settings, the run, and whether in a plan.
+struct CrowdKey {
+    frame: Arc<Frame>,
+    people: PosesBetween,
+    settings: Settings,
+    run: u64,
+    plan: bool,
+}
+
+impl CrowdKey {
+    fn is(&self, shown: &RunMoment, settings: &Settings, plan: bool) -> bool {
+        let people = self.people.iter().map(Arc::as_ptr).eq(shown.people.iter().map(Arc::as_ptr));
+        let same = people && Arc::ptr_eq(&self.frame, &shown.frame) && self.run == shown.run;
+        same && self.settings == *settings && self.plan == plan
+    }
+}
+
 /// The agents as drawn last.
 #[derive(Default)]
 pub struct Crowd {
     trails: Trails,
-    of: Option<(Arc<Frame>, Settings, u64, bool)>,
+    of: Option<CrowdKey>,
     /// The distance that each agent has moved, metres, by number.
     ways: Vec<(u32, f32)>,
     layers: [Arc<Geometry>; 2],
+    /// The colours of the tops of people, in the order of the poses, where they are not those of their looks.
+    tops: Vec<Option<Color>>,
     key: Vec<Row>,
 }
 
@@ -35,11 +56,8 @@ impl Crowd {
         plan: bool,
         look: &dyn Fn() -> Look,
     ) -> [Arc<Geometry>; 2] {
-        let same = |(frame, with, run, flat): &(Arc<Frame>, Settings, u64, bool)| {
-            Arc::ptr_eq(frame, &shown.frame) && with == settings && *run == shown.run && *flat == plan
-        };
-        if !self.of.as_ref().is_some_and(same) {
-            if self.of.as_ref().is_some_and(|(_, _, run, _)| *run != shown.run) {
+        if !self.of.as_ref().is_some_and(|of| of.is(shown, settings, plan)) {
+            if self.of.as_ref().is_some_and(|of| of.run != shown.run) {
                 (self.trails, self.ways) = (Trails::default(), Vec::new());
             }
             let look = look();
@@ -47,9 +65,17 @@ impl Crowd {
             let trails = self.trails(shown, settings, &look);
             self.layers =
                 [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &look))];
-            self.of = Some((shown.frame.clone(), settings.clone(), shown.run, plan));
+            let (frame, people, settings, run) =
+                (shown.frame.clone(), shown.people.clone(), settings.clone(), shown.run);
+            self.of = Some(CrowdKey { frame, people, settings, run, plan });
         }
         self.layers.clone()
+    }
+
+    /// Returns the colours of the tops of people in a view in space, in the order of the poses. `None` is that of the
+    /// look.
+    pub fn tops(&self) -> &[Option<Color>] {
+        &self.tops
     }
 
     /// Returns the key of the agents' colours.
@@ -78,16 +104,28 @@ impl Crowd {
     }
 
     fn agents(&mut self, shown: &RunMoment, settings: &Settings, plan: bool, look: &Look) -> Geometry {
-        let new = self.of.as_ref().is_none_or(|(frame, ..)| !Arc::ptr_eq(frame, &shown.frame));
+        let new = self.of.as_ref().is_none_or(|of| !Arc::ptr_eq(&of.frame, &shown.frame));
         let origin = shown.setting.origin;
         let mut agents = Geometry { deep: !plan, ..Geometry::default() };
         agents.discs.reserve(shown.frame.bodies.len());
+        let mut people = people::drawn(shown, settings, plan);
+        // a single group needs no colour
+        let plain = settings.coloring == Coloring::Group && shown.setting.groups.len() < 2;
+        self.tops.clear();
         let mut gone = std::mem::take(&mut self.ways).into_iter().peekable();
         for (from, body) in pairs(shown) {
             // both lists are sorted by number
             while gone.next_if(|(number, _)| *number < body.number).is_some() {}
             let before = gone.next_if(|(number, _)| *number == body.number).map_or(0.0, |(_, way)| way);
             let coat = look.coat(body);
+            if let Some(((_, person), rest)) = people.split_first().filter(|((number, _), _)| *number == body.number) {
+                people = rest;
+                self.tops.push((!plain).then_some(coat.fill));
+                if settings.layers.shadows {
+                    agents.discs.push(Disc::shadow(from, &people::broad(body, person), coat, origin));
+                }
+                continue;
+            }
             let Some(shape) = settings.marks.shape(body, look.form(body), plan) else {
                 agents.discs.push(Disc::agent(from, body, coat, origin));
                 continue;

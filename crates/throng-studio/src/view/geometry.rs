@@ -1,5 +1,6 @@
 //! Geometry relative to the world's origin, in the layout of the graphics buffers: areas, discs, lines and figures.
 
+use super::people::DrawnPeople;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2, Vec3};
 use throng_draw::{Coat, Color, Shape};
@@ -134,7 +135,8 @@ fn pose(body: &Body, origin: DVec2) -> [f32; 4] {
     (body.position - origin).as_vec2().extend(body.altitude).extend(body.heading).to_array()
 }
 
-fn paint(color: Color) -> Paint {
+/// Returns a colour as the buffers have it.
+pub fn paint(color: Color) -> Paint {
     [color.r, color.g, color.b, color.a]
 }
 
@@ -182,6 +184,8 @@ pub struct Geometry {
     pub lines: Vec<Line>,
     /// Agents drawn as shapes, by [`Shape`].
     pub figures: [Vec<Figure>; Shape::ALL.len()],
+    /// Agents drawn as people.
+    pub people: Option<DrawnPeople>,
     /// Whether the depth test applies. Otherwise later items cover earlier ones.
     pub deep: bool,
 }
@@ -192,7 +196,8 @@ impl Geometry {
         let figures: usize = self.figures.iter().map(|figures| size_of_val(figures.as_slice())).sum();
         let picture = self.picture.as_ref().map_or(0, |picture| size_of_val(picture.pixels.as_slice()));
         let plain = picture + size_of_val(self.areas.as_slice()) + size_of_val(self.discs.as_slice());
-        plain + size_of_val(self.lines.as_slice()) + figures
+        let people = self.people.as_ref().map_or(0, DrawnPeople::bytes);
+        plain + size_of_val(self.lines.as_slice()) + figures + people
     }
 
     /// Adds a polygon with holes on the ground. The first ring is the outer one.

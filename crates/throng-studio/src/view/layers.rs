@@ -32,6 +32,8 @@ pub struct Layers {
     pub paths: bool,
     /// Whether shadows are drawn.
     pub shadows: bool,
+    /// Whether people are drawn as walking people in a view in space.
+    pub people: bool,
     /// Whether the key is shown.
     pub key: bool,
 }
@@ -47,6 +49,7 @@ impl Default for Layers {
             mesh: false,
             paths: false,
             shadows: true,
+            people: true,
             key: true,
         }
     }

@@ -6,7 +6,8 @@ use throng_record::Body;
 /// The shapes that agents are drawn as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Marks {
-    /// As the scene says. Otherwise discs in a plan; in space, walking agents as figures and flying agents as darts.
+    /// As the scene says. Otherwise discs in a plan; in space, flying agents as darts and walking agents as people, or as
+    /// walkers of flat faces where [people](crate::view::Layers::people) are not drawn.
     #[default]
     Fitting,
     /// Discs for all agents.

@@ -14,6 +14,7 @@ mod marks;
 mod mesh;
 mod mode;
 mod moment;
+mod people;
 mod scenery;
 mod streams;
 mod thoughts;
@@ -37,8 +38,9 @@ use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
 use glam::Vec2;
 use moment::{interpolated, nearest, pair};
+use people::DrawnPeople;
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Annotation, Annotations, Color, Followed, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, Projection, Projector, Style, Theme};
 
 /// The least height of the box around flocks, metres.
 const HEADROOM: f64 = 1.8;
@@ -89,15 +91,17 @@ impl ViewOptions {
         }
         let share = shown.share();
         self.handle(ui, &response, rect, size);
+        let people = people::drawn(shown, settings, self.eye.mode() == Mode::Plan);
         let body = self.selected.and_then(|number| between(shown, number, share));
-        self.eye.settle(body.as_ref().map(Followed::from), f64::from(ui.input(|input| input.stable_dt.min(0.1))));
+        let followed = body.map(|body| people::followed(&body, people));
+        self.eye.settle(followed, f64::from(ui.input(|input| input.stable_dt.min(0.1))));
         let projector = self.eye.projector(size);
         // a lifted finger has no hover position
         let pointer = response
             .hover_pos()
             .or(response.interact_pointer_pos())
             .map(|at| Vec2::new(at.x - rect.min.x, at.y - rect.min.y));
-        self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share));
+        self.hovered = pointer.and_then(|at| nearest(shown, &projector, at, share, people));
         if response.clicked() && !self.lent {
             self.selected = self.hovered;
         }
@@ -237,13 +241,16 @@ impl ViewOptions {
         let look = || settings.coloring.look(shown, &theme);
         let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
-        let marked = Arc::new(self.marked(shown, settings, &theme));
-        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, marked];
+        let marked = Arc::new(self.marked(shown, settings, plan, &theme));
+        let unit = ui.ctx().pixels_per_point();
+        let seen = DrawnPeople::seen(shown, self.crowd.tops(), share, (projector, size, unit));
+        let people = seen.filter(|_| settings.draws_people(plan));
+        let people = Arc::new(Geometry { people, deep: true, ..Geometry::default() });
+        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, people, marked];
         let new =
             |(k, layer): &(usize, &Arc<Geometry>)| self.layers.get(*k).is_none_or(|before| !Arc::ptr_eq(before, layer));
         self.handed_over = layers.iter().enumerate().filter(new).map(|(_, layer)| layer.bytes()).sum();
         self.layers.clone_from(&layers);
-        let unit = ui.ctx().pixels_per_point();
         let shadows = settings.layers.shadows;
         let lighting =
             Lighting { share, shadows, notch: theme.notch.alpha(0.92), ..lighting(projector, size, unit, shown) };
@@ -278,11 +285,14 @@ impl ViewOptions {
     }
 
     /// Returns rings around the selected and the hovered agent, and the path of the selected agent.
-    fn marked(&self, shown: &RunMoment, settings: &Settings, theme: &Theme) -> Geometry {
+    fn marked(&self, shown: &RunMoment, settings: &Settings, plan: bool, theme: &Theme) -> Geometry {
         let way = self.selected.filter(|_| settings.layers.paths).map(|number| mesh::way(shown, number, theme));
         let mut marks = way.unwrap_or_default();
+        let people = people::drawn(shown, settings, plan);
         for (number, opacity) in [(self.hovered, 0.45), (self.selected, 0.95)] {
             let Some((before, now)) = number.and_then(|number| pair(shown, number)) else { continue };
+            let broad = people::person(people, now.number).map(|person| people::broad(now, person));
+            let now = broad.as_ref().unwrap_or(now);
             marks.discs.push(Disc::round_agent(before, now, theme.text.alpha(opacity), shown.setting.origin));
         }
         marks

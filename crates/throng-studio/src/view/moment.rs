@@ -1,8 +1,10 @@
 //! Agents at the displayed moment, interpolated between two states.
 
+use super::people::person;
 use crate::play::RunMoment;
 use glam::{DVec3, Vec2};
 use throng_draw::Projector;
+use throng_figure::Person;
 use throng_record::{Body, Frame};
 
 /// The distance beyond the edge of an agent at which the pointer selects it, points of the screen.
@@ -47,16 +49,28 @@ fn mixed(before: &Body, now: &Body, share: f32) -> Body {
     Body { position, altitude, heading, ..*now }
 }
 
-/// Returns the agent nearest to a pixel.
-pub fn nearest(shown: &RunMoment, projector: &Projector, at: Vec2, share: f32) -> Option<u32> {
+/// Returns the agent nearest to a pixel. Of agents at the pixel it is that nearest to the eye. `people` are drawn as tall
+/// as they are, the others as their bodies on the ground.
+pub fn nearest(
+    shown: &RunMoment,
+    projector: &Projector,
+    at: Vec2,
+    share: f32,
+    people: &[(u32, Person)],
+) -> Option<u32> {
+    // how far the pixel is beyond the edge of an agent, and how near the agent is
     let away = |body: &Body| {
         let center: DVec3 = body.center();
-        let edge = projector.scale(center) as f32 * body.shape().bounding_radius();
-        let beyond = projector.pixel(center)?.distance(at) - edge;
-        (beyond <= REACH).then_some(beyond)
+        let scale = projector.scale(center) as f32;
+        let foot = projector.pixel(center)?;
+        let up = |person: &Person| projector.pixel(center + DVec3::Z * (person.height - f64::from(body.radius)));
+        let along = person(people, body.number).and_then(up).unwrap_or(foot) - foot;
+        let part = ((at - foot).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
+        let beyond = (foot + along * part).distance(at) - scale * body.shape().bounding_radius();
+        (beyond <= REACH).then_some((beyond.max(0.0), -scale))
     };
     // filters by the current position first: an agent far from the pointer was also far one step ago
     let near = shown.frame.bodies.iter().filter(|body| away(body).is_some());
     let found = near.filter_map(|body| Some((away(&between(shown, body.number, share)?)?, body.number)));
-    found.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number)
+    found.min_by(|(a, _), (b, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(_, number)| number)
 }

@@ -5,6 +5,7 @@ mod fingers;
 mod keeping;
 mod opensteerdemo;
 mod panels;
+mod people;
 mod player;
 mod plugins;
 mod recording;

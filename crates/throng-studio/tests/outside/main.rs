@@ -11,6 +11,7 @@ mod outside;
 fn main() {
     let screen = ["Xvfb", "openbox", "xdotool"].map(outside::Need::Program);
     outside::run(vec![
+        outside::test("people_walk_in_a_view_in_space", &screen[..1], window::people_walk_in_a_view_in_space),
         outside::test("a_film_is_replayed", &screen, window::a_film_is_replayed),
         outside::test(
             "a_scene_is_played_directed_lost_and_found",

@@ -199,3 +199,32 @@ pub fn a_film_is_replayed() {
     desk.key("alt+F4");
     assert!(desk.ends(), "there is nothing to lose");
 }
+
+/// Returns the red, green and blue of the pixels of a picture of the window.
+fn pixels(desk: &mut Desk, arguments: &[&str]) -> Vec<[u8; 3]> {
+    let path = desk.path("picture.png");
+    let mut command = desk.command(env!("CARGO_BIN_EXE_throng-studio"));
+    command.args(["--size", "900x600", "--screenshot", "picture.png"]).args(arguments);
+    let plain = ["panels.gallery=false", "panels.summary=false", "trails=0", "grid=false"];
+    desk.studio = Some(command.args(plain.iter().flat_map(|setting| ["--with", setting])).spawn().unwrap());
+    assert!(desk.ends(), "it takes a picture");
+    let mut reader = png::Decoder::new(BufReader::new(std::fs::File::open(path).unwrap())).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    let channels = info.color_type.samples();
+    bytes[..info.buffer_size()].chunks_exact(channels).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+}
+
+pub fn people_walk_in_a_view_in_space() {
+    let mut desk = Desk::new();
+    let circle = ["circle", "--at-step", "150", "--camera", "orbit"];
+    let people = pixels(&mut desk, &circle);
+    assert!(people == pixels(&mut desk, &circle), "the same moment is the same picture");
+    let walkers = pixels(&mut desk, &[&circle[..], &["--with", "layers.people=false"]].concat());
+    // clothes have warm colours, the agents of the group are blue
+    let warm = |pixels: &[[u8; 3]]| pixels.iter().filter(|[r, _, b]| *r > b.saturating_add(30)).count();
+    assert!(warm(&people) > 800 && warm(&walkers) < 50, "{} and {} warm pixels", warm(&people), warm(&walkers));
+    let speed = pixels(&mut desk, &[&circle[..], &["--with", "coloring=Speed"]].concat());
+    let differ = people.iter().zip(&speed).filter(|(a, b)| a != b).count();
+    assert!(differ > 500, "tops have the colour of the speed: {differ} pixels differ");
+}

@@ -5,6 +5,7 @@
 //! shader reads, so that layout and content agree.
 #![allow(unsafe_code)]
 
+mod people;
 mod program;
 mod texture;
 
@@ -12,6 +13,7 @@ use super::geometry::{Corner, Disc, Figure, Geometry, Line};
 use bytemuck::Pod;
 use eframe::glow::{self, HasContext};
 use glam::{Mat4, Vec2, Vec3};
+use people::PeopleCanvas;
 use program::{Attribute, Program};
 use std::sync::Arc;
 use texture::Texture;
@@ -50,6 +52,8 @@ pub struct Canvas {
     images: Program,
     /// The corners of each shape, and their number.
     meshes: Vec<(glow::Buffer, i32)>,
+    /// The bodies and poses of people, once there are any.
+    people: Option<PeopleCanvas>,
     layers: Vec<Layer>,
 }
 
@@ -77,6 +81,7 @@ impl Canvas {
             figures: Program::new(gl, include_str!("shaders/figure.vert"), include_str!("shaders/figure.frag"))?,
             images: Program::new(gl, include_str!("shaders/image.vert"), include_str!("shaders/image.frag"))?,
             meshes: Shape::ALL.iter().map(|shape| mesh(gl, &shape.mesh())).collect::<Result<_, _>>()?,
+            people: None,
             layers: Vec::new(),
         })
     }
@@ -119,6 +124,12 @@ impl Canvas {
             self.lines.draw(gl, &layer.lines, glow::TRIANGLE_STRIP);
             depth(gl, geometry.deep, geometry.deep);
             layer.figures.iter().for_each(|figures| self.figures.draw(gl, figures, glow::TRIANGLES));
+            if let Some(people) = &geometry.people {
+                if self.people.is_none() {
+                    self.people = Some(PeopleCanvas::new(gl)?);
+                }
+                self.people.iter_mut().for_each(|canvas| canvas.draw(gl, people, lighting));
+            }
         }
         depth(gl, false, true);
         Ok(())
@@ -134,6 +145,7 @@ impl Canvas {
         let plain = self.layers.iter().flat_map(|layer| [&layer.areas, &layer.discs, &layer.lines]);
         plain.chain(self.layers.iter().flat_map(|layer| &layer.figures)).for_each(|buffer| buffer.destroy(gl));
         self.layers.iter().for_each(|layer| layer.image.destroy(gl));
+        self.people.iter().for_each(|people| people.destroy(gl));
     }
 }
 
@@ -230,6 +242,9 @@ struct Buffer {
     stride: usize,
     /// The number of corners of an instanced item. `None` if each item is a corner.
     corners: Option<i32>,
+    /// The corners of an instanced item, and their order in triangles, if the buffer owns them.
+    vertices: Option<glow::Buffer>,
+    triangles: Option<glow::Buffer>,
     count: i32,
 }
 
@@ -239,7 +254,7 @@ impl Buffer {
         let stride = fields.iter().map(|(_, field)| field.bytes()).sum();
         // SAFETY: no argument is a pointer.
         let (array, buffer) = unsafe { (gl.create_vertex_array()?, gl.create_buffer()?) };
-        let new = Self { array, buffer, stride, corners, count: 0 };
+        let new = Self { array, buffer, stride, corners, vertices: None, triangles: None, count: 0 };
         new.read(gl, buffer, fields, u32::from(corners.is_some()));
         Ok(new)
     }
@@ -265,11 +280,37 @@ impl Buffer {
         }
     }
 
+    /// Holds the corners of each item, and the triangles that they form.
+    fn hold<T: Pod>(
+        &mut self,
+        gl: &glow::Context,
+        corners: &[T],
+        fields: &[(&str, Attribute)],
+        triangles: &[u16],
+    ) -> Result<(), String> {
+        // SAFETY: the bytes are copied during the calls. The array keeps the binding of the triangles.
+        unsafe {
+            let [vertices, order] = [gl.create_buffer()?, gl.create_buffer()?];
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(vertices));
+            gl.buffer_data_u8_slice(glow::ARRAY_BUFFER, bytemuck::cast_slice(corners), glow::STATIC_DRAW);
+            self.read(gl, vertices, fields, 0);
+            gl.bind_vertex_array(Some(self.array));
+            gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(order));
+            gl.buffer_data_u8_slice(glow::ELEMENT_ARRAY_BUFFER, bytemuck::cast_slice(triangles), glow::STATIC_DRAW);
+            gl.bind_vertex_array(None);
+            (self.vertices, self.triangles) = (Some(vertices), Some(order));
+        }
+        self.corners = Some(triangles.len() as i32);
+        Ok(())
+    }
+
     fn destroy(&self, gl: &glow::Context) {
-        // SAFETY: both belong to this context and are not used again.
+        // SAFETY: all belong to this context and are not used again.
         unsafe {
             gl.delete_vertex_array(self.array);
-            gl.delete_buffer(self.buffer);
+            for buffer in [Some(self.buffer), self.vertices, self.triangles].into_iter().flatten() {
+                gl.delete_buffer(buffer);
+            }
         }
     }
 

@@ -4,12 +4,13 @@ use super::{Buffer, Lighting};
 use eframe::glow::{self, HasContext};
 
 /// The names of the attributes by location. No shader uses two names of one location.
-const ATTRIBUTES: [(u32, &str); 15] = [
+const ATTRIBUTES: [(u32, &str); 17] = [
     (0, "at"),
     (0, "before"),
     (0, "from"),
     (1, "now"),
     (1, "to"),
+    (1, "who"),
     (2, "color"),
     (2, "body"),
     (3, "look"),
@@ -20,6 +21,7 @@ const ATTRIBUTES: [(u32, &str); 15] = [
     (7, "corner_at"),
     (8, "normal"),
     (9, "joint"),
+    (9, "bones"),
 ];
 
 /// Returns the location of an attribute.
@@ -111,6 +113,24 @@ impl Program {
         }
     }
 
+    /// Sets a uniform number.
+    pub fn set_integer(&self, gl: &glow::Context, name: &str, value: i32) {
+        // SAFETY: as in `light`.
+        unsafe {
+            gl.use_program(Some(self.program));
+            gl.uniform_1_i32(gl.get_uniform_location(self.program, name).as_ref(), value);
+        }
+    }
+
+    /// Sets a uniform array of vectors with three numbers each.
+    pub fn set_vectors(&self, gl: &glow::Context, name: &str, values: &[f32]) {
+        // SAFETY: as in `light`; the numbers are copied during the call.
+        unsafe {
+            gl.use_program(Some(self.program));
+            gl.uniform_3_f32_slice(gl.get_uniform_location(self.program, name).as_ref(), values);
+        }
+    }
+
     /// Draws shadows of this opacity instead of bodies, or bodies if `None`.
     pub fn shadows(&self, gl: &glow::Context, opacity: Option<f32>) {
         // SAFETY: as in `light`.
@@ -131,9 +151,12 @@ impl Program {
         unsafe {
             gl.use_program(Some(self.program));
             gl.bind_vertex_array(Some(buffer.array));
-            match buffer.corners {
-                Some(corners) => gl.draw_arrays_instanced(mode, 0, corners, buffer.count),
-                None => gl.draw_arrays(mode, 0, buffer.count),
+            match (buffer.corners, &buffer.triangles) {
+                (Some(corners), Some(_)) => {
+                    gl.draw_elements_instanced(mode, corners, glow::UNSIGNED_SHORT, 0, buffer.count);
+                }
+                (Some(corners), None) => gl.draw_arrays_instanced(mode, 0, corners, buffer.count),
+                (None, _) => gl.draw_arrays(mode, 0, buffer.count),
             }
             gl.bind_vertex_array(None);
         }

@@ -1,0 +1,198 @@
+//! Drawing of people: bodies as instances, poses as pictures of floating-point numbers.
+
+use super::super::people::{BODIES, BUILDS, DrawnPeople, DrawnPerson, body};
+use super::{Attribute, Buffer, Lighting, Program};
+use crate::play::{Joints, Poses};
+use bytemuck::{Pod, Zeroable};
+use eframe::glow::{self, HasContext};
+use glam::Vec3;
+use std::sync::Arc;
+use throng_figure::{JOINTS, LOOKS, Level, Look, Mesh, Region};
+
+/// The number of people in a row of a picture of poses.
+const IN_ROW: usize = 16;
+/// The number of texels of a person.
+const TEXELS: usize = size_of::<Joints>() / size_of::<[f32; 4]>();
+
+/// The program, the bodies and the poses.
+pub(super) struct PeopleCanvas {
+    program: Program,
+    /// The vertices of each body with its people, in the order of [`body`].
+    bodies: Vec<Buffer>,
+    poses: [PoseTexture; 2],
+}
+
+/// A vertex of a body at rest.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct BodyVertex {
+    /// In heights of the person.
+    at: Vec3,
+    normal: Vec3,
+    /// Two joints, the weight of the first, and the region.
+    bones: [f32; 4],
+}
+
+impl PeopleCanvas {
+    pub fn new(gl: &glow::Context) -> Result<Self, String> {
+        let (top, sleeves) = (Region::Top as i32, Region::Sleeves as i32);
+        let sizes = format!(
+            "const int JOINTS = {JOINTS};\nconst int LOOKS = {LOOKS};\nconst int REGIONS = {};\nconst int TOP = {top};\n\
+             const int SLEEVES = {sleeves};\n",
+            Region::ALL.len()
+        );
+        let vertex = sizes + include_str!("shaders/person.vert");
+        let program = Program::new(gl, &vertex, include_str!("shaders/person.frag"))?;
+        let color =
+            |look: u8| Region::ALL.map(|region| Look::new(look).colour(region).map(|part| f32::from(part) / 255.0));
+        let palette: Vec<f32> = (0..LOOKS).flat_map(color).flatten().collect();
+        program.set_vectors(gl, "palette", &palette);
+        for (name, value) in [("poses_before", 0), ("poses_now", 1), ("in_row", IN_ROW as i32)] {
+            program.set_integer(gl, name, value);
+        }
+        let mut bodies = Vec::with_capacity(BODIES);
+        for build in BUILDS {
+            for level in Level::ALL {
+                debug_assert_eq!(bodies.len(), body(build, level));
+                bodies.push(vertices(gl, &Mesh::new(build, level))?);
+            }
+        }
+        Ok(Self { program, bodies, poses: [PoseTexture::new(gl)?, PoseTexture::new(gl)?] })
+    }
+
+    pub fn draw(&mut self, gl: &glow::Context, people: &DrawnPeople, lighting: &Lighting) {
+        if people.bodies.iter().all(Vec::is_empty) {
+            return;
+        }
+        let [before, now] = &people.poses;
+        // the poses now were uploaded in the step before, and are those before in the next step
+        if self.poses[1].holds(before) || self.poses[0].holds(now) {
+            self.poses.swap(0, 1);
+        }
+        for (unit, (texture, poses)) in
+            [glow::TEXTURE0, glow::TEXTURE1].into_iter().zip(self.poses.iter_mut().zip([before, now]))
+        {
+            texture.bind(gl, unit, poses);
+        }
+        self.program.light(gl, &Lighting { share: people.share, ..*lighting });
+        // SAFETY: no argument is a pointer.
+        unsafe {
+            gl.enable(glow::CULL_FACE);
+            gl.cull_face(glow::BACK);
+        }
+        for (buffer, people) in self.bodies.iter_mut().zip(&people.bodies) {
+            buffer.upload::<DrawnPerson>(gl, people);
+            self.program.draw(gl, buffer, glow::TRIANGLES);
+        }
+        // SAFETY: no argument is a pointer.
+        unsafe {
+            gl.disable(glow::CULL_FACE);
+            gl.active_texture(glow::TEXTURE0);
+        }
+    }
+
+    pub fn destroy(&self, gl: &glow::Context) {
+        self.program.destroy(gl);
+        self.bodies.iter().for_each(|buffer| buffer.destroy(gl));
+        self.poses.iter().for_each(|texture| texture.destroy(gl));
+    }
+}
+
+/// Uploads the vertices and triangles of a body.
+fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
+    let vertex = |k: usize| {
+        let (joints, weights) = (mesh.joints[k], mesh.weights[k]);
+        let bones = [joints[0].into(), joints[1].into(), weights[0], mesh.regions[k] as u8 as f32];
+        BodyVertex { at: mesh.positions[k], normal: mesh.normals[k], bones }
+    };
+    let vertices: Vec<BodyVertex> = (0..mesh.positions.len()).map(vertex).collect();
+    let triangles: Vec<u16> = mesh.triangles.iter().flat_map(|&triangle| painted(mesh, triangle)).collect();
+    let fields = [("who", Attribute::Floats(4)), ("fill", Attribute::Colour)];
+    let mut buffer = Buffer::new(gl, &fields, Some(0))?;
+    let corners = [("at", Attribute::Floats(3)), ("normal", Attribute::Floats(3)), ("bones", Attribute::Floats(4))];
+    buffer.hold(gl, &vertices, &corners, &triangles)?;
+    Ok(buffer)
+}
+
+/// Returns a triangle with the vertex of its first region last: a triangle has the colour of its last vertex, so regions
+/// meet along rings.
+fn painted(mesh: &Mesh, mut triangle: [u32; 3]) -> [u16; 3] {
+    let region = |vertex: u32| mesh.regions[vertex as usize];
+    let first = (0..3).min_by_key(|&corner| region(triangle[corner])).unwrap_or(2);
+    triangle.rotate_left((first + 1) % 3);
+    triangle.map(|vertex| vertex as u16)
+}
+
+/// Poses in the memory of the graphics processor.
+struct PoseTexture {
+    texture: glow::Texture,
+    of: Option<Arc<Poses>>,
+    rows: usize,
+}
+
+impl PoseTexture {
+    fn new(gl: &glow::Context) -> Result<Self, String> {
+        // SAFETY: no argument is a pointer.
+        let texture = unsafe { gl.create_texture()? };
+        Ok(Self { texture, of: None, rows: 0 })
+    }
+
+    fn holds(&self, poses: &Arc<Poses>) -> bool {
+        self.of.as_ref().is_some_and(|held| Arc::ptr_eq(held, poses))
+    }
+
+    /// Binds the texture to a unit, with these poses.
+    fn bind(&mut self, gl: &glow::Context, unit: u32, poses: &Arc<Poses>) {
+        // SAFETY: the texture belongs to this context.
+        unsafe {
+            gl.active_texture(unit);
+            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture));
+        }
+        if !self.holds(poses) {
+            self.upload(gl, &poses.joints);
+            self.of = Some(poses.clone());
+        }
+    }
+
+    /// Uploads poses to the bound texture.
+    fn upload(&mut self, gl: &glow::Context, joints: &[Joints]) {
+        let rows = joints.len().div_ceil(IN_ROW).max(1);
+        let width = (IN_ROW * TEXELS) as i32;
+        let (kind, format) = (glow::FLOAT, glow::RGBA);
+        // SAFETY: the numbers of bytes match the sizes, and the bytes are copied during the calls.
+        unsafe {
+            if rows > self.rows {
+                let nothing = glow::PixelUnpackData::Slice(None);
+                let height = rows.next_power_of_two();
+                gl.tex_image_2d(
+                    glow::TEXTURE_2D,
+                    0,
+                    glow::RGBA32F as i32,
+                    width,
+                    height as i32,
+                    0,
+                    format,
+                    kind,
+                    nothing,
+                );
+                for name in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+                    gl.tex_parameter_i32(glow::TEXTURE_2D, name, glow::NEAREST as i32);
+                }
+                self.rows = height;
+            }
+            let (full, rest) = joints.split_at(joints.len() - joints.len() % IN_ROW);
+            let high = (full.len() / IN_ROW) as i32;
+            for (part, row, size) in [(full, 0, (width, high)), (rest, high, ((rest.len() * TEXELS) as i32, 1))] {
+                if !part.is_empty() {
+                    let bytes = glow::PixelUnpackData::Slice(Some(bytemuck::cast_slice(part)));
+                    gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, 0, row, size.0, size.1, format, kind, bytes);
+                }
+            }
+        }
+    }
+
+    fn destroy(&self, gl: &glow::Context) {
+        // SAFETY: the texture belongs to this context and is not used again.
+        unsafe { gl.delete_texture(self.texture) }
+    }
+}

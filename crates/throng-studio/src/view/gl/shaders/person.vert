@@ -1,0 +1,43 @@
+// A body moved by the matrices of its joints, which are texels of two pictures: the poses before and now.
+in vec3 at;
+in vec3 normal;
+// Two joints, the weight of the first, and the region.
+in vec4 bones;
+// The numbers among the poses before and now (-1: none before), and the look.
+in vec4 who;
+in vec4 fill;
+uniform highp sampler2D poses_before;
+uniform highp sampler2D poses_now;
+// People in a row of the pictures.
+uniform int in_row;
+// Colours of the regions of each look.
+uniform vec3 palette[LOOKS * REGIONS];
+flat out vec4 paint;
+out vec3 side;
+out float height;
+
+mat3x4 matrix(highp sampler2D poses, float person, float joint) {
+    int number = int(person);
+    ivec2 place = ivec2((number % in_row) * JOINTS * 3 + int(joint) * 3, number / in_row);
+    return mat3x4(
+        texelFetch(poses, place, 0), texelFetch(poses, place + ivec2(1, 0), 0), texelFetch(poses, place + ivec2(2, 0), 0)
+    );
+}
+
+mat3x4 skin(highp sampler2D poses, float person) {
+    mat3x4 first = matrix(poses, person, bones.x);
+    if (bones.z >= 1.0) return first;
+    return first * bones.z + matrix(poses, person, bones.y) * (1.0 - bones.z);
+}
+
+void main() {
+    mat3x4 moved = skin(poses_now, who.y);
+    if (who.x >= 0.0 && share < 1.0) moved = skin(poses_before, who.x) * (1.0 - share) + moved * share;
+    vec3 world = vec4(at, 1.0) * moved;
+    side = vec4(normal, 0.0) * moved;
+    height = world.z;
+    int region = int(bones.w);
+    paint = vec4(palette[int(who.z) * REGIONS + region], 1.0);
+    if (fill.a > 0.0 && (region == TOP || region == SLEEVES)) paint.rgb = fill.rgb;
+    gl_Position = clip * vec4(world, 1.0);
+}
