@@ -3,26 +3,14 @@
 use super::light::light_of;
 use crate::look::Look;
 use crate::{AgentShape, Color, ColorBy, Shape, Style};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::collections::BTreeMap;
-use throng_figure::{Build, Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
+use throng_figure::{Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Mesh, linear};
 
-/// The largest radius of a person, metres.
-const LARGEST: f32 = 0.5;
-/// Below this radius a person is a child of this height, metres.
-const CHILD: f32 = 0.18;
-const CHILD_HEIGHT: f64 = 1.2;
 /// The heights in the picture from which people have the finer levels, pixels.
 const LEVELS: [(Level, f64); 3] = [(Level::Fine, 140.0), (Level::Medium, 60.0), (Level::Coarse, 22.0)];
-/// An agent that appears while it moves has walked straight before, for this time and up to this much more, seconds. The
-/// times differ, so that agents that appear at once do not march in step.
-const BEFORE: f64 = 1.0;
-const SPREAD: f64 = 1.3;
-/// The time from sample to sample of the walk before, seconds.
-const SAMPLE: f64 = 0.05;
-
 /// The people of a recording, by agent number.
 #[derive(Debug, Default)]
 pub(crate) struct People {
@@ -47,9 +35,9 @@ impl People {
 
     /// Whether an agent is a person: a disc on the ground of the size of people, or an agent with the shape of one.
     fn has(&self, body: &Body, look: &Look) -> bool {
-        let person = body.basis.is_none() && body.core == glam::Vec2::ZERO && body.radius <= LARGEST;
+        let disc = body.basis.is_none() && body.core == Vec2::ZERO;
         let shape = look.form(body);
-        shape == AgentShape::Shaped(Shape::Walker) || self.any && person && shape == AgentShape::Body
+        shape == AgentShape::Shaped(Shape::Walker) || self.any && disc && shape == AgentShape::Body
     }
 
     /// Moves people to a moment. Absent agents are dropped.
@@ -99,24 +87,12 @@ impl People {
     }
 }
 
-/// Returns the person of an agent that appears, as if it had walked straight before; `None` without a finite position.
+/// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
+/// position.
 fn arrived(body: &Body, sample: Sample) -> Option<(Live, Skeleton)> {
-    let mut person = Person::new(0, u64::from(body.number));
-    if body.radius < CHILD {
-        person = person.with_build(Build::Child).with_height(CHILD_HEIGHT);
-    }
-    let velocity = body.velocity.as_dvec2();
-    let velocity = if velocity.is_finite() { velocity } else { DVec2::ZERO };
-    let share = (f64::from(body.number) * 0.618_033_988_749_895).fract();
-    let count = ((BEFORE + SPREAD * share) / SAMPLE) as u32;
-    let before = |left: u32| {
-        let time = f64::from(left) * SAMPLE;
-        Sample { time: sample.time - time, position: sample.position - velocity * time, ..sample }
-    };
-    let mut live = Live::new(person, before(count)).ok()?;
-    for left in (0..count).rev() {
-        live.step(before(left)).ok()?;
-    }
+    let person = Person::of_agent(body.number, body.radius)?;
+    let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
+    let live = Live::moving(person, sample, velocity).ok()?;
     let skeleton = Skeleton::new(live.person());
     Some((live, skeleton))
 }
