@@ -1,6 +1,6 @@
 //! The style of pictures from a scene.
 
-use crate::{AgentShape, Color, Following, Motion, Projection, Style, Viewpoint, WorldBox};
+use crate::{AgentShape, Color, Following, Motion, Projection, Shape, Style, Viewpoint, WorldBox};
 use glam::DVec2;
 use throng_scene::{Camera, CameraKey, Colour, Scene};
 
@@ -44,6 +44,7 @@ fn color(Colour([r, g, b]): Colour) -> Color {
 fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
     match said {
         Some(throng_scene::AgentShape::Insect) => AgentShape::Insect,
+        Some(throng_scene::AgentShape::Bird) => AgentShape::Shaped(Shape::Bird),
         Some(throng_scene::AgentShape::Body) | None => AgentShape::Body,
     }
 }

@@ -7,7 +7,7 @@ use crate::look::Look;
 use crate::primitive::Primitive;
 use crate::projector::Projector;
 use crate::shape::Strides;
-use crate::space::{People, SpaceScene};
+use crate::space::{Birds, People, SpaceScene};
 use crate::text::Type;
 use crate::trail::{AgentTrail, Brush, Trail, Trails};
 use crate::{
@@ -60,6 +60,8 @@ pub struct Painter {
     pub(crate) strides: Strides,
     /// Agents that are people, in perspective.
     pub(crate) people: People,
+    /// Agents that are birds, in perspective.
+    pub(crate) birds: Birds,
     /// The trails of annotated agents.
     pub(crate) ways: Trails,
     /// The annotations that have been visible so far.
@@ -126,6 +128,7 @@ impl Painter {
             blur: Trails::default(),
             strides: Strides::default(),
             people: People::new(setting, style, first),
+            birds: Birds::default(),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
@@ -180,6 +183,7 @@ impl Painter {
         }
         if matches!(self.view, Perspective::Space(_)) {
             self.people.follow(frame, look);
+            self.birds.follow(frame, look);
         }
         if wanted.kinds.contains(&Annotation::Trails) {
             self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));

@@ -1,5 +1,6 @@
 //! The bodies of agents as meshes.
 
+use super::birds::Birds;
 use super::light::light_of;
 use super::people::People;
 use super::{SpaceScene, footprint};
@@ -68,7 +69,7 @@ impl<'a> Agents<'a> {
     pub fn new(
         bodies: impl Iterator<Item = &'a Body>,
         stage: &SpaceScene,
-        (look, people, strides): (&Look, &People, &Strides),
+        (look, people, (birds, strides)): (&Look, &People, (&Birds, &Strides)),
         time: f64,
     ) -> Self {
         let form = |body: &'a Body| {
@@ -76,6 +77,9 @@ impl<'a> Agents<'a> {
             let own = |mesh, thin| Form::Own { mesh, place: body.center(), thin, plain: true };
             if let Some(mesh) = people.mesh(body, look, scale) {
                 return (body, Form::Own { mesh, place: body.center(), thin: false, plain: false });
+            }
+            if let Some(mesh) = birds.mesh(body, LEAST_RADIUS / scale) {
+                return (body, own(mesh, true));
             }
             if let Some(shape) = look.shape(body) {
                 return (body, own(shape::mesh(shape, body, (strides, time), scale), true));

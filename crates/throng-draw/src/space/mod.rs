@@ -1,5 +1,6 @@
 //! A moment in perspective: a rendered picture of the place and of the agents, and insects above it.
 
+mod birds;
 mod bodies;
 mod chase;
 mod extent;
@@ -12,6 +13,7 @@ mod rig;
 mod solid;
 mod viewpoint;
 
+pub(crate) use birds::Birds;
 pub use chase::{Chase, Followed, Following, Sight};
 pub use lens::Lens;
 pub(crate) use people::People;
@@ -128,7 +130,12 @@ impl Painter {
         bodies.retain(|body| stage.lens.pixel(body.center()).is_some_and(|pixel| pixel.is_finite()));
         let (insects, others): (Vec<&Body>, Vec<&Body>) =
             bodies.into_iter().partition(|body| self.look.form(body) == AgentShape::Insect);
-        let agents = Agents::new(others.into_iter(), stage, (&self.look, &self.people, &self.strides), frame.time);
+        let agents = Agents::new(
+            others.into_iter(),
+            stage,
+            (&self.look, &self.people, (&self.birds, &self.strides)),
+            frame.time,
+        );
         let trails = self.trail_lines(&stage.lens, frame.time);
         let scene = Scene {
             ground: stage.ground.plane,

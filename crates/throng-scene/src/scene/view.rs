@@ -79,6 +79,8 @@ pub enum AgentShape {
     Body,
     /// An insect: a thin body with two wings that beat, and a short streak behind it.
     Insect,
+    /// A bird: it beats its wings to climb and to speed up, and glides down.
+    Bird,
 }
 
 /// The camera of a view in perspective.
