@@ -39,13 +39,13 @@ impl Marks {
 
     /// Returns the shape of an agent, `None` for a disc.
     pub fn shape(self, body: &Body, form: AgentShape, plan: bool) -> Option<Shape> {
-        match self {
-            Self::Discs => None,
-            Self::All(shape) => Some(shape),
-            Self::Fitting if form == AgentShape::Insect => Some(Shape::Insect),
-            Self::Fitting if body.basis.is_some() => Some(Shape::Vehicle),
-            Self::Fitting if plan || body.radius > TALL || body.core != glam::Vec2::ZERO => None,
-            Self::Fitting => Some(Shape::Walker),
+        match (self, form) {
+            (Self::Discs, _) => None,
+            (Self::All(shape), _) | (Self::Fitting, AgentShape::Shaped(shape)) => Some(shape),
+            (Self::Fitting, AgentShape::Insect) => Some(Shape::Insect),
+            (Self::Fitting, _) if body.basis.is_some() => Some(Shape::Vehicle),
+            (Self::Fitting, _) if plan || body.radius > TALL || body.core != glam::Vec2::ZERO => None,
+            (Self::Fitting, _) => Some(Shape::Walker),
         }
     }
 
