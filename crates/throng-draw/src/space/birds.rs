@@ -190,17 +190,13 @@ mod tests {
 
     #[test]
     fn wings_keep_their_lengths() {
-        for angles in [[0.0, 0.0], [0.5, 0.9], [-0.4, -0.9]] {
+        let lengths = |angles: [f32; 2]| {
             let [root, joint, tip] = wing(angles);
-            let flat = wing([0.0, 0.0]);
-            for (a, b) in [(root[0], joint[0]), (joint[0], tip[0]), (joint[0], tip[1])]
-                .iter()
-                .zip([(0, 0), (1, 0), (1, 1)])
-                .map(|(ends, (part, edge))| {
-                    let other = (flat[part][0], flat[part + 1][edge]);
-                    (ends.0.distance(ends.1), other.0.distance(other.1))
-                })
-            {
+            [root[0].distance(joint[0]), joint[0].distance(tip[0]), joint[0].distance(tip[1])]
+        };
+        let level = lengths([0.0, 0.0]);
+        for angles in [[0.5, 0.9], [-0.4, -0.9]] {
+            for (a, b) in lengths(angles).into_iter().zip(level) {
                 assert!((a - b).abs() < 1e-5, "{a} and {b}");
             }
         }
