@@ -127,8 +127,8 @@ impl Live {
     /// Returns a person in the middle of its way: it has walked or run at this velocity (m/s), facing as it does at the
     /// sample, for 1.4 to 3 seconds. Below 0.05 m/s and above 15 m/s it stands.
     ///
-    /// It began at one of the times of a fixed cycle. So at samples of the same motion that follow one another, in either
-    /// direction of time, the legs go on.
+    /// It began at one of the times of a fixed cycle. So the legs go on at the samples of one motion, in either direction of
+    /// time.
     ///
     /// # Errors
     /// A number of the sample or of the velocity is not finite.
@@ -224,6 +224,9 @@ impl Live {
             }
         }
         let flies = self.feet.iter().any(|foot| foot.swing.is_some());
+        if flies && !self.planner.runs() {
+            self.expect_lift(ahead);
+        }
         if time < self.planner.ready || flies && !self.planner.runs() {
             return;
         }
@@ -241,12 +244,20 @@ impl Live {
         foot.plant = next.plant;
         (foot.moved, foot.followed) = Default::default();
         self.knots = [(time, next.phases[0]), (next.plant.strike, next.phases[1])];
-        // the other foot is expected to be lifted next, if the body goes on
-        let goes = ahead.at(self.planner.ready).velocity.length() > 0.15;
         let stays = &mut self.feet[next.side.other().index()].plant;
-        stays.lift = if goes { self.planner.ready } else { f64::INFINITY };
-        stays.roll = next.roll;
-        stays.rolling = next.rolling;
+        (stays.roll, stays.rolling) = (next.roll, next.rolling);
+        self.expect_lift(ahead);
+    }
+
+    /// Expects the foot on the ground to be lifted next, if the body goes on. It may have started or stopped since the
+    /// other foot was lifted.
+    fn expect_lift(&mut self, ahead: &Extrapolated) {
+        let goes = ahead.at(self.planner.ready).velocity.length() > 0.15;
+        let roll = self.planner.roll(&ahead.motion);
+        for foot in self.feet.iter_mut().filter(|foot| foot.swing.is_none()) {
+            foot.plant.lift = if goes { self.planner.ready } else { f64::INFINITY };
+            foot.plant.roll = foot.plant.roll.max(roll);
+        }
     }
 
     /// Lets the body follow the agent.

@@ -1,6 +1,6 @@
 //! Measures the processor time that drawing a crowd takes, without simulation and without the graphics processor. Every
 //! frame draws a new state, which is the worst case. The poses of people are computed beside that, once per state: their
-//! time is that of a step with people beyond that of a step without them, on all threads.
+//! time is that of a step with people beyond that of a step without them. All is on one thread.
 //!
 //! usage: cargo run --release -p throng-studio --example drawing_time [AGENTS ...]
 #![allow(clippy::print_stdout)]
@@ -25,7 +25,9 @@ fn main() -> Result<(), Failure> {
     let asked = std::env::args().skip(1).map(|count| count.parse()).collect::<Result<Vec<usize>, _>>()?;
     let counts = if asked.is_empty() { vec![1000, 10_000, 100_000] } else { asked };
     println!("{:>8}  {:<34} {:>8} {:>8} {:>10}", "agents", "drawn", "mean ms", "worst ms", "upload MB");
-    counts.into_iter().try_for_each(measure)
+    let thread = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    thread.install(|| counts.into_iter().try_for_each(|count| measure(count).map_err(|error| error.to_string())))?;
+    Ok(())
 }
 
 fn measure(count: usize) -> Result<(), Failure> {
@@ -65,10 +67,10 @@ fn states(count: usize, people: bool) -> Result<(f64, Vec<Arc<RunMoment>>), Fail
     engine.command(Command::People(people));
     engine.shown();
     let mut states = Vec::new();
-    let mut begun = Instant::now();
+    let mut begun = used();
     for state in 0..STATES {
         if state == WARM {
-            begun = Instant::now();
+            begun = used();
         }
         engine.command(Command::Step);
         while engine.idle().is_some() {
@@ -76,7 +78,7 @@ fn states(count: usize, people: bool) -> Result<(f64, Vec<Arc<RunMoment>>), Fail
         }
         states.push(engine.shown().ok_or("nothing is shown")?);
     }
-    Ok((begun.elapsed().as_secs_f64() / (STATES - WARM) as f64, states))
+    Ok(((used() - begun).as_secs_f64() / (STATES - WARM) as f64, states))
 }
 
 /// Draws all states, one per frame. Returns the mean time, the longest time, and the bytes uploaded in the last frame.

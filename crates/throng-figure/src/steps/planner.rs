@@ -126,13 +126,18 @@ impl Planner {
             strike = strike.min(latest.max(time + SHORTEST_SWING));
         }
         let plant = self.plant(body, side, strike, cycle);
-        let (forward, _) = along(&lifted);
-        let roll = (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, if self.runs { 0.8 } else { 1.1 });
+        let roll = self.roll(&lifted);
         let rolling = if self.runs { 0.6 } else { 0.48 } * cycle.duty * cycle.duration;
         self.ready = (strike + (cycle.duty - 0.5) * cycle.duration).max(time + 0.1);
         let count = self.count + if side == self.last { 2.0 } else { 1.0 };
         let phases = [count / 2.0 - (1.0 - cycle.duty), count / 2.0];
         Step { side, lift: time, roll, rolling, plant, phases }
+    }
+
+    /// Returns the angle by which the heel of the foot on the ground rises in a motion, rad.
+    pub fn roll(&self, motion: &Motion) -> f64 {
+        let (forward, _) = along(motion);
+        (52.0_f64.to_radians() * (forward / 1.3)).clamp(0.0, if self.runs { 0.8 } else { 1.1 })
     }
 
     /// Returns the plant of a step that is under way, for a motion that changed since the step was decided.

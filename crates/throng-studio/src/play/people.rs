@@ -29,8 +29,8 @@ pub type Joints = [[f32; 4]; ROWS * JOINTS];
 pub struct Poses {
     /// The numbers of the agents, in order, and their people.
     pub people: Vec<(u32, Person)>,
-    /// For each person and each joint, the matrix from the body at rest, in heights of the person, to metres relative to
-    /// the world's origin.
+    /// For each person and each joint, the matrix from the body at rest (in heights of the person) to the world (in metres
+    /// relative to its origin).
     pub joints: Vec<Joints>,
 }
 
@@ -50,7 +50,7 @@ fn stands(setting: &Setting, body: &Body) -> bool {
 /// The people of a run. Their poses are a function of the states since the last jump in time.
 #[derive(Default)]
 pub(super) struct People {
-    followers: Vec<Box<Follower>>,
+    followers: Vec<Follower>,
     time: f64,
     poses: PosesBetween,
 }
@@ -107,7 +107,7 @@ impl People {
                     follower.next = next;
                     Some(follower)
                 }
-                None => Follower::new(body.number, person(setting, body)?, next).map(Box::new),
+                None => Follower::new(body.number, person(setting, body)?, next),
             }
         };
         self.followers = bodies.iter().filter(|body| stands(setting, body)).filter_map(follower).collect();
@@ -130,8 +130,9 @@ impl People {
 /// A person that follows an agent.
 struct Follower {
     number: u32,
-    skeleton: Skeleton,
-    live: Live,
+    // in boxes, as followers move when others enter and leave
+    skeleton: Box<Skeleton>,
+    live: Box<Live>,
     /// The last sample, and the next one with the velocity there.
     last: Sample,
     next: (Sample, DVec2),
@@ -142,8 +143,8 @@ struct Follower {
 impl Follower {
     /// Returns a person that stands where the agent is, `None` if that is no place.
     fn new(number: u32, person: Person, next: (Sample, DVec2)) -> Option<Self> {
-        let live = Live::new(person, next.0).ok()?;
-        Some(Self { number, skeleton: Skeleton::new(&person), live, last: next.0, next, new: true })
+        let live = Box::new(Live::new(person, next.0).ok()?);
+        Some(Self { number, skeleton: Box::new(Skeleton::new(&person)), live, last: next.0, next, new: true })
     }
 
     /// Puts the person where the agent is: on its way, or standing.
@@ -152,7 +153,7 @@ impl Follower {
         let velocity = if stands { DVec2::ZERO } else { velocity };
         // numbers that are not finite leave the person where it is
         if let Ok(live) = Live::moving(*self.live.person(), sample, velocity) {
-            (self.live, self.last) = (live, sample);
+            (*self.live, self.last) = (live, sample);
         }
         self.new = false;
     }

@@ -30,7 +30,7 @@ const BREADTH: f32 = 0.13;
 #[repr(C)]
 pub struct DrawnPerson {
     /// The numbers among the poses before and now (-1: there is none before); the number of the look; 0.
-    pub who: [f32; 4],
+    pub slots: [f32; 4],
     /// The colour of the top. Without opacity, it is that of the look.
     pub top: [u8; 4],
 }
@@ -79,8 +79,8 @@ fn level(height: f32) -> Level {
 }
 
 impl DrawnPeople {
-    /// Returns the people that are seen. `tops` are the colours of their tops, in the order of the poses; those without a
-    /// colour have that of their look. `unit` is the number of pixels per point of the screen.
+    /// Returns the people that are seen. `tops` are the colours of their tops, in the order of the poses; without a colour
+    /// a top has that of the look. `unit` is the number of pixels per point of the screen.
     pub fn seen(
         shown: &RunMoment,
         tops: &[Option<Color>],
@@ -104,7 +104,7 @@ impl DrawnPeople {
             let Some(height) = seen(projector, size, middle, person.height) else { continue };
             let before = if had { before as f32 } else { -1.0 };
             bodies[body(person.build, level(height * unit))].push(DrawnPerson {
-                who: [before, now as f32, person.look.into(), 0.0],
+                slots: [before, now as f32, person.look.into(), 0.0],
                 top: top.map_or([0; 4], paint),
             });
         }
@@ -180,9 +180,9 @@ mod tests {
             let projector = view(person.position.extend(0.9), 10.0, focal);
             let tops = vec![Some(Color::rgb(0x123456)); 36];
             let people = DrawnPeople::seen(&shown, &tops, 0.25, (&projector, SIZE, 1.0)).unwrap();
-            let drawn: Vec<_> = people.bodies.iter().flatten().filter(|drawn| drawn.who[1] == 5.0).collect();
+            let drawn: Vec<_> = people.bodies.iter().flatten().filter(|drawn| drawn.slots[1] == 5.0).collect();
             assert_eq!(drawn.len(), 1);
-            assert_eq!((drawn[0].who, drawn[0].top), ([5.0, 5.0, own.look.into(), 0.0], [0x12, 0x34, 0x56, 255]));
+            assert_eq!((drawn[0].slots, drawn[0].top), ([5.0, 5.0, own.look.into(), 0.0], [0x12, 0x34, 0x56, 255]));
             assert!(people.bodies[body(own.build, expected)].contains(drawn[0]), "{focal}");
             assert_eq!(people.share, 0.25);
         }
@@ -203,7 +203,7 @@ mod tests {
         let head = shown.frame.bodies[3].position.extend(1.6);
         let inside = Projector::Perspective(Lens::new(head, head + DVec3::X, 600.0, SIZE * 0.5, 1.0));
         let people = DrawnPeople::seen(&shown, &[None; 36], 1.0, (&inside, SIZE, 1.0)).unwrap();
-        assert!(people.bodies.iter().flatten().all(|drawn| drawn.who[1] != 3.0));
+        assert!(people.bodies.iter().flatten().all(|drawn| drawn.slots[1] != 3.0));
     }
 
     #[test]

@@ -198,7 +198,7 @@ fn long_steps_have_poses_between() {
 }
 
 #[test]
-fn who_is_a_person() {
+fn which_agents_are_people() {
     let (world, built) = gallery::scene("circle").unwrap().build().unwrap();
     let setting = moment::setting(&world, &built, "");
     let mut frame = Frame::default();

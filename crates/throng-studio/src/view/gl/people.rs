@@ -107,14 +107,14 @@ fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
     };
     let vertices: Vec<BodyVertex> = (0..mesh.positions.len()).map(vertex).collect();
     let triangles: Vec<u16> = mesh.triangles.iter().flat_map(|&triangle| painted(mesh, triangle)).collect();
-    let fields = [("who", Attribute::Floats(4)), ("fill", Attribute::Colour)];
+    let fields = [("slots", Attribute::Floats(4)), ("fill", Attribute::Colour)];
     let mut buffer = Buffer::new(gl, &fields, Some(0))?;
     let corners = [("at", Attribute::Floats(3)), ("normal", Attribute::Floats(3)), ("bones", Attribute::Floats(4))];
     buffer.hold(gl, &vertices, &corners, &triangles)?;
     Ok(buffer)
 }
 
-/// Returns a triangle with the vertex of its first region last: a triangle has the colour of its last vertex, so regions
+/// Returns a triangle with the vertex of its first region last. A triangle has the colour of its last vertex, so regions
 /// meet along rings.
 fn painted(mesh: &Mesh, mut triangle: [u32; 3]) -> [u16; 3] {
     let region = |vertex: u32| mesh.regions[vertex as usize];

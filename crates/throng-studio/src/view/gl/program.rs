@@ -10,7 +10,7 @@ const ATTRIBUTES: [(u32, &str); 17] = [
     (0, "from"),
     (1, "now"),
     (1, "to"),
-    (1, "who"),
+    (1, "slots"),
     (2, "color"),
     (2, "body"),
     (3, "look"),

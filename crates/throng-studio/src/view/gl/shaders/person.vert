@@ -4,7 +4,7 @@ in vec3 normal;
 // Two joints, the weight of the first, and the region.
 in vec4 bones;
 // The numbers among the poses before and now (-1: none before), and the look.
-in vec4 who;
+in vec4 slots;
 in vec4 fill;
 uniform highp sampler2D poses_before;
 uniform highp sampler2D poses_now;
@@ -31,13 +31,13 @@ mat3x4 skin(highp sampler2D poses, float person) {
 }
 
 void main() {
-    mat3x4 moved = skin(poses_now, who.y);
-    if (who.x >= 0.0 && share < 1.0) moved = skin(poses_before, who.x) * (1.0 - share) + moved * share;
+    mat3x4 moved = skin(poses_now, slots.y);
+    if (slots.x >= 0.0 && share < 1.0) moved = skin(poses_before, slots.x) * (1.0 - share) + moved * share;
     vec3 world = vec4(at, 1.0) * moved;
     side = vec4(normal, 0.0) * moved;
     height = world.z;
     int region = int(bones.w);
-    paint = vec4(palette[int(who.z) * REGIONS + region], 1.0);
+    paint = vec4(palette[int(slots.z) * REGIONS + region], 1.0);
     if (fill.a > 0.0 && (region == TOP || region == SLEEVES)) paint.rgb = fill.rgb;
     gl_Position = clip * vec4(world, 1.0);
 }
