@@ -98,6 +98,15 @@ impl Bin {
         self.accessors.len() - 1
     }
 
+    /// Adds numbers.
+    ///
+    /// # Errors
+    /// A system error, or [`TOO_LARGE`].
+    pub fn scalars(&mut self, values: &[f32]) -> io::Result<usize> {
+        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        self.accessor(of(FLOAT, "SCALAR", values.len()), &bytes)
+    }
+
     /// Adds points or sizes. `bounds`: whether the accessor states their minimum and maximum, as points of meshes
     /// require.
     ///
