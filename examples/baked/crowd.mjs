@@ -5,8 +5,6 @@ import * as THREE from 'three';
 
 /** Texels in a row of a texture. */
 const WIDTH = 4096;
-/** Distances up to which each level is drawn, metres. */
-const LEVELS = [8, 25, 60, Infinity];
 
 const VERTEX = `
 uniform highp isampler2D turns;
@@ -61,6 +59,8 @@ export class BakedCrowd extends THREE.Group {
   constructor(baked, times, hips, turns, levels) {
     super();
     this.name = 'People';
+    /** Distances from the camera up to which each level of detail is drawn, metres. */
+    this.levels = [8, 25, 60, Infinity];
     this.people = baked.people;
     this.times = times;
     this.duration = times.length ? times[times.length - 1] - times[0] : 0;
@@ -136,7 +136,7 @@ export class BakedCrowd extends THREE.Group {
       const poses = this.poses(person, frame);
       if (!poses) continue;
       const [x, y, z] = this.hips.subarray(3 * poses[0], 3 * poses[0] + 3);
-      const level = LEVELS.findIndex((far) => Math.hypot(x - eye.x, y - eye.y, z - eye.z) <= far);
+      const level = this.levels.findIndex((far) => Math.hypot(x - eye.x, y - eye.y, z - eye.z) <= far);
       const { poses: moving, person: fixed } = this.parts[person.body][level].attributes, at = counts[person.body][level]++;
       moving.setXYZ(at, ...poses);
       fixed.setXY(at, person.height, person.look);

@@ -25,9 +25,10 @@ def compare(name, armatures, frame_of):
         bpy.context.scene.frame_set(int(frame // 1), subframe=frame % 1)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         for number, armature in armatures.items():
-            if not skins.there(number, time):
-                continue
             placed = armature.evaluated_get(depsgraph)
+            if not skins.there(number, time):
+                assert max(placed.matrix_world.to_scale()) < 1e-4, (name, number, time)
+                continue
             for joint, want in skins.joints(number, time).items():
                 bone = next(bone for bone in placed.pose.bones if bone.name.split(".")[0] == joint)
                 off = np.linalg.norm(np.array(placed.matrix_world @ bone.head) - want)

@@ -1,12 +1,12 @@
 """USD reads the skeletons that throng wrote: python usda_people.py RUN.usda RUN.glb (of the same run).
 
 The joints of all people, by queries of UsdSkel, and the skins of some, are compared with those of the .glb, which are computed by the
-specification of glTF. The compliance checker finds no errors.
+specification of glTF. The validators of USD find no errors.
 """
 import sys
 
 import numpy as np
-from pxr import Gf, Usd, UsdGeom, UsdSkel, UsdUtils
+from pxr import Gf, Usd, UsdGeom, UsdSkel, UsdValidation
 
 from skins import Skins
 
@@ -49,8 +49,9 @@ for at, (number, root) in enumerate(numbers.items()):
             off = np.linalg.norm(found - skins.skin(number, time), axis=1)
             farthest, vertices = max(farthest, off.max()), vertices + len(off)
             assert off.max() < 0.02, (number, time, off.argmax())
-checker = UsdUtils.ComplianceChecker()
-checker.CheckCompliance(sys.argv[1])
-assert not checker.GetErrors() and not checker.GetFailedChecks(), (checker.GetErrors(), checker.GetFailedChecks())
+registry = UsdValidation.ValidationRegistry()
+errors = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators()).Validate(stage)
+wrong = [error for error in errors if error.GetType() == UsdValidation.ValidationErrorType.Error]
+assert not wrong, [(error.GetName(), error.GetMessage()) for error in wrong[:5]]
 print(f"{len(roots)} people, {joints} joints within {1e3 * worst:.1f} mm, {vertices} vertices within {1e3 * farthest:.1f} mm of those of "
-      f"the .glb; {len(checker.GetWarnings())} warnings")
+      f"the .glb; {len(errors)} remarks of validators")

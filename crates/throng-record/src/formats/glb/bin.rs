@@ -35,7 +35,7 @@ impl Bin {
         Ok(Self { file, len: 0, views: Vec::new(), accessors: Vec::new(), small: BTreeMap::new() })
     }
 
-    /// Starts a view for the data that follow. Returns its index.
+    /// Starts a view for the data that follow, or uses the last one if it is empty. Returns its index.
     ///
     /// # Errors
     /// A system error, or [`TOO_LARGE`].
@@ -43,6 +43,7 @@ impl Bin {
         // aligned for the widest number
         self.append(&[0; 7][..(self.len.wrapping_neg() % 8) as usize])?;
         self.small.clear();
+        self.views.pop_if(|last| last.byte_length == 0);
         self.views.push(BufferView { byte_offset: self.len, target, ..BufferView::default() });
         Ok(self.views.len() - 1)
     }

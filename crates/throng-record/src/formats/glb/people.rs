@@ -111,6 +111,8 @@ impl Skins {
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
+        // what follows is no data of vertices
+        bin.view(None)?;
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
         root.meshes

@@ -72,8 +72,7 @@ impl UsdaPerson {
         let number = *number.first().ok_or_else(|| lacks("throng:number"))?;
         let build = root.value("throng:build").and_then(|build| build_named(build.texts().first()?));
         let build = build.ok_or_else(|| lacks("throng:build of woman, man or child"))?;
-        let scale = root.value("xformOp:scale").ok_or_else(|| lacks("xformOp:scale"))?;
-        let height = *scale.numbers(3)?.first().ok_or_else(|| lacks("xformOp:scale"))?;
+        let height = root.value("throng:height").ok_or_else(|| lacks("throng:height"))?.number()?;
         let named = walk.value("joints").ok_or_else(|| lacks("joints"))?.texts();
         let find = |joint: &Joint| {
             let at = named.iter().position(|path| path.rsplit('/').next() == Some(joint.name()));

@@ -17,8 +17,8 @@
 //!
 //! People are agents on the ground with a radius of at most 0.5 m, in a file of at most 300 agents (or as
 //! [`FigureStyle`] says). They refer to their bodies without `instanceable`: importers that make instances would show
-//! the same walk for all. A person is invisible before its first and after its last sample, and while it is away. At
-//! rest it faces +x and no joint is rotated.
+//! the same walk for all. A person is invisible before its first and after its last sample, and while it is away;
+//! its scale is 0 then, since some programs ignore visibility. At rest it faces +x and no joint is rotated.
 //!
 //! Every agent has an entry in the lists at every frame. Before its first and after its last sample, an agent is among
 //! the `invisibleIds`, at its first or last position. Time codes count frames if frames come at an even rate, else

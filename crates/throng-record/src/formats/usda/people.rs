@@ -183,10 +183,12 @@ pub fn person(agent: u32, walk: &Walk, track: &[(u32, SpilledState)], (codes, ti
         let own = pose.rotations.iter().enumerate().map(|(k, &own)| if k == 0 { DQuat::IDENTITY } else { own });
         out.push_str(&list(own, turn));
     });
-    let visible = presence(&moments, codes.len());
-    let visible = list_of_samples(
-        visible.iter().map(|&(moment, there)| (codes[moment], if there { "\"inherited\"" } else { "\"invisible\"" })),
-    );
+    let changes = presence(&moments, codes.len());
+    let visible = changes.iter().map(|&(moment, there)| {
+        format!("{}: {}", codes[moment], if there { "\"inherited\"" } else { "\"invisible\"" })
+    });
+    let visible = format!("{{ {} }}", visible.collect::<Vec<_>>().join(", "));
+    let scale = scale(&changes, codes, height);
     let translations = list(offsets(person.build).into_iter(), |out, offset| tuple(out, offset.to_array(), PLACE + 1));
     let scales = list(0..JOINTS, |out, _| out.push_str("(1, 1, 1)"));
     let path = format!("/World/People/Agent_{agent}");
@@ -201,10 +203,11 @@ def SkelRoot \"Agent_{agent}\" (
     rel material:binding = <{MATERIAL}>
     rel skel:animationSource = <{path}/Walk>
     custom string throng:build = {build_text}
+    custom double throng:height = {height}
     custom int64 throng:number = {agent}
     token visibility.timeSamples = {visible}
     quatf xformOp:orient.timeSamples = {turns}
-    float3 xformOp:scale = ({height}, {height}, {height})
+    float3 xformOp:scale{scale}
     double3 xformOp:translate.timeSamples = {places}
     uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\", \"xformOp:scale\"]
 
@@ -242,10 +245,25 @@ fn turn(out: &mut String, rotation: DQuat) {
     tuple(out, [w, x, y, z], TURN);
 }
 
-/// Returns values at time codes.
-fn list_of_samples<'a>(samples: impl Iterator<Item = (f64, &'a str)>) -> String {
-    let all: Vec<String> = samples.map(|(code, value)| format!("{code}: {value}")).collect();
-    format!("{{ {} }}", all.join(", "))
+/// Returns the value of the scale of a person: its height, and 0 while it is away, for programs that ignore visibility.
+fn scale(changes: &[(usize, bool)], codes: &[f64], height: f64) -> String {
+    let size = |there: bool| if there { format!("({height}, {height}, {height})") } else { "(0, 0, 0)".to_owned() };
+    if changes.len() < 2 {
+        return format!(" = {}", size(true));
+    }
+    let mut text = String::from(".timeSamples = { ");
+    for (k, &(moment, there)) in changes.iter().enumerate() {
+        if k > 0 {
+            // readers interpolate: the size changes within a thousandth of a frame
+            let shortly = codes[moment] - 1e-3 * (codes[moment] - codes[moment - 1]);
+            if shortly > codes[moment - 1] && shortly < codes[moment] {
+                let _ = write!(text, ", {shortly}: {}", size(!there));
+            }
+            text.push_str(", ");
+        }
+        let _ = write!(text, "{}: {}", codes[moment], size(there));
+    }
+    text + " }"
 }
 
 /// Returns the frames at which a person appears or disappears, the first frame included, and whether it is there from
