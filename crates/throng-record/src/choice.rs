@@ -105,13 +105,16 @@ impl Choice {
         if matches!(style, FigureStyle::Skins | FigureStyle::Baked) && setting.in_space {
             return Err(ChoiceError::Fly { style });
         }
-        for kind in kinds {
-            if !self.columns.is_empty() && !kind.has_columns() {
-                return Err(ChoiceError::Columns { ending: kind.ending });
-            }
-            if style != FigureStyle::Auto && !kind.figure_styles().contains(&style) {
-                return Err(ChoiceError::Figures { ending: kind.ending, style });
-            }
+        let kinds: Vec<&Format> = kinds.into_iter().collect();
+        if let Some(kind) = kinds.iter().find(|kind| !self.columns.is_empty() && !kind.has_columns()) {
+            return Err(ChoiceError::Columns { ending: kind.ending });
+        }
+        // a format without figures may be written beside one that has them
+        let lacks = |kind: &Format| style != FigureStyle::Auto && !kind.figure_styles().contains(&style);
+        let odd = kinds.iter().find(|kind| lacks(kind) && !kind.figure_styles().is_empty());
+        let none = kinds.first().filter(|_| kinds.iter().all(|kind| lacks(kind)));
+        if let Some(kind) = odd.or(none) {
+            return Err(ChoiceError::Figures { ending: kind.ending, style });
         }
         Ok(())
     }
@@ -218,4 +221,25 @@ fn tables() -> String {
 fn formats(style: FigureStyle) -> String {
     let formats = crate::formats::FORMATS.iter().filter(|format| format.figure_styles().contains(&style));
     formats.map(|format| format!(".{}", format.ending)).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(all(test, feature = "bvh", feature = "glb"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_style_needs_a_format_that_has_it() {
+        let check = |style, names: &[&str], in_space| {
+            let choice = Choice { figures: style, ..Choice::default() };
+            let kinds = names.iter().map(|name| Format::of(name).unwrap());
+            choice.check(&Setting { in_space, ..Setting::default() }, kinds).map_err(|error| error.to_string())
+        };
+        assert_eq!(check(FigureStyle::Baked, &["a.csv", "a.glb"], false), Ok(()));
+        assert_eq!(check(FigureStyle::Auto, &["a.csv"], true), Ok(()));
+        assert_eq!(check(FigureStyle::Baked, &[], false), Ok(()));
+        let error = check(FigureStyle::Baked, &["a.glb", "a-*.bvh"], false).unwrap_err();
+        assert_eq!(error, "people in .bvh cannot be written as `baked`\n  hint: formats with `baked`: .glb");
+        assert!(check(FigureStyle::Skins, &["a.csv"], false).unwrap_err().starts_with("people in .csv cannot"));
+        assert!(check(FigureStyle::Skins, &["a.glb"], true).unwrap_err().contains("leave `--figures skins` out"));
+    }
 }

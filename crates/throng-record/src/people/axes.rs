@@ -7,6 +7,8 @@ use std::f32::consts::FRAC_1_SQRT_2;
 
 /// Rotates the scene's axes to those of glTF.
 const UP: Quat = Quat::from_xyzw(-FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2);
+/// The same in double precision.
+const EXACT_UP: DQuat = DQuat::from_xyzw(-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2);
 /// Rotates a body's own axes in glTF (left, up, ahead) to those in the scene (ahead, left, up).
 const AHEAD: Quat = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
 
@@ -57,12 +59,12 @@ pub(crate) fn exact_body_point(point: DVec3) -> DVec3 {
 /// Converts a rotation of the scene (a body faces +x) to glTF (a body faces +z), in double precision.
 #[cfg(feature = "bvh")]
 pub(crate) fn exact_turn(rotation: DQuat) -> DQuat {
-    UP.as_dquat().normalize() * rotation * AHEAD.as_dquat()
+    EXACT_UP * rotation * AHEAD.as_dquat()
 }
 
 /// Converts a rotation of glTF (a body faces +z) to the scene (a body faces +x).
 pub(crate) fn body(turn: DQuat) -> DQuat {
-    UP.as_dquat().conjugate() * turn * AHEAD.as_dquat().conjugate()
+    EXACT_UP.conjugate() * turn * AHEAD.as_dquat().conjugate()
 }
 
 /// Returns the direction, in the scene, that an agent with a glTF rotation faces.

@@ -37,7 +37,9 @@ fn joints_of_files_are_those_of_the_walk() {
             let found = figure.joints(time - 3.0).unwrap();
             for (found, want) in found.iter().zip(&want) {
                 assert!(found.position.distance(want.position) < 1e-5, "{number} {time}: {found:?} {want:?}");
-                assert!(found.rotation.angle_between(want.rotation) < 1e-5, "{number} {time}: {found:?} {want:?}");
+                // 13 µrad of three angles of 5e-5° for each of five joints, and positions of agents are singles on their
+                // way: 1 µm at the 0.13 m from the ankle to the toes
+                assert!(found.rotation.angle_between(want.rotation) < 3e-5, "{number} {time}: {found:?} {want:?}");
             }
         }
         assert_feet_stand(&figures);
