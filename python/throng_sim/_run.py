@@ -94,7 +94,7 @@ class Run:
         size: tuple[int, int] | None = None,
         moment: float | None = None,
     ) -> None:
-        """Writes files; the ending of a name says what: .csv, .parquet, .rec, .sqlite, .usda, .glb, .txt, .mp4, .gif,
+        """Writes files; the ending of a name says what: .csv, .parquet, .rec, .sqlite, .usda, .glb, .bvh, .txt, .mp4, .gif,
         .png, .svg and all others that `throng run` writes.
 
         `rate` is pictures a second of video, `speed_up` seconds of the world a second of video, `size` width and height

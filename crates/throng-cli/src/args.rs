@@ -149,6 +149,7 @@ Outputs, by the ending of the name:
   .sqlite           the same for JuPedSim and PedPy
   .usda             the same for film and animation (Universal Scene Description)
   .glb              the same for engines and the web (binary glTF)
+  NAME-*.bvh        the joints of each person, a file each: its number takes the place of *
   NAME/             a folder of PNG files, one a picture
   .avi, .webm, ...  other video, through the program ffmpeg if it is installed
 

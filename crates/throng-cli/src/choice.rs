@@ -3,6 +3,7 @@
 use crate::look::{parse_not_negative, parse_positive};
 use clap::Args;
 use std::ops::RangeInclusive;
+use throng_record::people::FigureStyle;
 use throng_record::{Choice, Column};
 
 /// Options for the part of a run that is written.
@@ -32,6 +33,10 @@ pub struct ChoiceArgs {
     /// The columns of tables (.csv, .parquet), in this order: number, group, time, x, y, z, vx, vy, vz, heading, radius, status
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub columns: Vec<Column>,
+
+    /// People in .glb, .usda and .bvh: auto (skins, for up to 300 agents), skins, baked (.glb: poses in one buffer), none
+    #[arg(long, value_name = "STYLE", default_value = "auto")]
+    pub figures: FigureStyle,
 }
 
 impl ChoiceArgs {
@@ -44,6 +49,7 @@ impl ChoiceArgs {
             agents: self.agents.clone(),
             groups: self.groups.clone(),
             columns: self.columns.clone(),
+            figures: self.figures,
         }
     }
 }

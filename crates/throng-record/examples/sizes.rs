@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mut world, built) = scene.build()?;
     let setting = moment::setting(&world, &built, &scene.title);
     let mut files = Vec::new();
-    for format in FORMATS.iter().filter(|format| format.is_written()) {
+    for format in FORMATS.iter().filter(|format| format.is_written() && format.is_read()) {
         let path = folder.join(&name).with_extension(format.ending);
         let writer = Choice::default()
             .create(format, format.output(&path)?, &setting, || false)

@@ -1,6 +1,7 @@
 //! Selects the part of a recording that is written.
 
 use crate::formats::{Column, Format, Writer};
+use crate::people::FigureStyle;
 use crate::resample::{Beat, Resampled, SLACK};
 use crate::{Frame, Output, OutputError, Setting};
 use std::ops::RangeInclusive;
@@ -21,6 +22,8 @@ pub struct Choice {
     pub groups: Vec<String>,
     /// The columns of a table, in this order; empty: those of the format.
     pub columns: Vec<Column>,
+    /// How people are written to formats that have figures.
+    pub figures: FigureStyle,
 }
 
 /// An error of a choice.
@@ -46,6 +49,20 @@ pub enum ChoiceError {
         /// The ending of its names.
         ending: &'static str,
     },
+    /// The format has no figures of this style.
+    #[error("people in .{ending} cannot be written as `{style}`\n  hint: formats with `{style}`: {}", formats(*style))]
+    Figures {
+        /// The ending of its names.
+        ending: &'static str,
+        /// The style.
+        style: FigureStyle,
+    },
+    /// The agents of the scene fly, and figures walk.
+    #[error("the agents of this scene fly, and figures walk\n  hint: leave `--figures {style}` out")]
+    Fly {
+        /// The style.
+        style: FigureStyle,
+    },
 }
 
 impl Default for Choice {
@@ -57,6 +74,7 @@ impl Default for Choice {
             agents: Vec::new(),
             groups: Vec::new(),
             columns: Vec::new(),
+            figures: FigureStyle::Auto,
         }
     }
 }
@@ -73,7 +91,8 @@ impl Choice {
     /// ```
     ///
     /// # Errors
-    /// A group does not exist, a column occurs twice, or one of the formats has no columns to choose.
+    /// A group does not exist, a column occurs twice, one of the formats has no columns to choose or no figures of the
+    /// chosen style, or agents fly that should be figures.
     pub fn check<'a>(&self, setting: &Setting, kinds: impl IntoIterator<Item = &'a Format>) -> Result<(), ChoiceError> {
         if let Some(name) = self.groups.iter().find(|name| !names(setting).any(|own| own == **name)) {
             return Err(ChoiceError::Group { name: name.clone(), groups: names(setting).collect() });
@@ -82,8 +101,22 @@ impl Choice {
         if let Some(column) = twice.map(|k| self.columns[k]) {
             return Err(ChoiceError::Twice { column });
         }
-        let fixed = kinds.into_iter().find(|kind| !self.columns.is_empty() && !kind.has_columns());
-        fixed.map_or(Ok(()), |kind| Err(ChoiceError::Columns { ending: kind.ending }))
+        let style = self.figures;
+        if matches!(style, FigureStyle::Skins | FigureStyle::Baked) && setting.in_space {
+            return Err(ChoiceError::Fly { style });
+        }
+        let kinds: Vec<&Format> = kinds.into_iter().collect();
+        if let Some(kind) = kinds.iter().find(|kind| !self.columns.is_empty() && !kind.has_columns()) {
+            return Err(ChoiceError::Columns { ending: kind.ending });
+        }
+        // a format without figures may be written beside one that has them
+        let lacks = |kind: &Format| style != FigureStyle::Auto && !kind.figure_styles().contains(&style);
+        let odd = kinds.iter().find(|kind| lacks(kind) && !kind.figure_styles().is_empty());
+        let none = kinds.first().filter(|_| kinds.iter().all(|kind| lacks(kind)));
+        if let Some(kind) = odd.or(none) {
+            return Err(ChoiceError::Figures { ending: kind.ending, style });
+        }
+        Ok(())
     }
 
     /// Parses agent numbers as users write them: a number, or the first and the last of a range.
@@ -114,7 +147,7 @@ impl Choice {
         setting: &Setting,
         stop: fn() -> bool,
     ) -> Option<Result<Box<dyn Writer>, OutputError>> {
-        let writer = match format.create(output, setting, &self.columns)? {
+        let writer = match format.create(output, setting, self)? {
             Ok(writer) => self.members(writer, setting),
             Err(error) => return Some(Err(error)),
         };
@@ -182,4 +215,31 @@ fn names(setting: &Setting) -> impl Iterator<Item = String> + '_ {
 fn tables() -> String {
     let tables = crate::formats::FORMATS.iter().filter(|format| format.has_columns());
     tables.map(|format| format!(".{}", format.ending)).collect::<Vec<_>>().join(", ")
+}
+
+/// Returns the endings of the formats that have a style of figures.
+fn formats(style: FigureStyle) -> String {
+    let formats = crate::formats::FORMATS.iter().filter(|format| format.figure_styles().contains(&style));
+    formats.map(|format| format!(".{}", format.ending)).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(all(test, feature = "bvh", feature = "glb"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_style_needs_a_format_that_has_it() {
+        let check = |style, names: &[&str], in_space| {
+            let choice = Choice { figures: style, ..Choice::default() };
+            let kinds = names.iter().map(|name| Format::of(name).unwrap());
+            choice.check(&Setting { in_space, ..Setting::default() }, kinds).map_err(|error| error.to_string())
+        };
+        assert_eq!(check(FigureStyle::Baked, &["a.csv", "a.glb"], false), Ok(()));
+        assert_eq!(check(FigureStyle::Auto, &["a.csv"], true), Ok(()));
+        assert_eq!(check(FigureStyle::Baked, &[], false), Ok(()));
+        let error = check(FigureStyle::Baked, &["a.glb", "a-*.bvh"], false).unwrap_err();
+        assert_eq!(error, "people in .bvh cannot be written as `baked`\n  hint: formats with `baked`: .glb");
+        assert!(check(FigureStyle::Skins, &["a.csv"], false).unwrap_err().starts_with("people in .csv cannot"));
+        assert!(check(FigureStyle::Skins, &["a.glb"], true).unwrap_err().contains("leave `--figures skins` out"));
+    }
 }

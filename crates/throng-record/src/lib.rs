@@ -23,6 +23,7 @@ pub mod moment;
 mod moments;
 mod output;
 pub mod pedestrian;
+pub mod people;
 mod resample;
 pub mod series;
 mod summary_cells;

@@ -72,7 +72,7 @@ Examples:
   throng measure AO_300_bottleneck.txt --area=-0.1,-2,2,2 --line=-0.6,0,2.4,0 -o bottleneck.html -o bottleneck.csv
       recorded people: a page of plots, and a table of all moments
   throng run circle -o circle.glb && throng measure circle.glb --feet
-      whether the feet of the exported people stand still on the ground
+      whether the feet of the exported people stand still on the ground; also of a .usda, or of the .bvh of a person
   throng measure hall.h5 --area \"0,0 4,0 2,3\" --walkable hall.wkt --cut-off 1";
 
 /// The arguments of `throng measure`.
@@ -102,7 +102,7 @@ pub struct MeasureArgs {
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 2.0)]
     pub lag: f64,
 
-    /// Measures how far the feet of the figures in a .glb file slide, read at four times its frames
+    /// Measures how far the feet of the people in a .glb, .usda or .bvh file slide, read at four times its frames
     #[arg(long, conflicts_with_all = ["group", "area", "line", "output", "walkable", "cut_off"])]
     pub feet: bool,
 

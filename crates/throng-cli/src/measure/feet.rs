@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::out::Out;
 use serde_json::{Value, json};
 use throng_figure::measure::{FeetMeasure, FeetReport};
-use throng_record::formats::glb::{Figure, figures};
+use throng_record::people::{Figure, Figures};
 
 /// Moments of a measurement for each frame of a file: what readers interpolate counts.
 const FINER: f64 = 4.0;
@@ -19,9 +19,8 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
     let bytes = std::fs::read(&args.of).map_err(|error| {
         Failure::hint(format!("{name}: {error}"), "--feet reads a file: throng run SCENE -o NAME.glb writes one")
     })?;
-    let found =
-        figures(&bytes).map_err(|flaw| Failure::hint(format!("{name}: {flaw}"), flaw.hint.unwrap_or_default()))?;
-    let step = (found.period / FINER) as f32;
+    let found = Figures::of_file(&args.of, &bytes)?;
+    let step = found.period / FINER;
     let each: Vec<(&Figure, FeetReport)> = found.all.iter().map(|figure| (figure, report(figure, step))).collect();
     let all = over(each.iter().map(|(_, report)| report));
     if args.report.json {
@@ -51,13 +50,13 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
 }
 
 /// Measures a person at moments `step` seconds apart.
-fn report(figure: &Figure, step: f32) -> FeetReport {
+fn report(figure: &Figure, step: f64) -> FeetReport {
     let mut feet = FeetMeasure::new(&figure.person);
     let [from, to] = figure.seconds;
     let moments = ((to - from) / step).round() as usize;
-    for second in (0..=moments).map(|k| from + k as f32 * step) {
+    for second in (0..=moments).map(|k| from + k as f64 * step) {
         if let Some(joints) = figure.joints(second) {
-            feet.push(f64::from(second), &joints);
+            feet.push(second, &joints);
         }
     }
     feet.report()

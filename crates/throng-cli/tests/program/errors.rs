@@ -427,6 +427,24 @@ const CASES: &[Case] = &[
     Case { what: "A measurement without agents", files: &[], command: "throng bench --agents 0", code: 2 },
     Case { what: "A work that does not exist", files: &[], command: "throng bench crosing", code: 2 },
     Case { what: "A contact sheet of a group that does not exist", files: &[], command: "throng sheet wals", code: 2 },
+    Case {
+        what: "A `.bvh` without a place for the number of the person",
+        files: &[],
+        command: "throng run circle -o people.bvh",
+        code: 2,
+    },
+    Case {
+        what: "People in a style that a file cannot have",
+        files: &[],
+        command: "throng run circle --figures baked -o run.usda",
+        code: 2,
+    },
+    Case {
+        what: "People of agents that fly",
+        files: &[],
+        command: "throng run drones --figures skins -o run.glb",
+        code: 2,
+    },
     Case { what: "An option that does not exist", files: &[], command: "throng run circle --frames 10", code: 2 },
 ];
 

@@ -225,3 +225,26 @@ fn coordinates_out_of_their_limits_are_refused() {
         }
     }
 }
+
+/// The feet of the same people stand in every file that has joints.
+#[test]
+fn feet_stand_in_every_file_of_people() {
+    let folder = folder();
+    let run = "run circle --no-expect -q --duration 6 --rate 25";
+    call(folder.path(), &format!("{run} -o run.glb -o run.usda -o *.bvh")).success();
+    call(folder.path(), &format!("{run} --figures baked -o baked.glb")).success();
+    for (file, people) in [("run.glb", 36), ("run.usda", 36), ("baked.glb", 36), ("7.bvh", 1)] {
+        let feet = stdout(&call(folder.path(), &format!("measure {file} --feet --json")).success());
+        let feet: Value = serde_json::from_str(&feet).unwrap();
+        assert_eq!(feet["people"], people, "{file}");
+        assert!(number(&feet["steps"]) >= 5.0 * f64::from(people), "{file}: {feet}");
+        assert!(number(&feet["mean_slide"]) < 0.003 && number(&feet["largest_slide"]) < 0.01, "{file}: {feet}");
+    }
+    let files = std::fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(files, 3 + 36, "a file for each person");
+    let wrong = stderr(&call(folder.path(), "measure circle.csv --feet").code(2));
+    assert!(wrong.contains("throng run SCENE -o NAME.glb"), "{wrong}");
+    std::fs::write(folder.path().join("run.csv"), "number,time,x,y\n1,0,0,0\n").unwrap();
+    let wrong = stderr(&call(folder.path(), "measure run.csv --feet").code(2));
+    assert!(wrong.starts_with("error: run.csv: files of this kind have no figures"), "{wrong}");
+}

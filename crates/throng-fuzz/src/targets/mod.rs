@@ -55,6 +55,10 @@ pub const TARGETS: &[Target] = &[
     }),
     plain("tables", "vadere", "traj", "trajectories: Vadere's", |bytes| tracks::read("traj", bytes)),
     plain("tables", "usda", "usda", "trajectories: Universal Scene Description", |bytes| tracks::read("usda", bytes)),
+    plain("tables", "bvh", "bvh", "people: Biovision hierarchy", |bytes| tracks::people("bvh", bytes)),
+    plain("tables", "usda-people", "usda", "people: Universal Scene Description", |bytes| {
+        tracks::people("usda", bytes)
+    }),
     plain("tables", "map", "xml", "maps of data sets: OpenTraj's map.xml", places::map),
     plain("tables", "groups", "txt", "groups of data sets: groups.txt", places::groups),
     Target {
@@ -70,6 +74,7 @@ pub const TARGETS: &[Target] = &[
     plain("binary", "parquet", "parquet", "trajectories: Apache Parquet", |bytes| tracks::read("parquet", bytes)),
     plain("binary", "sqlite", "sqlite", "trajectories: JuPedSim's", |bytes| tracks::read("sqlite", bytes)),
     plain("binary", "glb", "glb", "trajectories: binary glTF", |bytes| tracks::read("glb", bytes)),
+    plain("binary", "glb-people", "glb", "people: binary glTF", |bytes| tracks::people("glb", bytes)),
     plain("binary", "hdf5", "h5", "trajectories: HDF5 of the Pedestrian Dynamics Data Archive", |bytes| {
         tracks::read("h5", bytes)
     }),

@@ -5,6 +5,7 @@ use std::path::Path;
 use throng_record::formats::FORMATS;
 use throng_record::formats::rec::{Contents, RecWriter};
 use throng_record::pedestrian::People;
+use throng_record::people::Figures;
 use throng_record::{Choice, Format, Frame, Moments, Reading, Sample, Trajectories, Writer};
 
 /// Greatest number of rows of files that are written again.
@@ -32,6 +33,15 @@ pub(super) fn read(ending: &str, bytes: &[u8]) -> Result<(), String> {
         let own = Format::of(&name).filter(|format| format.is_written());
         own.into_iter().for_each(|format| drop(written(&tracks, format)));
         as_table(&tracks);
+    }
+    Ok(())
+}
+
+/// Reads the people of a file, and their joints at its first and last second.
+pub(super) fn people(ending: &str, bytes: &[u8]) -> Result<(), String> {
+    let figures = Figures::of_file(format!("input.{ending}"), bytes).map_err(|error| error.to_string())?;
+    for figure in &figures.all {
+        figure.seconds.iter().for_each(|&second| drop(std::hint::black_box(figure.joints(second))));
     }
     Ok(())
 }

@@ -18,8 +18,10 @@ pub(super) const FORMAT: Format = Format {
     ending: "txt",
     title: "people's trajectories as text: the Pedestrian Dynamics Data Archive's",
     columns: false,
+    styles: &[],
     create: None,
     read: Some(read),
+    figures: None,
     kept: false,
     sniff: None,
 };

@@ -17,8 +17,10 @@ pub(super) const FORMAT: Format = Format {
     ending: "h5",
     title: "people's trajectories in HDF5: the Pedestrian Dynamics Data Archive's",
     columns: false,
+    styles: &[],
     create: None,
     read: Some(read),
+    figures: None,
     kept: false,
     sniff: None,
 };

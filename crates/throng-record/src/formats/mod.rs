@@ -5,6 +5,10 @@
 mod archive;
 #[cfg(any(feature = "glb", feature = "usda"))]
 mod body;
+#[cfg(feature = "bvh")]
+pub mod bvh;
+#[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
+mod by_agent;
 mod columns;
 pub mod csv;
 #[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
@@ -23,11 +27,11 @@ mod obsmat;
 pub mod parquet;
 #[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod place;
-#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
+#[cfg(any(feature = "bvh", feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod rate;
 pub mod rec;
-#[cfg(any(feature = "glb", feature = "usda"))]
-mod spill;
+#[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
+pub(crate) mod spill;
 #[cfg(feature = "sqlite")]
 pub mod sqlite;
 #[cfg(test)]
@@ -39,8 +43,9 @@ mod vadere;
 
 pub use columns::Column;
 
+use crate::people::{FigureStyle, Figures};
 use crate::trajectories::Trajectories;
-use crate::{Frame, Output, OutputError, Setting};
+use crate::{Choice, Frame, Output, OutputError, Setting};
 use std::fmt;
 use std::path::Path;
 
@@ -59,6 +64,8 @@ pub const FORMATS: &[Format] = &[
     usda::FORMAT,
     #[cfg(feature = "glb")]
     glb::FORMAT,
+    #[cfg(feature = "bvh")]
+    bvh::FORMAT,
     obsmat::FORMAT,
     archive::FORMAT,
     vadere::FORMAT,
@@ -82,11 +89,15 @@ pub trait Writer: Send {
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
 }
 
-/// Creates a writer, of a table with these columns; without columns, the default ones.
-type Create = fn(Output, &Setting, &[Column]) -> Result<Box<dyn Writer>, OutputError>;
+/// Creates a writer, of a table with the columns of the choice (without columns, the default ones), or of people in its
+/// style.
+type Create = fn(Output, &Setting, &Choice) -> Result<Box<dyn Writer>, OutputError>;
 
 /// Reads a file in memory.
 type Read = fn(&[u8], &Reading) -> Result<Trajectories, FormatFlaw>;
+
+/// Reads the people of a file in memory.
+type ReadFigures = fn(&[u8]) -> Result<Figures, FormatFlaw>;
 
 /// Whether a file in memory has a format.
 type Sniff = fn(&[u8]) -> bool;
@@ -102,8 +113,11 @@ pub struct Format {
     kept: bool,
     /// Whether its columns can be chosen.
     columns: bool,
+    /// How people can be written; empty if the format has no figures.
+    styles: &'static [FigureStyle],
     create: Option<Create>,
     read: Option<Read>,
+    figures: Option<ReadFigures>,
     /// For formats that share an ending: whether a file has this format.
     sniff: Option<Sniff>,
 }
@@ -184,8 +198,16 @@ impl Format {
         self.columns
     }
 
-    /// Starts a file, a table with these columns (without columns, the default ones). Returns `None` if the format can
-    /// only be read.
+    /// The styles in which people can be written; empty if the format has no figures.
+    pub fn figure_styles(&self) -> &'static [FigureStyle] {
+        self.styles
+    }
+
+    pub(crate) fn figures(&self) -> Option<ReadFigures> {
+        self.figures
+    }
+
+    /// Starts a file as a choice requires. Returns `None` if the format can only be read.
     ///
     /// # Errors
     /// A system error, such as a full disk.
@@ -193,8 +215,8 @@ impl Format {
         &self,
         output: Output,
         setting: &Setting,
-        columns: &[Column],
+        choice: &Choice,
     ) -> Option<Result<Box<dyn Writer>, OutputError>> {
-        self.create.map(|create| create(output, setting, columns))
+        self.create.map(|create| create(output, setting, choice))
     }
 }

@@ -13,24 +13,24 @@ pub(super) const ROW: usize = 44;
 
 /// An agent of the recording.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SpilledAgent {
-    pub(super) number: u32,
-    pub(super) group: u32,
+pub(crate) struct SpilledAgent {
+    pub(crate) number: u32,
+    pub(crate) group: u32,
     /// Metres.
-    pub(super) radius: f32,
+    pub(crate) radius: f32,
     /// The first state.
-    pub(super) first: SpilledState,
+    pub(crate) first: SpilledState,
 }
 
 /// The motion state of an agent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct SpilledState {
+pub(crate) struct SpilledState {
     /// Metres from the origin of the setting.
-    pub(super) place: Vec3,
+    pub(crate) place: Vec3,
     /// m/s.
-    pub(super) velocity: Vec3,
+    pub(crate) velocity: Vec3,
     /// Rotation from facing +x upright.
-    pub(super) rotation: Quat,
+    pub(crate) rotation: Quat,
 }
 
 impl SpilledState {
@@ -62,16 +62,16 @@ impl SpilledState {
 /// Frames that wait on disk: 44 bytes per agent and frame, beside the output file. Memory holds the agents and a single
 /// frame.
 #[derive(Debug)]
-pub(super) struct Spill {
+pub(crate) struct Spill {
     file: BufWriter<File>,
     origin: DVec2,
     /// All agents, in order of their first frames.
-    pub(super) agents: Vec<SpilledAgent>,
+    pub(crate) agents: Vec<SpilledAgent>,
     index: BTreeMap<u32, u32>,
     /// The latest frame of each agent.
     last: Vec<u32>,
     /// The time of each frame, seconds, and its number of agents.
-    pub(super) moments: Vec<(f64, u32)>,
+    pub(crate) moments: Vec<(f64, u32)>,
     pub(super) rate: Rate,
     /// Corners of the bounding box of all positions, world coordinates.
     pub(super) seen: [DVec2; 2],

@@ -23,8 +23,10 @@ pub(super) const FORMAT: Format = Format {
     title: "trajectories of Vadere",
     kept: false,
     columns: false,
+    styles: &[],
     create: None,
     read: Some(read),
+    figures: None,
     sniff: None,
 };
 

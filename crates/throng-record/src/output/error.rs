@@ -22,6 +22,16 @@ pub enum OutputError {
         /// The path.
         path: PathBuf,
     },
+    /// A file holds one person, and the name has no place for the number of the person.
+    #[error(
+        "cannot write {}: a .bvh file holds one person; put * where the number of the agent belongs: {}",
+        path.display(),
+        numbered(path).display()
+    )]
+    OnePerson {
+        /// The name.
+        path: PathBuf,
+    },
     /// Another process is writing it.
     #[error("cannot write {}: another process is writing it; wait until that has ended, or name another file", path.display())]
     Busy {
@@ -89,6 +99,7 @@ impl OutputError {
         match self {
             Self::FolderMissing { path, .. }
             | Self::IsFolder { path }
+            | Self::OnePerson { path }
             | Self::Busy { path }
             | Self::Denied { path }
             | Self::Full { path }
@@ -97,4 +108,11 @@ impl OutputError {
             Self::Kept { error, .. } => error.path(),
         }
     }
+}
+
+/// Returns a name with a `*` before its ending.
+fn numbered(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-*.{ending}"))
 }

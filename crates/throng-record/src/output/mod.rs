@@ -170,6 +170,17 @@ impl Output {
         Self { target: path.clone(), path, file: OutputPlace::Memory(Vec::new(), hand), temporary: None }
     }
 
+    /// Starts another file where this one would be: in the file system, or in memory.
+    ///
+    /// # Errors
+    /// As [`create`](Self::create).
+    pub fn another(&self, path: impl AsRef<Path>) -> Result<Self, OutputError> {
+        match &self.file {
+            OutputPlace::Memory(_, hand) => Ok(Self::handed(path, *hand)),
+            OutputPlace::File(_) => Self::create(path),
+        }
+    }
+
     /// Returns the name of the complete file.
     pub fn path(&self) -> &Path {
         &self.path

@@ -8,10 +8,12 @@ mod results;
 use draw::Draw;
 use glam::{DVec2, Vec2};
 use results::Results;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use throng::Status;
 use throng_record::formats::FORMATS;
 use throng_record::formats::rec::Contents;
+use throng_record::people::FigureStyle;
 use throng_record::{Body, Choice, Column, Format, Frame, Reading, Setting, Trajectories, map, moment};
 use throng_scene::gallery;
 
@@ -92,12 +94,16 @@ fn as_text(tracks: &Trajectories, file: &Path) -> String {
     format!("{tracks:?}").replace(&*file.to_string_lossy(), "")
 }
 
-fn written(recording: &Recording, format: &Format, choice: &Choice, path: &Path) -> Vec<u8> {
-    let (setting, frames) = recording;
+fn write((setting, frames): &Recording, choice: &Choice, path: &Path) {
+    let format = Format::of(path).unwrap();
     let output = format.output(path).unwrap();
     let mut writer = choice.create(format, output, setting, || false).unwrap().unwrap();
     frames.iter().for_each(|frame| writer.push(frame).unwrap());
     writer.finish().unwrap();
+}
+
+fn written(recording: &Recording, choice: &Choice, path: &Path) -> Vec<u8> {
+    write(recording, choice, path);
     std::fs::read(path).unwrap()
 }
 
@@ -119,12 +125,12 @@ fn what_is_written_is_as_kept() {
             &(format.ending, format.title, format.is_read(), format.is_written(), format.has_columns()),
         );
     }
-    for format in FORMATS.iter().filter(|format| format.is_written()) {
+    for format in FORMATS.iter().filter(|format| format.is_written() && format.is_read()) {
         for (what, recording) in &recordings {
             for (choice, words) in [(&Choice::default(), ""), (&part, ", a part")] {
                 let (name, path) = (format!("{} of {what}{words}", format.ending), folder.path().join("run"));
                 let path = path.with_extension(format.ending);
-                let bytes = written(recording, format, choice, &path);
+                let bytes = written(recording, choice, &path);
                 let tracks = Trajectories::read(&path).unwrap();
                 results.add(&name, &as_text(&tracks, &path));
                 if is_plain(format) {
@@ -133,10 +139,23 @@ fn what_is_written_is_as_kept() {
             }
         }
     }
+    for (what, recording) in recordings.iter().filter(|(_, (setting, _))| !setting.in_space) {
+        let baked = Choice { figures: FigureStyle::Baked, ..Choice::default() };
+        let path = folder.path().join("run.glb");
+        results.add(&format!("baked people of {what}"), &written(recording, &baked, &path));
+        let people = tempfile::tempdir().unwrap();
+        write(recording, &Choice::default(), &people.path().join("*.bvh"));
+        let numbers: BTreeSet<u32> =
+            recording.1.iter().flat_map(|frame| &frame.bodies).map(|body| body.number).collect();
+        for number in numbers {
+            let file = std::fs::read(people.path().join(format!("{number}.bvh")));
+            results.add(&format!("bvh of {what}"), &file.ok());
+        }
+    }
     let columns = Choice { columns: Column::ALL.to_vec(), ..Choice::default() };
     for format in FORMATS.iter().filter(|format| format.has_columns()) {
         let path = folder.path().join("columns").with_extension(format.ending);
-        written(&recordings[0].1, format, &columns, &path);
+        written(&recordings[0].1, &columns, &path);
         results.add(&format!("all columns of {}", format.ending), &as_text(&Trajectories::read(&path).unwrap(), &path));
     }
     results.assert_kept("all/kept-written.txt");

@@ -31,7 +31,7 @@ impl Chosen {
         let parts = self.agents.split(',').map(str::trim).filter(|part| !part.is_empty());
         let agents = parts.map(Choice::numbers).collect::<Result<_, _>>().map_err(|says| format!("agents: {says}"))?;
         let columns = if has_columns(file) { self.columns.clone() } else { Vec::new() };
-        Ok(Choice { from, to, rate: self.rate, agents, groups: self.groups.clone(), columns })
+        Ok(Choice { from, to, rate: self.rate, agents, groups: self.groups.clone(), columns, ..Choice::default() })
     }
 
     /// Shows the fields as rows of a grid, for trajectories of a file of this name.

@@ -270,6 +270,7 @@ fn what_trajectories_have_is_chosen() {
         agents: vec![1..=1, 5..=9],
         groups: vec![group],
         columns: vec![Column::Time, Column::Y],
+        ..Choice::default()
     };
     assert_eq!(choice, expected);
     let others = wish.chosen.choice([1.0, 2.0], std::path::Path::new("a.rec")).unwrap();

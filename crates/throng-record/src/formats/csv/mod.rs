@@ -38,7 +38,9 @@ pub(super) const FORMAT: Format = Format {
     title: "a table of comma-separated values",
     kept: false,
     columns: true,
-    create: Some(|output, setting, columns| Ok(Box::new(CsvWriter::new(output, setting, columns)?))),
+    styles: &[],
+    create: Some(|output, setting, choice| Ok(Box::new(CsvWriter::new(output, setting, &choice.columns)?))),
     read: Some(read::read),
+    figures: None,
     sniff: None,
 };

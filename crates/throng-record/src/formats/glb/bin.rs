@@ -35,7 +35,7 @@ impl Bin {
         Ok(Self { file, len: 0, views: Vec::new(), accessors: Vec::new(), small: BTreeMap::new() })
     }
 
-    /// Starts a view for the data that follow. Returns its index.
+    /// Starts a view for the data that follow, or uses the last one if it is empty. Returns its index.
     ///
     /// # Errors
     /// A system error, or [`TOO_LARGE`].
@@ -43,6 +43,7 @@ impl Bin {
         // aligned for the widest number
         self.append(&[0; 7][..(self.len.wrapping_neg() % 8) as usize])?;
         self.small.clear();
+        self.views.pop_if(|last| last.byte_length == 0);
         self.views.push(BufferView { byte_offset: self.len, target, ..BufferView::default() });
         Ok(self.views.len() - 1)
     }
@@ -96,6 +97,15 @@ impl Bin {
     pub fn times_of(&mut self, from: usize, seconds: &[f32]) -> usize {
         self.accessors.push(Accessor { byte_offset: 4 * from as u64, ..times(seconds) });
         self.accessors.len() - 1
+    }
+
+    /// Adds numbers.
+    ///
+    /// # Errors
+    /// A system error, or [`TOO_LARGE`].
+    pub fn scalars(&mut self, values: &[f32]) -> io::Result<usize> {
+        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        self.accessor(of(FLOAT, "SCALAR", values.len()), &bytes)
     }
 
     /// Adds points or sizes. `bounds`: whether the accessor states their minimum and maximum, as points of meshes

@@ -26,25 +26,27 @@
 //! Of files that throng wrote, every frame is read. Of files of other programs, every node that an animation moves is
 //! read, at the times of the animation's samples.
 
-mod axes;
+mod baked;
+mod baked_read;
 mod bin;
-mod by_agent;
 mod data;
 mod figures;
 mod json;
 mod kept;
 mod motion;
 mod people;
+#[cfg(test)]
+mod people_tests;
 mod read;
 mod sampler;
 #[cfg(test)]
 mod tests;
 mod write;
 
-pub use figures::{Figure, Figures, figures};
 pub use write::GlbWriter;
 
 use super::Format;
+use crate::people::FigureStyle;
 
 /// glTF as one file: written and read.
 pub(super) const FORMAT: Format = Format {
@@ -53,8 +55,10 @@ pub(super) const FORMAT: Format = Format {
     kept: false,
     sniff: None,
     columns: false,
-    create: Some(|output, setting, _| Ok(Box::new(GlbWriter::new(output, setting)?))),
+    styles: &FigureStyle::ALL,
+    create: Some(|output, setting, choice| Ok(Box::new(GlbWriter::new(output, setting)?.style(choice.figures)))),
     read: Some(read::read),
+    figures: Some(figures::read),
 };
 
 /// The key of the buffer view with the times, in `asset.extras`.

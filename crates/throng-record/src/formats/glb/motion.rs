@@ -1,10 +1,10 @@
 //! Trajectories as an animation.
 
-use super::axes;
 use super::bin::Bin;
 use super::json::{Animation, Channel, Node, Sampler, Target};
 use super::kept::kept;
 use crate::formats::spill::{SpilledAgent, SpilledState};
+use crate::people::axes;
 use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::io;

@@ -1,35 +1,27 @@
 //! People as skinned figures that walk.
 
-use super::axes;
 use super::bin::Bin;
 use super::json::{Node, Root};
 use super::motion::{GlbMotion, Visit};
 use super::write::{POINTS, TRIANGLES};
-use crate::Setting;
 use crate::color::light;
-use crate::formats::spill::{SpilledAgent, SpilledState};
-use glam::{DQuat, Mat4, Quat, Vec3};
+use crate::people::{axes, name};
+use glam::{Mat4, Quat, Vec3};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::io;
-use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skeleton, Walk};
+use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Skeleton, Walk};
 
-/// The most agents of a file that has figures: skins of more take engines too long.
-pub const MOST: usize = 300;
-/// The longest recording with figures, seconds.
-const LONGEST: f64 = 14_400.0;
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
 /// Greatest error of a rotation about each axis, radians: of the joints from the hips to the feet, and of the others.
 const TURN_OF_LEG: f64 = 4e-4;
 const TURN: f64 = 5e-3;
 
-/// The figures of a file.
+/// The skins of a file.
 #[derive(Default)]
-pub struct People {
-    /// Whether there are any.
-    any: bool,
+pub struct Skins {
     /// The shapes of the builds: accessors of the attributes, of the triangles, and of the inverse bind matrices.
     shapes: BTreeMap<u8, Shape>,
     /// The meshes, by build and look.
@@ -44,37 +36,7 @@ struct Shape {
     mesh: Mesh,
 }
 
-impl People {
-    /// Returns the figures of a recording: none if agents fly, or if there are too many, or if it takes too long.
-    pub fn of(setting: &Setting, agents: &[SpilledAgent], times: &[f64]) -> Self {
-        let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
-        Self { any: !setting.in_space && agents.len() <= MOST && duration <= LONGEST, ..Self::default() }
-    }
-
-    /// Whether an agent is a person.
-    pub fn has(&self, agent: &SpilledAgent) -> bool {
-        self.person(agent).is_some()
-    }
-
-    fn person(&self, agent: &SpilledAgent) -> Option<Person> {
-        Person::of_agent(agent.number, agent.radius).filter(|_| self.any)
-    }
-
-    /// Returns the walk of an agent; `None` if it is not a person.
-    ///
-    /// # Errors
-    /// A position is not finite.
-    pub fn walk(&self, agent: &SpilledAgent, track: &[(u32, SpilledState)], times: &[f64]) -> io::Result<Option<Walk>> {
-        let Some(person) = self.person(agent) else { return Ok(None) };
-        let sample = |(moment, state): &(u32, SpilledState)| {
-            let ahead = (state.rotation * Vec3::X).as_dvec3();
-            let heading = libm::atan2(ahead.y, ahead.x);
-            Sample { time: times[*moment as usize], position: state.place.truncate().as_dvec2(), heading }
-        };
-        let samples: Vec<Sample> = track.iter().map(sample).collect();
-        Walk::recorded(&person, &samples).map(Some).map_err(io::Error::other)
-    }
-
+impl Skins {
     /// Adds the figure of an agent: joints below its node, their motion, a skin, and a mesh.
     ///
     /// # Errors
@@ -94,7 +56,7 @@ impl People {
         for joint in Joint::ALL {
             let turned: Vec<Quat> = match joint {
                 Joint::Hips => poses.iter().zip(&turns).map(|(pose, turn)| turn.conjugate() * hips(pose)).collect(),
-                _ => poses.iter().map(|pose| own(pose.rotations[joint.index()])).collect(),
+                _ => poses.iter().map(|pose| axes::own_turn(pose.rotations[joint.index()]).as_quat()).collect(),
             };
             let rest = turned.first().copied().unwrap_or_default();
             let mut child = Node { name: joint.name().into(), rotation: Some(rest.to_array()), ..Node::default() };
@@ -149,6 +111,8 @@ impl People {
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
+        // what follows is no data of vertices
+        bin.view(None)?;
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
         root.meshes
@@ -161,16 +125,7 @@ impl People {
 impl Shape {
     fn new(bin: &mut Bin, build: Build) -> io::Result<Self> {
         let mesh = Mesh::new(build, Level::Fine);
-        let own = |all: &[Vec3]| all.iter().map(|&point| axes::own(point)).collect::<Vec<_>>();
-        let mut add = |attribute: &dyn Fn(&mut Bin) -> io::Result<usize>| {
-            bin.view(Some(POINTS))?;
-            attribute(bin)
-        };
-        let positions = add(&|bin| bin.vectors(&own(&mesh.positions), true))?;
-        let normals = add(&|bin| bin.vectors(&own(&mesh.normals), false))?;
-        let (numbers, parts): (Vec<[u8; 4]>, Vec<[u8; 4]>) = bones(&mesh).unzip();
-        let joints = add(&|bin| bin.fours(&numbers, false))?;
-        let weights = add(&|bin| bin.fours(&parts, true))?;
+        let attributes = vertices(bin, &mesh)?;
         bin.view(Some(TRIANGLES))?;
         let triangles = bin.triangles(&mesh.triangles)?;
         bin.view(None)?;
@@ -178,9 +133,23 @@ impl Shape {
         let rest = skeleton.world(&skeleton.rest());
         let binds = rest.map(|joint| Mat4::from_translation(-axes::own(joint.position.as_vec3())));
         let binds = bin.matrices(&binds)?;
-        let attributes = json!({ "POSITION": positions, "NORMAL": normals, "JOINTS_0": joints, "WEIGHTS_0": weights });
         Ok(Self { attributes, triangles, binds, mesh })
     }
+}
+
+/// Adds the vertices of a mesh, each attribute in a view of its own. Returns the accessors by attribute.
+pub(super) fn vertices(bin: &mut Bin, mesh: &Mesh) -> io::Result<serde_json::Value> {
+    let own = |all: &[Vec3]| all.iter().map(|&point| axes::own(point)).collect::<Vec<_>>();
+    let mut add = |attribute: &dyn Fn(&mut Bin) -> io::Result<usize>| {
+        bin.view(Some(POINTS))?;
+        attribute(bin)
+    };
+    let positions = add(&|bin| bin.vectors(&own(&mesh.positions), true))?;
+    let normals = add(&|bin| bin.vectors(&own(&mesh.normals), false))?;
+    let (numbers, parts): (Vec<[u8; 4]>, Vec<[u8; 4]>) = bones(mesh).unzip();
+    let joints = add(&|bin| bin.fours(&numbers, false))?;
+    let weights = add(&|bin| bin.fours(&parts, true))?;
+    Ok(json!({ "POSITION": positions, "NORMAL": normals, "JOINTS_0": joints, "WEIGHTS_0": weights }))
 }
 
 /// Returns the joints that carry each vertex, and their parts in 255ths, which sum to 255.
@@ -214,18 +183,4 @@ pub(super) fn carries_feet(joint: Joint) -> bool {
 /// Returns the rotation of the hips in the scene of the file.
 fn hips(pose: &Pose) -> Quat {
     axes::turn(pose.rotations[Joint::Hips.index()].as_quat())
-}
-
-/// Returns a rotation within a body in glTF: its axes are left, up and ahead.
-fn own(rotation: DQuat) -> Quat {
-    let DQuat { x, y, z, w } = rotation;
-    DQuat::from_xyzw(y, z, x, w).as_quat()
-}
-
-/// The builds, and their names in files.
-pub const BUILDS: [(Build, &str); 3] = [(Build::Woman, "woman"), (Build::Man, "man"), (Build::Child, "child")];
-
-/// Returns the name of a build in files.
-pub fn name(build: Build) -> &'static str {
-    BUILDS.into_iter().find(|(known, _)| *known == build).map_or("man", |(_, name)| name)
 }

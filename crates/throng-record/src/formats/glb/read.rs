@@ -3,9 +3,10 @@
 use super::data::Data;
 use super::json::{Extras, Node, Person};
 use super::sampler::{Channels, SampledNode};
-use super::{TIMES, axes, seconds};
+use super::{TIMES, seconds};
 use crate::formats::names::Names;
 use crate::formats::{FormatFlaw, Reading, describe, keys};
+use crate::people::axes;
 use crate::trajectories::{RADIUS, Sample, Trajectories};
 use glam::{DMat4, DVec3, Quat, Vec3};
 use throng::Status;

@@ -1,23 +1,21 @@
 //! Tests of what is particular to glTF; the tests of all formats are in `formats/tests`.
 
 use super::data::Data;
-use super::people::{MOST, carries_feet};
 use super::sampler::Channels;
-use super::{FORMAT, Figures, axes, figures, seconds};
+use super::{FORMAT, figures, seconds};
 use crate::formats::Reading;
+use crate::people::{MOST_SKINS, axes};
 use crate::trajectories::Trajectories;
-use crate::{Body, Frame, Output, Setting};
+use crate::{Body, Choice, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
 use serde_json::{Value, json};
 use std::f64::consts::FRAC_1_SQRT_2;
 use throng::motion::Basis;
-use throng_figure::measure::FeetMeasure;
-use throng_figure::{Joint, Sample, Skeleton, Walk};
 
 fn written(setting: &Setting, frames: &[Frame]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.glb");
-    let mut writer = FORMAT.create(Output::create(&path).unwrap(), setting, &[]).unwrap().unwrap();
+    let mut writer = FORMAT.create(Output::create(&path).unwrap(), setting, &Choice::default()).unwrap().unwrap();
     frames.iter().for_each(|frame| writer.push(frame).unwrap());
     writer.finish().unwrap();
     std::fs::read(path).unwrap()
@@ -168,82 +166,14 @@ fn flying_agents_keep_their_whole_rotation() {
     assert_eq!((tracks.spots.len(), tracks.spots[0].time), (200, 5.0));
 }
 
-/// Three people: one walks straight on, one in a circle, one stops and goes.
-fn walkers() -> Vec<Frame> {
-    let place = |number: u32, time: f64| match number {
-        0 => (DVec2::new(1.3 * time, 0.0), 0.0),
-        1 => (DVec2::new(0.0, 5.0) + DVec2::from_angle(time) * 1.2, time + std::f64::consts::FRAC_PI_2),
-        _ => (DVec2::new(0.6 * (time - time.sin()), -5.0), 0.0),
-    };
-    let frame = |k: u32| {
-        let time = 0.04 * f64::from(k);
-        let body = |number: u32| {
-            let (at, heading) = place(number, time);
-            Body { heading: heading as f32, ..Body::walking(number, at) }
-        };
-        Frame { time: 3.0 + time, bodies: (0..3).map(body).collect(), ..Frame::default() }
-    };
-    (0..400).map(frame).collect()
-}
-
-#[test]
-fn people_of_a_file_stand_on_planted_feet() {
-    let bytes = written(&Setting::default(), &walkers());
-    let Figures { all, period } = figures(&bytes).unwrap();
-    assert_eq!((all.len(), (period * 1e3).round()), (3, 40.0));
-    for figure in &all {
-        let mut feet = FeetMeasure::new(&figure.person);
-        for k in 0..1596u16 {
-            let second = 0.01 * f32::from(k);
-            feet.push(f64::from(second), &figure.joints(second).unwrap());
-        }
-        let report = feet.report();
-        assert!(report.steps > 15, "{report:?}");
-        assert!(report.mean_slide <= 0.003 && report.largest_slide <= 0.01, "{report:?}");
-        assert!(report.penetration <= 0.005, "{report:?}");
-    }
-}
-
-/// Where the joints of a file are, they are in the walk of the same person.
-#[test]
-fn joints_of_a_file_are_those_of_the_walk() {
-    let frames = walkers();
-    let bytes = written(&Setting::default(), &frames);
-    for figure in &figures(&bytes).unwrap().all {
-        let sample = |frame: &Frame| {
-            let body = frame.bodies.iter().find(|body| body.number == figure.number).unwrap();
-            Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) }
-        };
-        let walk = Walk::recorded(&figure.person, &frames.iter().map(sample).collect::<Vec<_>>()).unwrap();
-        let skeleton = Skeleton::new(&figure.person);
-        for (k, frame) in frames.iter().enumerate() {
-            let (found, want) = (figure.joints(0.04 * k as f32), skeleton.world(&walk.pose(frame.time)));
-            for (joint, (found, want)) in Joint::ALL.iter().zip(found.unwrap().iter().zip(&want)) {
-                // joints that carry no feet may be off by 0.3° each
-                let off = if carries_feet(*joint) { 4e-3 } else { 12e-3 };
-                assert!(found.position.distance(want.position) < off, "{k}: {joint:?} {found:?} {want:?}");
-                assert!(found.rotation.angle_between(want.rotation) < 0.03, "{k}: {found:?} {want:?}");
-            }
-        }
-    }
-}
-
-#[test]
-fn joints_are_no_agents() {
-    let tracks = FORMAT.reader().unwrap()(&written(&Setting::default(), &walkers()), &Reading::default()).unwrap();
-    assert_eq!(tracks.spots.len(), 1200);
-    let last = tracks.spots.iter().rfind(|spot| spot.number == 0).unwrap();
-    assert!((last.place.x - 1.3 * 0.04 * 399.0).abs() < 2e-3 && last.place.z.abs() < 1e-6, "{last:?}");
-}
-
 #[test]
 fn files_without_figures_are_errors() {
     let (json, bin) = theirs();
-    assert_eq!(figures(&file(&json, &bin)).err().unwrap().why, "the file has no skins");
+    assert_eq!(figures::read(&file(&json, &bin)).err().unwrap().why, "the file does not say the times of its frames");
     let (mut json, bin) = theirs();
     json["skins"] = json!([{ "joints": [0, 1] }]);
     json["asset"]["extras"][super::TIMES] = json!(0);
-    assert!(figures(&file(&json, &bin)).is_err());
+    assert!(figures::read(&file(&json, &bin)).is_err());
 }
 
 /// Calls `found` with every value of a key, at any depth.
@@ -288,7 +218,7 @@ fn standing_agents_take_almost_no_space() {
     let frames = |count: u32| -> Vec<Frame> {
         let frame = |k: u32| {
             // too many for figures, which shift their weight while they stand
-            let bodies = (0..=MOST as u32).map(|n| Body::walking(n, DVec2::new(f64::from(n), 0.0))).collect();
+            let bodies = (0..=MOST_SKINS as u32).map(|n| Body::walking(n, DVec2::new(f64::from(n), 0.0))).collect();
             Frame { time: 0.04 * f64::from(k), bodies, ..Frame::default() }
         };
         (0..count).map(frame).collect()

@@ -1,14 +1,16 @@
 //! Writes binary glTF.
 
+use super::baked::Poses;
 use super::bin::{Bin, TOO_LARGE};
-use super::by_agent::by_agent;
 use super::json::{Asset, Buffer, Extras, Node, Person, Root};
 use super::motion::GlbMotion;
-use super::people::{self, People};
-use super::{TIMES, axes, seconds};
+use super::people::Skins;
+use super::{TIMES, seconds};
+use crate::formats::by_agent::by_agent;
 use crate::formats::mesh::{self, Mesh};
-use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
+use crate::formats::spill::{Spill, SpilledAgent, SpilledState, beside};
 use crate::formats::{PROGRAM, Writer, body, describe, keys};
+use crate::people::{self, FigureStyle, People, axes};
 use crate::{Frame, Output, OutputError, Setting, color};
 use glam::Vec3;
 use serde_json::{Value, json};
@@ -38,6 +40,7 @@ pub struct GlbWriter {
     output: Output,
     setting: Setting,
     spill: Spill,
+    style: FigureStyle,
 }
 
 impl GlbWriter {
@@ -47,7 +50,13 @@ impl GlbWriter {
     /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let spill = Spill::new(&output, setting)?;
-        Ok(Self { output, setting: setting.clone(), spill })
+        Ok(Self { output, setting: setting.clone(), spill, style: FigureStyle::Auto })
+    }
+
+    /// Returns the writer, which writes people in this style.
+    #[must_use]
+    pub fn style(self, style: FigureStyle) -> Self {
+        Self { style, ..self }
     }
 
     /// Returns the JSON and the binary chunk of the whole file.
@@ -59,16 +68,22 @@ impl GlbWriter {
         scene.times(&times)?;
         let agents = scene.place(&self.setting, &self.spill)?;
         let agents_of = &self.spill.agents;
-        let mut people = People::of(&self.setting, agents_of, &times);
-        let plain = agents_of.iter().any(|agent| !people.has(agent));
+        let (people, mut skins) = (People::of(self.style, &self.setting, &self.spill), Skins::default());
+        let baked = people.style == FigureStyle::Baked;
+        let plain = baked || agents_of.iter().any(|agent| !people.has(agent));
         let meshes = if plain { scene.bodies(&self.setting, agents_of)? } else { 0 };
         let (mut motion, flies) = (GlbMotion::new(&seconds), self.setting.in_space);
+        let mut poses = Poses::new(&self.output)?;
         scene.bin.view(None)?;
-        by_agent(&mut self.spill, &self.output, |agent, track| {
+        by_agent(&mut self.spill, beside(&self.output)?, |agent, track| {
             let (mut node, visit) = (named(agent, track, &self.setting, &times), motion.visit(track));
             let at = scene.root.nodes.len();
             scene.root.nodes[agents].children.push(at);
-            let Some(walk) = people.walk(agent, track, &times)? else {
+            let walk = people.walk(agent, track)?;
+            if let Some(walk) = walk.as_ref().filter(|_| baked) {
+                poses.add(agent.number, walk, &visit.moments, &times)?;
+            }
+            let Some(walk) = walk.filter(|_| !baked) else {
                 node.mesh = Some(meshes + agent.group as usize);
                 let scale = axes::own(body::scale(agent.radius, flies));
                 motion.agent(&mut scene.bin, (at, &mut node), scale, (agent, track, &visit))?;
@@ -80,9 +95,10 @@ impl GlbWriter {
             }
             let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
             scene.root.nodes.push(node);
-            people.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk), (&visit, &times), moved)
+            skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk), (&visit, &times), moved)
         })?;
         scene.root.animations = vec![motion.finish(&mut scene.bin)?];
+        poses.finish(&mut scene.root, &mut scene.bin)?;
         scene.root.animations.retain(|animation| !animation.channels.is_empty());
         Ok((scene.root, scene.bin))
     }

@@ -33,6 +33,8 @@ pub(super) const FORMAT: Format = Format {
     kept: false,
     sniff: None,
     columns: true,
-    create: Some(|output, setting, columns| Ok(Box::new(ParquetWriter::new(output, setting, columns)?))),
+    styles: &[],
+    create: Some(|output, setting, choice| Ok(Box::new(ParquetWriter::new(output, setting, &choice.columns)?))),
     read: Some(read::read),
+    figures: None,
 };

@@ -34,6 +34,8 @@ pub(super) const FORMAT: Format = Format {
     kept: true,
     sniff: None,
     columns: false,
+    styles: &[],
     create: Some(|output, setting, _| Ok(Box::new(RecWriter::new(output, setting)?))),
     read: Some(read::read),
+    figures: None,
 };

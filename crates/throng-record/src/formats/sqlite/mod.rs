@@ -30,6 +30,8 @@ pub(super) const FORMAT: Format = Format {
     kept: false,
     sniff: None,
     columns: false,
+    styles: &[],
     create: Some(|output, setting, _| Ok(Box::new(SqliteWriter::new(output, setting)?))),
     read: Some(read::read),
+    figures: None,
 };

@@ -4,7 +4,7 @@ mod crowd;
 
 use super::{FORMATS, Format, FormatFlaw, Reading, Writer, rec};
 use crate::trajectories::{Sample, Trajectories};
-use crate::{Frame, Output, OutputError, Setting};
+use crate::{Choice, Frame, Output, OutputError, Setting};
 use crowd::{Times, crowd};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -76,7 +76,7 @@ fn write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) {
 }
 
 fn try_write(format: &Format, path: &Path, setting: &Setting, frames: &[Frame]) -> Result<(), OutputError> {
-    let mut writer = format.create(Output::create(path)?, setting, &[]).unwrap()?;
+    let mut writer = format.create(Output::create(path)?, setting, &Choice::default()).unwrap()?;
     frames.iter().try_for_each(|frame| writer.push(frame))?;
     writer.finish()
 }

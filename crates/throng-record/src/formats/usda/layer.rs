@@ -11,6 +11,8 @@ const DEEPEST: usize = 64;
 /// A prim.
 #[derive(Debug, Default)]
 pub struct Prim<'a> {
+    /// The name; empty for the layer.
+    pub name: &'a str,
     /// The type; empty if there is none.
     pub kind: &'a str,
     pub attributes: Vec<Attribute<'a>>,
@@ -88,13 +90,15 @@ impl<'a> Cursor<'a> {
         if !matches!(self.peek(), Some(b'"' | b'\'')) {
             return Err(self.wrong("the name of a prim is missing"));
         }
+        let from = self.at + 1;
         self.string()?;
+        let name = self.text.get(from..self.at - 1).unwrap_or_default();
         self.blanks();
         if self.peek() == Some(b'(') {
             self.nested()?;
         }
         self.expect(b'{')?;
-        let mut prim = Prim { kind, ..Prim::default() };
+        let mut prim = Prim { name, kind, ..Prim::default() };
         loop {
             self.blanks();
             if self.takes(b'}') {

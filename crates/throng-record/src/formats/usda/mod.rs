@@ -8,9 +8,17 @@
 //! | `Agents` | a `PointInstancer`: `positions`, `orientations`, `velocities` (m/s) and `invisibleIds` at every frame; `ids` (the agents' numbers), `scales` (their radii) and `protoIndices` (their groups) once |
 //! | `Agents.primvars:group`, `primvars:speed` | the index of the group, and the speed in m/s |
 //! | `Agents/Prototypes/Group_0` and so on | a body per group, in its own colour, of radius 1: a figure of 1.75 m with a chest that points ahead; a dart in scenes with flying agents |
+//! | `Agents/Prototypes/Person` | empty: what the instancer draws of an agent that is a person |
+//! | `People/Agent_7` and so on | a person: a `SkelRoot` that stands and turns as the hips do and is scaled by the height, with a `Skeleton`, a `SkelAnimation` (`Walk`) of 19 joints, and a mesh (`Body`) with weights and normals |
+//! | `People/Bodies` | a class with the bodies that people refer to, by build and look |
 //!
 //! The attributes of `/World` hold the metadata of the scene ([`keys`](super::keys), with `:` for `.`), and
 //! `throng:times` the times of the frames in seconds.
+//!
+//! People are agents on the ground with a radius of at most 0.5 m, in a file of at most 300 agents (or as
+//! [`FigureStyle`] says). They refer to their bodies without `instanceable`: importers that make instances would show
+//! the same walk for all. A person is invisible before its first and after its last sample, and while it is away;
+//! its scale is 0 then, since some programs ignore visibility. At rest it faces +x and no joint is rotated.
 //!
 //! Every agent has an entry in the lists at every frame. Before its first and after its last sample, an agent is among
 //! the `invisibleIds`, at its first or last position. Time codes count frames if frames come at an even rate, else
@@ -21,16 +29,20 @@
 //! translations move it.
 
 mod cursor;
+mod figures;
 mod layer;
+mod people;
 mod read;
 #[cfg(test)]
 mod tests;
+mod text;
 mod value;
 mod write;
 
 pub use write::UsdaWriter;
 
 use super::Format;
+use crate::people::FigureStyle;
 
 /// USD as text: written and read.
 pub(super) const FORMAT: Format = Format {
@@ -39,8 +51,10 @@ pub(super) const FORMAT: Format = Format {
     kept: false,
     sniff: None,
     columns: false,
-    create: Some(|output, setting, _| Ok(Box::new(UsdaWriter::new(output, setting)?))),
+    styles: &[FigureStyle::Auto, FigureStyle::Skins, FigureStyle::None],
+    create: Some(|output, setting, choice| Ok(Box::new(UsdaWriter::new(output, setting)?.style(choice.figures)))),
     read: Some(read::read),
+    figures: Some(figures::read),
 };
 
 /// The attribute with the times of the frames, seconds.

@@ -13,16 +13,24 @@ const HINT: &str = "supported is USD as text with a PointInstancer, as `throng r
 
 /// Reads a stage as throng writes it.
 pub(super) fn read(bytes: &[u8], reading: &Reading) -> Result<Trajectories, FormatFlaw> {
-    parse(bytes, reading).map_err(|(at, why)| {
-        let before = bytes.get(..at).unwrap_or(bytes);
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        FormatFlaw { line: Some(line), why, hint: Some(HINT) }
-    })
+    parse(bytes, reading).map_err(|flaw| on_line(bytes, flaw, HINT))
+}
+
+/// Returns the error of a file with its line.
+pub(super) fn on_line(bytes: &[u8], (at, why): UsdaFlaw, hint: &'static str) -> FormatFlaw {
+    let before = bytes.get(..at).unwrap_or(bytes);
+    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    FormatFlaw { line: Some(line), why, hint: Some(hint) }
+}
+
+/// Parses a file.
+pub(super) fn stage(bytes: &[u8]) -> Result<Prim<'_>, UsdaFlaw> {
+    let text = std::str::from_utf8(bytes).map_err(|error| (error.valid_up_to(), "the file is not text".to_owned()))?;
+    layer::parse(text)
 }
 
 fn parse(bytes: &[u8], reading: &Reading) -> Result<Trajectories, UsdaFlaw> {
-    let text = std::str::from_utf8(bytes).map_err(|error| (error.valid_up_to(), "the file is not text".to_owned()))?;
-    let stage = layer::parse(text)?;
+    let stage = stage(bytes)?;
     let Some((path, agents)) = stage.children.iter().find_map(|prim| instancer(prim, Vec::new())) else {
         return Err((0, "there is no PointInstancer".to_owned()));
     };
@@ -74,14 +82,19 @@ fn said(prim: &Prim, key: &str) -> Option<String> {
     if key == keys::GROUPS { serde_json::to_string(&texts).ok() } else { texts.into_iter().next() }
 }
 
+/// Returns the time codes of a second.
+pub(super) fn codes_per_second(stage: &Prim) -> Result<f64, UsdaFlaw> {
+    let rate = stage.value("timeCodesPerSecond").or_else(|| stage.value("framesPerSecond"));
+    rate.map_or(Ok(CODES), |rate| rate.number().and_then(|value| positive(value, rate)))
+}
+
 /// Returns the times of the samples at time codes, seconds.
 fn times(world: &Prim, stage: &Prim, codes: Vec<f64>) -> Result<Vec<f64>, UsdaFlaw> {
     let said = world.value(TIMES).map(|times| times.numbers(1)).transpose()?;
     if let Some(times) = said.filter(|times| times.len() == codes.len()) {
         return Ok(times);
     }
-    let rate = stage.value("timeCodesPerSecond").or_else(|| stage.value("framesPerSecond"));
-    let rate = rate.map_or(Ok(CODES), |rate| rate.number().and_then(|value| positive(value, rate)))?;
+    let rate = codes_per_second(stage)?;
     Ok(codes.into_iter().map(|code| code / rate).collect())
 }
 
@@ -138,7 +151,7 @@ struct Crowd {
 impl Crowd {
     fn of(agents: &Prim, world: &Prim, unit: f64, names: &mut Names) -> Result<Self, UsdaFlaw> {
         let list = |name: &str| agents.value(name).map(|part| part.whole().map(|list| (part.at, list))).transpose();
-        let (at, kinds) = list("protoIndices")?.ok_or((0, "there are no protoIndices".to_owned()))?;
+        let (at, mut kinds) = list("protoIndices")?.ok_or((0, "there are no protoIndices".to_owned()))?;
         let (_, numbers) = list("ids")?.unwrap_or_else(|| (at, (0..kinds.len() as u32).collect()));
         let scales = agents.value("scales").map(|part| part.numbers(3)).transpose()?;
         let wide = |scales: Vec<f64>| scales.into_iter().step_by(3).map(|scale| (scale * unit) as f32).collect();
@@ -146,6 +159,10 @@ impl Crowd {
         if numbers.len() != kinds.len() || radii.len() != kinds.len() {
             let (ids, kinds, scales) = (numbers.len(), kinds.len(), radii.len());
             return Err((at, format!("there are {kinds} protoIndices, {ids} ids and {scales} scales")));
+        }
+        // the prototype of a person is not that of its group
+        if let Some((_, groups)) = list("primvars:group")?.filter(|(_, groups)| groups.len() == kinds.len()) {
+            kinds = groups;
         }
         let said = world.value(&keys::GROUPS.replace('.', ":")).map(|groups| groups.texts()).unwrap_or_default();
         let name = |kind: u32| said.get(kind as usize).filter(|name| !name.is_empty()).cloned();

@@ -1,9 +1,11 @@
 //! Tests of what is particular to USD; the tests of all formats are in `formats/tests`.
 
-use super::{FORMAT, layer};
+use super::{FORMAT, figures, layer};
 use crate::formats::{FormatFlaw, Reading};
+use crate::people::FigureStyle;
+use crate::people::samples::{self, assert_feet_stand, hard, planned, walkers};
 use crate::trajectories::Trajectories;
-use crate::{Body, Frame, Output, Setting};
+use crate::{Body, Choice, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
 use throng::motion::Basis;
 
@@ -110,7 +112,7 @@ fn flying_agents_keep_their_whole_rotation() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.usda");
     let setting = Setting { in_space: true, ..Setting::default() };
-    let mut writer = FORMAT.create(Output::create(&path).unwrap(), &setting, &[]).unwrap().unwrap();
+    let mut writer = FORMAT.create(Output::create(&path).unwrap(), &setting, &Choice::default()).unwrap().unwrap();
     writer.push(&Frame { bodies: vec![body], ..Frame::default() }).unwrap();
     writer.finish().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
@@ -120,4 +122,78 @@ fn flying_agents_keep_their_whole_rotation() {
     let [w, x, y, z] = turn[..] else { panic!("{turn:?}") };
     let turn = Quat::from_xyzw(x as f32, y as f32, z as f32, w as f32).normalize();
     assert!(turn.angle_between(basis.rotation()) < 0.01f32.to_radians());
+}
+
+/// Returns the bytes of a file with people of a style.
+fn people(frames: &[Frame], figures: FigureStyle) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.usda");
+    samples::write(&path, &Setting::default(), &Choice { figures, ..Choice::default() }, frames).unwrap();
+    std::fs::read(path).unwrap()
+}
+
+#[test]
+fn joints_of_a_file_are_those_of_the_walk() {
+    let frames = walkers();
+    let found = figures::read(&people(&frames, FigureStyle::Auto)).unwrap();
+    assert_eq!((found.all.len(), (found.period * 1e3).round()), (3, 40.0));
+    assert_feet_stand(&found);
+    for figure in &found.all {
+        for (time, want) in planned(figure, figure.number, &frames) {
+            for (found, want) in figure.joints(time).unwrap().iter().zip(&want) {
+                assert!(found.position.distance(want.position) < 1e-4, "{time}: {found:?} {want:?}");
+                assert!(found.rotation.angle_between(want.rotation) < 1e-4, "{time}: {found:?} {want:?}");
+            }
+        }
+    }
+}
+
+/// Skeletons change nothing of what is read of the agents.
+#[test]
+fn joints_are_no_agents() {
+    for frames in hard().into_iter().chain([walkers()]) {
+        let [with, without] = [FigureStyle::Skins, FigureStyle::None].map(|style| people(&frames, style));
+        let [with, without] =
+            [with, without].map(|bytes| FORMAT.reader().unwrap()(&bytes, &Reading::default()).unwrap());
+        assert_eq!(with, without);
+        assert_eq!(with.spots.len(), frames.iter().map(|frame| frame.bodies.len()).sum::<usize>());
+    }
+}
+
+#[test]
+fn people_are_invisible_while_they_are_away() {
+    for frames in hard() {
+        let found = figures::read(&people(&frames, FigureStyle::Auto)).unwrap();
+        for figure in &found.all {
+            for frame in &frames {
+                let there = frame.bodies.iter().any(|body| body.number == figure.number);
+                let joints = figure.joints(frame.time + 1e-6);
+                assert_eq!(joints.is_some(), there, "{} at {}", figure.number, frame.time);
+                let joints = joints.into_iter().flatten();
+                assert!(joints.into_iter().all(|joint| joint.position.is_finite() && joint.rotation.is_finite()));
+            }
+        }
+    }
+}
+
+#[test]
+fn damaged_people_are_errors() {
+    let text = String::from_utf8(people(&walkers()[..3], FigureStyle::Auto)).unwrap();
+    let flaw = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        figures::read(text.replacen(from, to, 1).as_bytes()).unwrap_err().why
+    };
+    let last = text.rfind("uniform token[] joints").unwrap();
+    let lost = text[..last].to_owned() + &text[last..].replacen("LeftFoot\"", "LeftPaw\"", 1);
+    assert_eq!(figures::read(lost.as_bytes()).unwrap_err().why, "the SkelRoot Agent_2 has no joint LeftFoot");
+    assert_eq!(flaw("int64 throng:number", "int64 throng:nummer"), "the SkelRoot Agent_0 has no throng:number");
+    assert_eq!(
+        flaw("throng:build = \"", "throng:build = \"giant"),
+        "the SkelRoot Agent_0 has no throng:build of woman, man or child"
+    );
+    assert_eq!(flaw("76: [(1, 0, 0, 0), ", "76: ["), "there are 72 numbers where 76 are expected");
+    assert!(figures::read(&people(&walkers()[..3], FigureStyle::None)).unwrap_err().why.contains("no SkelRoot"));
+    for end in (0..text.len()).step_by(1009) {
+        assert!(figures::read(&text.as_bytes()[..end]).is_err(), "{end} of {} bytes", text.len());
+    }
 }

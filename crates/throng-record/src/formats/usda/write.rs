@@ -1,13 +1,17 @@
 //! Writes USD.
 
+use super::people;
+use super::text::{code, indented, list, quoted, triple, turn};
 use super::{CODES, TIMES};
+use crate::formats::by_agent::by_agent;
 use crate::formats::mesh::{self, Mesh};
-use crate::formats::spill::{Spill, SpilledState};
+use crate::formats::spill::{Spill, SpilledState, beside};
 use crate::formats::{Writer, body, describe, keys};
+use crate::people::{FigureStyle, People};
 use crate::{Frame, Output, OutputError, Setting, color};
-use glam::{Quat, Vec3};
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
+use throng_figure::Person;
 
 /// Collects trajectories during a run and writes them at the end. The [module](super) describes the prims.
 ///
@@ -26,6 +30,7 @@ pub struct UsdaWriter {
     output: Output,
     setting: Setting,
     spill: Spill,
+    style: FigureStyle,
 }
 
 /// Writes one agent's entry of a list.
@@ -38,7 +43,14 @@ impl UsdaWriter {
     /// A system error, such as a full disk.
     pub fn new(output: Output, setting: &Setting) -> Result<Self, OutputError> {
         let spill = Spill::new(&output, setting)?;
-        Ok(Self { output, setting: setting.clone(), spill })
+        Ok(Self { output, setting: setting.clone(), spill, style: FigureStyle::Auto })
+    }
+
+    /// Returns the writer, which writes people in this style; [`FigureStyle::Baked`] is as
+    /// [`Skins`](FigureStyle::Skins).
+    #[must_use]
+    pub fn style(self, style: FigureStyle) -> Self {
+        Self { style, ..self }
     }
 
     /// Writes everything before the agents.
@@ -76,7 +88,7 @@ impl UsdaWriter {
     }
 
     /// Writes the agents' constant properties and their prototypes.
-    fn agents(&mut self) -> io::Result<()> {
+    fn agents(&mut self, people: &People) -> io::Result<()> {
         let agents = &self.spill.agents;
         let groups = agents.iter().map(|agent| agent.group as usize + 1).max().unwrap_or(0);
         let groups = groups.max(self.setting.groups.len());
@@ -84,13 +96,16 @@ impl UsdaWriter {
         let whole = |out: &mut String, value: u32| out.push_str(&value.to_string());
         let numbers = list(agents.iter().map(|agent| agent.number), whole);
         let of = list(agents.iter().map(|agent| agent.group), whole);
+        let drawn = list(agents.iter().map(|agent| if people.has(agent) { groups as u32 } else { agent.group }), whole);
+        let any = agents.iter().any(|agent| people.has(agent));
+        let person = any.then(|| "</World/Agents/Prototypes/Person>".to_owned());
         let flies = self.setting.in_space;
         let scales = list(agents.iter(), |out, agent| triple(out, body::scale(agent.radius, flies), 4));
         let mut text = format!(
-            "\n    def PointInstancer \"Agents\"\n    {{\n        int64[] ids = {numbers}\n        int[] protoIndices = {of}\n        \
+            "\n    def PointInstancer \"Agents\"\n    {{\n        int64[] ids = {numbers}\n        int[] protoIndices = {drawn}\n        \
              rel prototypes = {}\n        float3[] scales = {scales}\n        int[] primvars:group = {of} (\n            \
              interpolation = \"vertex\"\n        )\n",
-            list(0..groups, |out, k| out.push_str(&prototype(k)))
+            list((0..groups).map(prototype).chain(person), |out, path| out.push_str(&path))
         );
         text.push_str("\n        def Scope \"Prototypes\"\n        {");
         let body = body::mesh(flies);
@@ -103,6 +118,9 @@ impl UsdaWriter {
                 "\n            def Xform \"Group_{group}\"\n            {{\n                custom string throng:name = {name}\n\
                  {mesh}            }}\n"
             );
+        }
+        if any {
+            text.push_str("\n            def Xform \"Person\"\n            {\n            }\n");
         }
         text.push_str("        }\n");
         self.output.write_all(text.as_bytes())
@@ -136,8 +154,9 @@ impl UsdaWriter {
     }
 
     fn write(&mut self) -> io::Result<()> {
+        let people = People::of(self.style, &self.setting, &self.spill);
         self.head()?;
-        self.agents()?;
+        self.agents(&people)?;
         self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
         self.samples("vector3f[] velocities", |out, state| triple(out, state.velocity, 3))?;
         self.samples("quath[] orientations", |out, state| turn(out, state.rotation))?;
@@ -148,8 +167,33 @@ impl UsdaWriter {
             let gone = numbers.iter().zip(there).filter(|(_, there)| !**there);
             list(gone, |out, (number, _)| out.push_str(&number.to_string()))
         })?;
+        self.output.write_all(b"    }\n")?;
+        self.people(&people)?;
         // without a final line break, a file that is cut off lacks a brace
-        self.output.write_all(b"    }\n}")
+        self.output.write_all(b"}")
+    }
+
+    /// Writes the people.
+    fn people(&mut self, crowd: &People) -> io::Result<()> {
+        let here: Vec<Person> = self.spill.agents.iter().filter_map(|agent| crowd.person(agent)).collect();
+        if here.is_empty() {
+            return Ok(());
+        }
+        let codes = self.codes();
+        let mut last = f64::NEG_INFINITY;
+        let mut grow = |&(time, _): &(f64, u32)| {
+            last = code(time, codes).max(last.next_up());
+            last
+        };
+        let (times, codes): (Vec<f64>, Vec<f64>) = self.spill.moments.iter().map(|at| (at.0, grow(at))).unzip();
+        self.output.write_all(people::bodies(&here).as_bytes())?;
+        let (scratch, output) = (beside(&self.output)?, &mut self.output);
+        by_agent(&mut self.spill, scratch, |agent, track| {
+            let Some(walk) = crowd.walk(agent, track)? else { return Ok(()) };
+            let text = people::person(agent.number, &walk, track, (&codes, &times));
+            output.write_all(indented(&text, "        ").as_bytes())
+        })?;
+        self.output.write_all(b"    }\n")
     }
 }
 
@@ -162,54 +206,6 @@ impl Writer for UsdaWriter {
         self.write().map_err(|error| self.output.error(error))?;
         self.output.finish()
     }
-}
-
-/// Returns a time as a time code, to a millionth.
-fn code(time: f64, codes: f64) -> f64 {
-    (time * codes * 1e6).round() / 1e6
-}
-
-/// Returns a list of values as text.
-fn list<T>(values: impl Iterator<Item = T>, mut entry: impl FnMut(&mut String, T)) -> String {
-    let mut out = String::from("[");
-    for (k, value) in values.enumerate() {
-        if k > 0 {
-            out.push_str(", ");
-        }
-        entry(&mut out, value);
-    }
-    out.push(']');
-    out
-}
-
-fn triple(out: &mut String, value: Vec3, decimals: usize) {
-    let _ = write!(out, "({:.decimals$}, {:.decimals$}, {:.decimals$})", value.x, value.y, value.z);
-}
-
-/// Writes a rotation; a rotation about z has plain zeros for the other axes.
-fn turn(out: &mut String, rotation: Quat) {
-    let [x, y, z, w] = rotation.to_array();
-    if x == 0.0 && y == 0.0 {
-        let _ = write!(out, "({w:.5}, 0, 0, {z:.5})");
-    } else {
-        let _ = write!(out, "({w:.5}, {x:.5}, {y:.5}, {z:.5})");
-    }
-}
-
-/// Returns a text in quotes.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => out.extend(['\\', letter]),
-            '\n' => out.push_str("\\n"),
-            '\r' => out.push_str("\\r"),
-            '\t' => out.push_str("\\t"),
-            other => out.push(other),
-        }
-    }
-    out.push('"');
-    out
 }
 
 /// Returns a mesh with its path, indented. Its colour is written twice: for programs that draw without materials, and
@@ -251,6 +247,5 @@ def Mesh \"{name}\" (
 }}
 "
     );
-    let line = |line: &str| if line.is_empty() { "\n".to_owned() } else { format!("{indent}{line}\n") };
-    text.lines().map(line).collect()
+    indented(&text, indent)
 }

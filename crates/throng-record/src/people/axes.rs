@@ -1,40 +1,74 @@
-//! Converts between the axes of the scene (z up, x ahead) and those of glTF (y up, z ahead in a body's own space).
+//! Converts between the axes of the scene (z up, x ahead) and those of glTF and BVH (y up, z ahead in a body's own space).
+//!
+//! "glTF" stands for both formats below.
 
 use glam::{DQuat, DVec3, Quat, Vec3};
 use std::f32::consts::FRAC_1_SQRT_2;
 
 /// Rotates the scene's axes to those of glTF.
 const UP: Quat = Quat::from_xyzw(-FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2);
+/// The same in double precision.
+const EXACT_UP: DQuat = DQuat::from_xyzw(-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2);
 /// Rotates a body's own axes in glTF (left, up, ahead) to those in the scene (ahead, left, up).
 const AHEAD: Quat = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
 
 /// Converts a point of the scene to glTF.
-pub fn point(place: Vec3) -> Vec3 {
+pub(crate) fn point(place: Vec3) -> Vec3 {
     Vec3::new(place.x, place.z, -place.y)
 }
 
+/// Returns a rotation within a body in glTF: its axes are left, up and ahead.
+pub(crate) fn own_turn(rotation: DQuat) -> DQuat {
+    let DQuat { x, y, z, w } = rotation;
+    DQuat::from_xyzw(y, z, x, w)
+}
+
 /// Converts a point of glTF to the scene.
-pub fn place(point: DVec3) -> DVec3 {
+pub(crate) fn place(point: DVec3) -> DVec3 {
     DVec3::new(point.x, -point.z, point.y)
 }
 
 /// Converts a point or a size in a body's own space to glTF.
-pub fn own(place: Vec3) -> Vec3 {
+pub(crate) fn own(place: Vec3) -> Vec3 {
     Vec3::new(place.y, place.z, place.x)
 }
 
 /// Converts a rotation of the scene (a body faces +x) to glTF (a body faces +z).
-pub fn turn(rotation: Quat) -> Quat {
+pub(crate) fn turn(rotation: Quat) -> Quat {
     UP * rotation * AHEAD
 }
 
+/// Converts a point of the scene to glTF, in double precision.
+#[cfg(feature = "bvh")]
+pub(crate) fn exact_point(place: DVec3) -> DVec3 {
+    DVec3::new(place.x, place.z, -place.y)
+}
+
+/// Converts a point or a size in a body's own space to glTF, in double precision.
+#[cfg(feature = "bvh")]
+pub(crate) fn exact_own(place: DVec3) -> DVec3 {
+    DVec3::new(place.y, place.z, place.x)
+}
+
+/// Converts a point in a body's own space in glTF to the scene, in double precision.
+#[cfg(feature = "bvh")]
+pub(crate) fn exact_body_point(point: DVec3) -> DVec3 {
+    DVec3::new(point.z, point.x, point.y)
+}
+
+/// Converts a rotation of the scene (a body faces +x) to glTF (a body faces +z), in double precision.
+#[cfg(feature = "bvh")]
+pub(crate) fn exact_turn(rotation: DQuat) -> DQuat {
+    EXACT_UP * rotation * AHEAD.as_dquat()
+}
+
 /// Converts a rotation of glTF (a body faces +z) to the scene (a body faces +x).
-pub fn body(turn: DQuat) -> DQuat {
-    UP.as_dquat().conjugate() * turn * AHEAD.as_dquat().conjugate()
+pub(crate) fn body(turn: DQuat) -> DQuat {
+    EXACT_UP.conjugate() * turn * AHEAD.as_dquat().conjugate()
 }
 
 /// Returns the direction, in the scene, that an agent with a glTF rotation faces.
-pub fn ahead(turn: Quat) -> Vec3 {
+pub(crate) fn ahead(turn: Quat) -> Vec3 {
     let ahead = turn * Vec3::Z;
     Vec3::new(ahead.x, -ahead.z, ahead.y)
 }

@@ -1,21 +1,20 @@
 //! Regroups spilled frames by agent.
 
-use crate::Output;
-use crate::formats::spill::{ROW, Spill, SpilledAgent, SpilledState, beside};
+use super::spill::{ROW, Spill, SpilledAgent, SpilledState};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 
 /// Number of rows that are sorted in memory at a time (12 MiB); a single frame may have more.
 const SORTED: usize = if cfg!(test) { 7 } else { 1 << 18 };
 
-/// Calls `each` with every agent and its states by frame. A second copy of all rows lies on disk meanwhile; memory
-/// holds the rows of one agent.
+/// Calls `each` with every agent and its states by frame. A second copy of all rows lies in `file` meanwhile
+/// ([`beside`](super::spill::beside)); memory holds the rows of one agent.
 ///
 /// # Errors
 /// A system error, or an error of `each`.
-pub fn by_agent(
+pub(super) fn by_agent(
     spill: &mut Spill,
-    output: &Output,
+    mut file: File,
     mut each: impl FnMut(&SpilledAgent, &[(u32, SpilledState)]) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut counts = vec![0u64; spill.agents.len()];
@@ -28,7 +27,7 @@ pub fn by_agent(
         Some(*end)
     });
     let mut next: Vec<u64> = ends.zip(&counts).map(|(end, count)| end - count).collect();
-    let (mut file, mut rows) = (beside(output)?, Vec::new());
+    let mut rows = Vec::new();
     spill.replay(|moment, _, there| {
         rows.extend(there.iter().map(|(at, state)| (*at, state.row(moment))));
         if rows.len() < SORTED { Ok(()) } else { settle(&mut file, &mut rows, &mut next) }

@@ -1,0 +1,94 @@
+//! Tests of people: skins and baked poses are compared with the planned poses.
+
+use super::people::carries_feet;
+use super::{FORMAT, figures};
+use crate::formats::Reading;
+use crate::people::FigureStyle;
+use crate::people::samples::{self, assert_feet_stand, hard, planned, walkers};
+use crate::{Choice, Frame, Setting};
+use std::collections::BTreeSet;
+use throng_figure::Joint;
+
+/// Returns the bytes of a file with people of a style.
+fn written(frames: &[Frame], figures: FigureStyle) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.glb");
+    samples::write(&path, &Setting::default(), &Choice { figures, ..Choice::default() }, frames).unwrap();
+    std::fs::read(path).unwrap()
+}
+
+#[test]
+fn people_of_a_file_stand_on_planted_feet() {
+    let found = figures::read(&written(&walkers(), FigureStyle::Auto)).unwrap();
+    assert_eq!((found.all.len(), (found.period * 1e3).round()), (3, 40.0));
+    assert_feet_stand(&found);
+}
+
+/// Where the joints of a file are, they are in the walk of the same person.
+#[test]
+fn joints_of_a_file_are_those_of_the_walk() {
+    let frames = walkers();
+    let bytes = written(&frames, FigureStyle::Auto);
+    for figure in &figures::read(&bytes).unwrap().all {
+        for (time, want) in planned(figure, figure.number, &frames) {
+            let found = figure.joints(time - 3.0).unwrap();
+            for (joint, (found, want)) in Joint::ALL.iter().zip(found.iter().zip(&want)) {
+                // joints that carry no feet may be off by 0.3° each
+                let off = if carries_feet(*joint) { 4e-3 } else { 12e-3 };
+                assert!(found.position.distance(want.position) < off, "{time}: {joint:?} {found:?} {want:?}");
+                assert!(found.rotation.angle_between(want.rotation) < 0.03, "{time}: {found:?} {want:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn hard_recordings_have_figures() {
+    for frames in hard() {
+        let bytes = written(&frames, FigureStyle::Auto);
+        let people: BTreeSet<u32> = frames.iter().flat_map(|frame| &frame.bodies).map(|body| body.number).collect();
+        let found = figures::read(&bytes).unwrap();
+        assert_eq!(found.all.iter().map(|figure| figure.number).collect::<Vec<_>>(), Vec::from_iter(people));
+        for figure in &found.all {
+            let joints = figure.joints(figure.seconds[0]).unwrap();
+            assert!(joints.iter().all(|joint| joint.position.is_finite() && joint.rotation.is_finite()));
+        }
+    }
+}
+
+/// Baked poses are those of the walk too, and the agents are read back as they are without figures.
+#[test]
+fn baked_poses_are_those_of_the_walk() {
+    let frames = walkers();
+    let [baked, plain] = [FigureStyle::Baked, FigureStyle::None].map(|style| written(&frames, style));
+    let [tracks, same] = [&baked, &plain].map(|bytes| FORMAT.reader().unwrap()(bytes, &Reading::default()).unwrap());
+    assert_eq!(tracks.spots, same.spots);
+    assert!(figures::read(&plain).is_err());
+    let found = figures::read(&baked).unwrap();
+    assert_eq!(found.all.len(), 3);
+    assert_feet_stand(&found);
+    for figure in &found.all {
+        for (time, want) in planned(figure, figure.number, &frames) {
+            for (found, want) in figure.joints(time - 3.0).unwrap().iter().zip(&want) {
+                assert!(found.position.distance(want.position) < 2e-4, "{time}: {found:?} {want:?}");
+                assert!(found.rotation.angle_between(want.rotation) < 1e-4, "{time}: {found:?} {want:?}");
+            }
+        }
+    }
+    // what the description names is in the file, or an error
+    let visits = b"\"visits\":[[0,400,0]]";
+    let at = baked.windows(visits.len()).position(|bytes| bytes == visits).unwrap() + b"\"visits\":[[0,".len();
+    for wrong in [b"900", b"401", b"  0"] {
+        let mut changed = baked.clone();
+        changed[at..at + 3].copy_from_slice(wrong);
+        assert!(figures::read(&changed).err().unwrap().why.contains("missing poses of agent 0"));
+    }
+}
+
+#[test]
+fn joints_are_no_agents() {
+    let tracks = FORMAT.reader().unwrap()(&written(&walkers(), FigureStyle::Auto), &Reading::default()).unwrap();
+    assert_eq!(tracks.spots.len(), 1200);
+    let last = tracks.spots.iter().rfind(|spot| spot.number == 0).unwrap();
+    assert!((last.place.x - 1.3 * 0.04 * 399.0).abs() < 2e-3 && last.place.z.abs() < 1e-6, "{last:?}");
+}

@@ -1,0 +1,60 @@
+//! Which agents of a recording are people, and how they walk.
+
+use super::{FigureStyle, MOST_SKINS};
+use crate::Setting;
+use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
+use glam::Vec3;
+use std::io;
+use throng_figure::{Person, Sample, Walk};
+
+/// The longest recording with figures, seconds.
+const LONGEST: f64 = 14_400.0;
+
+/// The people of a recording.
+#[derive(Clone, Debug)]
+pub(crate) struct People {
+    /// How they are written: never [`FigureStyle::Auto`].
+    pub(crate) style: FigureStyle,
+    times: Vec<f64>,
+}
+
+impl People {
+    /// Returns the people of a recording. Their positions are metres from the origin of the setting.
+    pub(crate) fn of(style: FigureStyle, setting: &Setting, spill: &Spill) -> Self {
+        let times: Vec<f64> = spill.moments.iter().map(|&(time, _)| time).collect();
+        let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
+        let few = !setting.in_space && spill.agents.len() <= MOST_SKINS && duration <= LONGEST;
+        let style = match style {
+            FigureStyle::Auto if few => FigureStyle::Skins,
+            FigureStyle::Auto => FigureStyle::None,
+            chosen => chosen,
+        };
+        Self { style, times }
+    }
+
+    /// Whether an agent is a person.
+    pub(crate) fn has(&self, agent: &SpilledAgent) -> bool {
+        self.person(agent).is_some()
+    }
+
+    /// Returns the person that an agent is; `None` if it is none.
+    pub(crate) fn person(&self, agent: &SpilledAgent) -> Option<Person> {
+        Person::of_agent(agent.number, agent.radius).filter(|_| self.style != FigureStyle::None)
+    }
+
+    /// Returns the walk of an agent; `None` if it is not a person.
+    ///
+    /// # Errors
+    /// A position is not finite, or the recording lasts more than four hours.
+    pub(crate) fn walk(&self, agent: &SpilledAgent, track: &[(u32, SpilledState)]) -> io::Result<Option<Walk>> {
+        let Some(person) = self.person(agent) else { return Ok(None) };
+        let sample = |(moment, state): &(u32, SpilledState)| {
+            let ahead = (state.rotation * Vec3::X).as_dvec3();
+            let heading = libm::atan2(ahead.y, ahead.x);
+            Sample { time: self.times[*moment as usize], position: state.place.truncate().as_dvec2(), heading }
+        };
+        let samples: Vec<Sample> = track.iter().map(sample).collect();
+        let walk = Walk::recorded(&person, &samples);
+        walk.map(Some).map_err(|error| io::Error::other(format!("agent {}: {error}", agent.number)))
+    }
+}

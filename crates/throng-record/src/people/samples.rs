@@ -1,0 +1,81 @@
+//! People for tests of formats.
+
+use super::{Figure, Figures};
+use crate::{Body, Choice, Format, Frame, Output, OutputError, Setting};
+use glam::DVec2;
+use std::path::Path;
+use throng_figure::measure::FeetMeasure;
+use throng_figure::{JOINTS, Placed, Sample, Skeleton, Walk};
+
+/// Returns three people: one walks straight on, one in a circle, one stops and goes.
+pub(crate) fn walkers() -> Vec<Frame> {
+    let place = |number: u32, time: f64| match number {
+        0 => (DVec2::new(1.3 * time, 0.0), 0.0),
+        1 => (DVec2::new(0.0, 5.0) + DVec2::from_angle(time) * 1.2, time + std::f64::consts::FRAC_PI_2),
+        _ => (DVec2::new(0.6 * (time - time.sin()), -5.0), 0.0),
+    };
+    let frame = |k: u32| {
+        let time = 0.04 * f64::from(k);
+        let body = |number: u32| {
+            let (at, heading) = place(number, time);
+            Body { heading: heading as f32, ..Body::walking(number, at) }
+        };
+        Frame { time: 3.0 + time, bodies: (0..3).map(body).collect(), ..Frame::default() }
+    };
+    (0..400).map(frame).collect()
+}
+
+/// Returns recordings that are hard to walk: a single sample, a jump of 10 m, an agent for one moment, and an agent that
+/// comes back.
+pub(crate) fn hard() -> Vec<Vec<Frame>> {
+    let one = |k: u32, x: f64| Frame {
+        time: f64::from(k) * 0.1,
+        bodies: vec![Body::walking(7, DVec2::new(x, 1.0))],
+        ..Frame::default()
+    };
+    let jump = (0..60).map(|k| one(k, f64::from(k) * 0.13 + if k < 30 { 0.0 } else { 10.0 })).collect();
+    let mut moment: Vec<Frame> = (0..40).map(|k| one(k, f64::from(k) * 0.1)).collect();
+    moment[20].bodies.push(Body::walking(8, DVec2::ZERO));
+    let mut back: Vec<Frame> = (0..60).map(|k| one(k, f64::from(k) * 0.1)).collect();
+    back[20..40].iter_mut().for_each(|frame| frame.bodies.clear());
+    vec![vec![one(0, 3.0)], jump, moment, back]
+}
+
+/// Writes frames to a file. The ending of the name selects the format.
+pub(crate) fn write(path: &Path, setting: &Setting, choice: &Choice, frames: &[Frame]) -> Result<(), OutputError> {
+    let format = Format::of(path).unwrap();
+    let mut writer = choice.create(format, Output::create(path)?, setting, || false).unwrap()?;
+    frames.iter().try_for_each(|frame| writer.push(frame))?;
+    writer.finish()
+}
+
+/// Returns where the joints of an agent are at each frame, without any file: in the walk along its samples.
+pub(crate) fn planned(figure: &Figure, number: u32, frames: &[Frame]) -> Vec<(f64, [Placed; JOINTS])> {
+    let body = |frame: &Frame| frame.bodies.iter().find(|body| body.number == number).copied();
+    let sample = |frame: &Frame| {
+        let body = body(frame)?;
+        Some(Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) })
+    };
+    let samples: Vec<Sample> = frames.iter().filter_map(sample).collect();
+    let person = throng_figure::Person::new(0, u64::from(number));
+    let known = figure.person;
+    assert!(known.build == person.build && (known.height - person.height).abs() < 1e-4, "{known:?} {person:?}");
+    let (walk, skeleton) = (Walk::recorded(&person, &samples).unwrap(), Skeleton::new(&person));
+    samples.iter().map(|sample| (sample.time, skeleton.world(&walk.pose(sample.time)))).collect()
+}
+
+/// Checks that feet stand still, at four times the frames of the file.
+pub(crate) fn assert_feet_stand(figures: &Figures) {
+    for figure in &figures.all {
+        let mut feet = FeetMeasure::new(&figure.person);
+        let [from, to] = figure.seconds;
+        let step = figures.period / 4.0;
+        for second in (0..=((to - from) / step).round() as u32).map(|k| from + step * f64::from(k)) {
+            feet.push(second, &figure.joints(second.min(to)).unwrap());
+        }
+        let report = feet.report();
+        assert!(report.steps > 15, "{report:?}");
+        assert!(report.mean_slide <= 0.003 && report.largest_slide <= 0.01, "{report:?}");
+        assert!(report.penetration <= 0.005, "{report:?}");
+    }
+}
