@@ -42,6 +42,7 @@ mod tests;
 mod write;
 
 pub use figures::{Figure, Figures, figures};
+pub use people::{name as build_name, person};
 pub use write::GlbWriter;
 
 use super::Format;

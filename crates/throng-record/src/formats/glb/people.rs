@@ -59,7 +59,11 @@ impl People {
 
     /// Whether an agent is a person.
     pub fn has(&self, agent: &SpilledAgent) -> bool {
-        self.any && agent.radius <= LARGEST
+        self.person(agent).is_some()
+    }
+
+    fn person(&self, agent: &SpilledAgent) -> Option<Person> {
+        if self.any { person(agent.number, agent.radius) } else { None }
     }
 
     /// Returns the walk of an agent; `None` if it is not a person.
@@ -67,13 +71,7 @@ impl People {
     /// # Errors
     /// A position is not finite.
     pub fn walk(&self, agent: &SpilledAgent, track: &[(u32, SpilledState)], times: &[f64]) -> io::Result<Option<Walk>> {
-        if !self.has(agent) {
-            return Ok(None);
-        }
-        let mut person = Person::new(0, u64::from(agent.number));
-        if agent.radius < CHILD {
-            person = person.with_build(Build::Child).with_height(CHILD_HEIGHT);
-        }
+        let Some(person) = self.person(agent) else { return Ok(None) };
         let sample = |(moment, state): &(u32, SpilledState)| {
             let ahead = (state.rotation * Vec3::X).as_dvec3();
             let heading = libm::atan2(ahead.y, ahead.x);
@@ -163,6 +161,23 @@ impl People {
             .push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
         self.meshes.insert((build, person.look), mesh);
         Ok((mesh, shape.binds))
+    }
+}
+
+/// Returns the person that an agent on the ground is, by its number and its radius (m): none above 0.5 m, a child below
+/// 0.18 m.
+///
+/// ```
+/// use throng_record::formats::glb::person;
+/// assert!(person(7, 0.2).is_some_and(|person| person.height > 1.3));
+/// assert!(person(7, 0.8).is_none());
+/// ```
+pub fn person(number: u32, radius: f32) -> Option<Person> {
+    let adult = Person::new(0, u64::from(number));
+    match radius {
+        _ if radius > LARGEST => None,
+        _ if radius < CHILD => Some(adult.with_build(Build::Child).with_height(CHILD_HEIGHT)),
+        _ => Some(adult),
     }
 }
 
