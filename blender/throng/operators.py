@@ -11,7 +11,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from . import crowds, simulation, stage
 from .task import Progress, Task
 
-ENDINGS = ("csv", "parquet", "rec", "sqlite", "usda", "glb", "txt", "trajectories", "h5")
+ENDINGS = ("csv", "parquet", "rec", "sqlite", "usda", "glb", "txt", "traj", "h5")
 """Endings of the files that the package reads."""
 
 

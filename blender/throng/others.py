@@ -44,7 +44,7 @@ def agents(clip: Clip, rows: list[int], parent: bpy.types.Object, into: bpy.type
     for thing in (tracks.points, made):
         into.objects.link(thing)
         thing.parent = parent
-    made.modifiers.new("Tracks", "NODES").node_group = _nodes(tracks, _prototypes(crowd))
+    made.modifiers.new("Tracks", "NODES").node_group = _nodes(tracks, _prototypes(crowd), crowd.in_space)
     yield 1.0
 
 
@@ -56,7 +56,7 @@ def _prototypes(crowd: tg.Trajectories) -> bpy.types.Collection:
         made = bmesh.new()
         if crowd.in_space:
             bmesh.ops.create_cone(made, cap_ends=True, segments=3, radius1=0.7, radius2=0, depth=2)
-            turn = quaternions.np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
+            turn = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
             for vertex in made.verts:
                 vertex.co = turn @ vertex.co
         else:
@@ -70,7 +70,7 @@ def _prototypes(crowd: tg.Trajectories) -> bpy.types.Collection:
     return into
 
 
-def _nodes(tracks: table.Table, prototypes: bpy.types.Collection) -> bpy.types.NodeTree:
+def _nodes(tracks: table.Table, prototypes: bpy.types.Collection, flies: bool) -> bpy.types.NodeTree:
     """Returns the nodes that put an instance where each agent is."""
     tree = Tree("Throng agents")
     place, turn = tracks.read(tree, tracks.current(tree), tree.attribute("agent", "INT"), 0)
@@ -78,7 +78,7 @@ def _nodes(tracks: table.Table, prototypes: bpy.types.Collection) -> bpy.types.N
     moved = tree.node("GeometryNodeSetPosition", Geometry=here.outputs[0], Position=place)
     bodies_of = tree.node("GeometryNodeCollectionInfo", Collection=prototypes, Separate_Children=True, Reset_Children=True)
     radius = tree.attribute("radius", "FLOAT")
-    size = tree.node("ShaderNodeCombineXYZ", X=radius, Y=radius, Z=radius if tracks_fly(prototypes) else 1.0)
+    size = tree.node("ShaderNodeCombineXYZ", X=radius, Y=radius, Z=radius if flies else 1.0)
     made = tree.node(
         "GeometryNodeInstanceOnPoints",
         Points=moved.outputs[0],

@@ -64,7 +64,7 @@ class THRONG_PT_object(_Panel, bpy.types.Panel):
         layout.use_property_split = True
         layout.prop(own, "role")
         if own.role == "START":
-            for name in ("people", "speed", "spread", "goal"):
+            for name in ("people", "speed", "spread", "radius", "goal"):
                 layout.prop(own, name)
         if own.role == "GOAL":
             layout.prop(own, "leaves")

@@ -43,6 +43,9 @@ class ThrongObject(bpy.types.PropertyGroup):
         max=1,
         unit="VELOCITY",
     )
+    radius: FloatProperty(
+        name="Radius", description="Radius of the bodies: no two overlap", default=0.2, min=0.1, max=0.5, unit="LENGTH"
+    )
     goal: PointerProperty(
         name="Goal",
         description="The object to which people go from here; none: the nearest of all goals",
@@ -85,7 +88,7 @@ class ThrongScene(bpy.types.PropertyGroup):
     pose_rate: FloatProperty(
         name="Poses a second",
         description="Stored poses of people without armatures; between them poses are interpolated",
-        default=12.5,
+        default=25,
         min=1,
         max=120,
     )

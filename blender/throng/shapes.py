@@ -63,6 +63,7 @@ def of(context: bpy.types.Context) -> Shapes:
 
 def roles(context: bpy.types.Context) -> dict[str, list[bpy.types.Object]]:
     """Returns the visible objects of each role, by name."""
+    context.view_layer.update()
     found = {role: [] for role in ("INHERIT", "NONE", "GROUND", "OBSTACLE", "START", "GOAL")}
     inherited = dict(_inherited(context.scene.collection, "NONE"))
     for thing in sorted(context.view_layer.objects, key=lambda thing: thing.name):

@@ -47,6 +47,7 @@ def scene_of_objects(context: bpy.types.Context) -> tuple[tg.Scene, float]:
             goal=goals[0] if len(goals) == 1 else {"nearest": goals},
             speed=(thing.throng.speed, thing.throng.spread) if thing.throng.spread > 0 else thing.throng.speed,
             gap=GAP,
+            body={"radius": thing.throng.radius},
         )
     return scene, found.level
 
