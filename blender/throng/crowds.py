@@ -9,8 +9,8 @@ from . import armatures, crowd, others, place, stage
 from .clip import Clip, of
 from .task import Progress
 
-LOW, HIGH = "throng_low", "throng_high"
-"""Properties of the root of a crowd: the corners of what the crowd reaches, relative to the root, metres."""
+SEEN = "throng_seen"
+"""Property of the root of a crowd: points that a camera must see to see the crowd, relative to the root, metres."""
 
 
 def build(context: bpy.types.Context, trajectories, title: str, level: float = 0.0, has_place: bool = True) -> Iterator[Progress]:
@@ -24,8 +24,8 @@ def build(context: bpy.types.Context, trajectories, title: str, level: float = 0
         root = bpy.data.objects.new(title, None)
         root.empty_display_size = 0.5
         into.objects.link(root)
-        low, high = place.extent(clip)
-        root[LOW], root[HIGH] = (low - clip.origin()).tolist(), (high - clip.origin()).tolist()
+        seen = stage.outline(place.reached(clip) - clip.origin())
+        root[SEEN] = seen.ravel().tolist()
         root.location = clip.origin() + [0, 0, level]
         people, rest = clip.rows(people=True), clip.rows(people=False)
         parts = [
@@ -41,7 +41,7 @@ def build(context: bpy.types.Context, trajectories, title: str, level: float = 0
         if has_place:
             place.build(clip, settings.wall_height, root, _collection("Place", into))
         if settings.has_stage:
-            stage.build(scene, low + [0, 0, level], high + [0, 0, level], into)
+            stage.build(scene, seen + root.location, into)
         if settings.fit_range:
             scene.frame_start, scene.frame_end = clip.start, max(clip.end, clip.start)
             scene.frame_set(clip.start)

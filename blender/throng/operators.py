@@ -94,16 +94,13 @@ class FrameCrowd(bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         """Whether there are a camera and a crowd."""
         cls.poll_message_set("Open a trajectory or run a scene first")
-        return context.scene.camera is not None and any(crowds.LOW in thing for thing in context.scene.objects)
+        return context.scene.camera is not None and any(crowds.SEEN in thing for thing in context.scene.objects)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Moves the camera."""
-        roots = [thing for thing in context.scene.objects if crowds.LOW in thing]
-        low, high = (
-            limit([np.array(root[key]) + root.location for root in roots], axis=0)
-            for key, limit in ((crowds.LOW, np.min), (crowds.HIGH, np.max))
-        )
-        stage.frame(context.scene.camera, low, high)
+        roots = [thing for thing in context.scene.objects if crowds.SEEN in thing]
+        seen = [np.array(root[crowds.SEEN]).reshape(-1, 3) + root.location for root in roots]
+        stage.frame(context.scene.camera, np.concatenate(seen))
         return {"FINISHED"}
 
 

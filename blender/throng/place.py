@@ -10,6 +10,10 @@ from .clip import Clip
 
 THICK = 0.1
 """Thickness of thin walls, metres."""
+FAR = 20.0
+"""Radius of the surroundings, relative to the size of the crowd."""
+LOWER = 0.02
+"""How much lower than the ground the surroundings are, metres."""
 MARGIN = 4.0
 """Ground around the crowd where the walkable area is unbounded, metres."""
 
@@ -22,20 +26,22 @@ def build(clip: Clip, height: float, parent: bpy.types.Object, into: bpy.types.C
     if not areas:
         areas = [[_around(clip) - origin]]
     _object("Ground", _ground(areas), (0.42, 0.41, 0.39), parent, into)
-    edges = [(ring, True) for area in areas for ring in area] if crowd.walkable else []
+    _object("Surroundings", _ground([[_disc(clip) - origin]]), (0.2, 0.21, 0.2), parent, into).location.z = -LOWER
+    edges = [ring for area in areas for ring in area] if crowd.walkable else []
     if solids:
         _object("Obstacles", _solids(solids, height), (0.55, 0.53, 0.5), parent, into)
     if edges:
         _object("Edges", _kerbs(edges), (0.3, 0.3, 0.3), parent, into)
 
 
-def _object(name: str, mesh: bpy.types.Mesh, color: tuple[float, float, float], parent, into) -> None:
+def _object(name: str, mesh: bpy.types.Mesh, color: tuple[float, float, float], parent, into) -> bpy.types.Object:
     """Adds an object with a material of its name."""
     mesh.name = name
     mesh.materials.append(bodies.material(f"Throng {name.lower()}", color))
     made = bpy.data.objects.new(name, mesh)
     made.parent = parent
     into.objects.link(made)
+    return made
 
 
 def _around(clip: Clip) -> np.ndarray:
@@ -45,14 +51,26 @@ def _around(clip: Clip) -> np.ndarray:
     return np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
 
 
-def extent(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
-    """Returns the least and the greatest coordinates of the crowd and its obstacles, metres."""
-    times = clip.times(clip.frames[:: max(1, len(clip.frames) // 100)])
-    positions = clip.trajectories.states(times)[0].reshape(-1, 3)
+def _disc(clip: Clip) -> np.ndarray:
+    """Returns a disc around all, so large that a camera sees no end of it."""
+    low, high = extent(clip)
+    angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    far = FAR * (np.linalg.norm(high - low) + MARGIN)
+    return (low + high)[:2] / 2 + far * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+
+def reached(clip: Clip) -> np.ndarray:
+    """Returns points of the crowd in the course of the clip, and the corners of obstacles, metres: (n, 3)."""
+    frames = clip.frames[:: max(1, len(clip.frames) // 100)]
+    positions = clip.trajectories.states(clip.times(frames))[0].reshape(-1, 3)
     corners = [np.c_[corners, np.zeros(len(corners))] for corners, _ in clip.trajectories.obstacles]
     points = np.concatenate([positions[~np.isnan(positions[:, 0])], *corners])
-    if not len(points):
-        points = np.zeros((1, 3))
+    return points if len(points) else np.zeros((1, 3))
+
+
+def extent(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
+    """Returns the least and the greatest coordinates of what the crowd reaches, metres."""
+    points = reached(clip)
     return points.min(axis=0), points.max(axis=0)
 
 
@@ -82,10 +100,10 @@ def _solids(solids: list[tuple[np.ndarray, bool]], height: float) -> bpy.types.M
     return _mesh(made)
 
 
-def _kerbs(rings: list[tuple[np.ndarray, bool]]) -> bpy.types.Mesh:
+def _kerbs(rings: list[np.ndarray]) -> bpy.types.Mesh:
     """Returns the borders of the ground as low kerbs outside it."""
     made = bmesh.new()
-    for ring, _ in rings:
+    for ring in rings:
         for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
             _prism(made, _plate(a, b, THICK), THICK)
     return _mesh(made)

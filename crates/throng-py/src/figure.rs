@@ -5,7 +5,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use throng_figure::{Build, Joint, Level, Look, Mesh, Skeleton};
-use throng_record::formats::glb::build_name;
+use throng_record::build_name;
 
 const BUILDS: [Build; 3] = [Build::Woman, Build::Man, Build::Child];
 const LEVELS: [(&str, Level); 4] =

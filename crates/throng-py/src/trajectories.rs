@@ -9,8 +9,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use throng_figure::{JOINTS, Person};
-use throng_record::formats::glb::{build_name, person};
-use throng_record::{Reading, Setting, Trajectories as Tracks};
+use throng_record::{Reading, Setting, Trajectories as Tracks, build_name, person};
 
 /// Positions and rotations, as arrays.
 type Placed<'py, T> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<T>>);

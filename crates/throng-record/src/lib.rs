@@ -23,6 +23,8 @@ pub mod moment;
 mod moments;
 mod output;
 pub mod pedestrian;
+#[cfg(feature = "glb")]
+mod person;
 mod resample;
 pub mod series;
 mod summary_cells;
@@ -41,6 +43,8 @@ pub use frame::{Body, Frame, Setting, Shell};
 pub use map::map;
 pub use moments::Moments;
 pub use output::{Hand, Output, OutputError};
+#[cfg(feature = "glb")]
+pub use person::{build_name, person};
 pub use summary_cells::summary_cells;
 pub use table::Table;
 pub use trajectories::{Sample, Trajectories, TrajectoriesError};

@@ -3,10 +3,10 @@
 use super::axes;
 use super::data::Data;
 use super::json::Extras;
-use super::people::BUILDS;
 use super::read::{MOST, moments};
 use super::sampler::{Channels, SampledNode};
 use crate::formats::FormatFlaw;
+use crate::person::BUILDS;
 use glam::{DQuat, DVec3};
 use throng_figure::{JOINTS, Joint, Person, Placed};
 

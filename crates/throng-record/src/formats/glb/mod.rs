@@ -42,7 +42,6 @@ mod tests;
 mod write;
 
 pub use figures::{Figure, Figures, figures};
-pub use people::{name as build_name, person};
 pub use write::GlbWriter;
 
 use super::Format;

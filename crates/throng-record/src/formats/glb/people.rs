@@ -8,6 +8,7 @@ use super::write::{POINTS, TRIANGLES};
 use crate::Setting;
 use crate::color::light;
 use crate::formats::spill::{SpilledAgent, SpilledState};
+use crate::person::{build_name, person};
 use glam::{DQuat, Mat4, Quat, Vec3};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -19,12 +20,6 @@ use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skele
 pub const MOST: usize = 300;
 /// The longest recording with figures, seconds.
 const LONGEST: f64 = 14_400.0;
-/// The largest radius of a person, metres.
-const LARGEST: f32 = 0.5;
-/// Below this radius a person is a child, metres.
-const CHILD: f32 = 0.18;
-/// Height of a child, metres.
-const CHILD_HEIGHT: f64 = 1.2;
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
 /// Greatest error of a rotation about each axis, radians: of the joints from the hips to the feet, and of the others.
@@ -157,27 +152,11 @@ impl People {
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
-        root.meshes
-            .push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
+        root.meshes.push(
+            json!({ "name": format!("{} {}", build_name(person.build), person.look), "primitives": [primitive] }),
+        );
         self.meshes.insert((build, person.look), mesh);
         Ok((mesh, shape.binds))
-    }
-}
-
-/// Returns the person that an agent on the ground is, by its number and its radius (m): none above 0.5 m, a child below
-/// 0.18 m.
-///
-/// ```
-/// use throng_record::formats::glb::person;
-/// assert!(person(7, 0.2).is_some_and(|person| person.height > 1.3));
-/// assert!(person(7, 0.8).is_none());
-/// ```
-pub fn person(number: u32, radius: f32) -> Option<Person> {
-    let adult = Person::new(0, u64::from(number));
-    match radius {
-        _ if radius > LARGEST => None,
-        _ if radius < CHILD => Some(adult.with_build(Build::Child).with_height(CHILD_HEIGHT)),
-        _ => Some(adult),
     }
 }
 
@@ -243,12 +222,4 @@ fn hips(pose: &Pose) -> Quat {
 fn own(rotation: DQuat) -> Quat {
     let DQuat { x, y, z, w } = rotation;
     DQuat::from_xyzw(y, z, x, w).as_quat()
-}
-
-/// The builds, and their names in files.
-pub const BUILDS: [(Build, &str); 3] = [(Build::Woman, "woman"), (Build::Man, "man"), (Build::Child, "child")];
-
-/// Returns the name of a build in files.
-pub fn name(build: Build) -> &'static str {
-    BUILDS.into_iter().find(|(known, _)| *known == build).map_or("man", |(_, name)| name)
 }

@@ -4,11 +4,12 @@ use super::bin::{Bin, TOO_LARGE};
 use super::by_agent::by_agent;
 use super::json::{Asset, Buffer, Extras, Node, Person, Root};
 use super::motion::GlbMotion;
-use super::people::{self, People};
+use super::people::People;
 use super::{TIMES, axes, seconds};
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
 use crate::formats::{PROGRAM, Writer, body, describe, keys};
+use crate::person::build_name;
 use crate::{Frame, Output, OutputError, Setting, color};
 use glam::Vec3;
 use serde_json::{Value, json};
@@ -76,7 +77,7 @@ impl GlbWriter {
                 return Ok(());
             };
             if let Some(Extras::Person(known)) = &mut node.extras {
-                known.build = Some(people::name(walk.person().build).to_owned());
+                known.build = Some(build_name(walk.person().build).to_owned());
             }
             let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
             scene.root.nodes.push(node);
