@@ -14,8 +14,7 @@ def material(name: str, color: tuple[float, float, float] | None = None, roughne
     if known is not None:
         return known
     made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    tree = made.node_tree
+    tree = with_nodes(made)
     surface = next(node for node in tree.nodes if node.type == "BSDF_PRINCIPLED")
     surface.inputs["Roughness"].default_value = roughness
     if color is None:
@@ -26,6 +25,13 @@ def material(name: str, color: tuple[float, float, float] | None = None, roughne
     else:
         surface.inputs["Base Color"].default_value = made.diffuse_color = (*color, 1)
     return made
+
+
+def with_nodes(owner: bpy.types.Material | bpy.types.World) -> bpy.types.NodeTree:
+    """Returns the nodes of a material or a world, which new ones have from Blender 5.0 on."""
+    if bpy.app.version < (5, 0):
+        owner.use_nodes = True
+    return owner.node_tree
 
 
 def colors(body: figure.Mesh, look: int) -> np.ndarray:

@@ -7,6 +7,8 @@ import numpy as np
 from mathutils import Vector
 from mathutils.geometry import convex_hull_2d
 
+from . import bodies
+
 LOOK = (0.45, 1.0, -0.38)
 """Direction in which the camera looks at the crowd."""
 TALL = 1.9
@@ -64,8 +66,7 @@ def frame(camera: bpy.types.Object, seen: np.ndarray) -> None:
 def _sky() -> bpy.types.World:
     """Returns a clear sky without a sun of its own."""
     world = bpy.data.worlds.new("Throng sky")
-    world.use_nodes = True
-    background = next(node for node in world.node_tree.nodes if node.type == "BACKGROUND")
+    background = next(node for node in bodies.with_nodes(world).nodes if node.type == "BACKGROUND")
     background.inputs["Color"].default_value = AIR_COLOR
     background.inputs["Strength"].default_value = AIR
     return world
