@@ -248,3 +248,24 @@ def test_roles_come_from_collections(scene: bpy.types.Scene) -> None:
     assert {thing.name for thing in found["NONE"]} == {"Far", "Oak"}
     things["House"].hide_set(True)
     assert not shapes.roles(bpy.context)["OBSTACLE"]
+
+
+def test_too_many_people_for_an_area(room: bpy.types.Scene) -> None:
+    bpy.data.objects["West"].throng.people = 2000
+    with pytest.raises(RuntimeError, match="West"):
+        bpy.ops.throng.run_scene(source="OBJECTS")
+
+
+def test_two_crowds(scene: bpy.types.Scene) -> None:
+    """A second crowd has objects of its own, and the camera can see both."""
+    scene.throng.scene, scene.throng.seconds = "headon", 1
+    bpy.ops.throng.run_scene()
+    bpy.ops.throng.run_scene()
+    roots = [thing for thing in scene.objects if "throng_seen" in thing]
+    assert len(roots) == 2
+    roots[1].location.x += 100
+    before = scene.camera.location.copy()
+    bpy.ops.throng.frame_crowd()
+    assert (scene.camera.location - before).length > 50
+    assert len([thing for thing in scene.objects if thing.type == "ARMATURE"]) == 4
+    assert len([material for material in bpy.data.materials if material.name.startswith("People")]) == 1

@@ -10,6 +10,10 @@ SLICE = 0.1
 """Seconds of work between two looks at the keyboard."""
 
 
+USERS = (ValueError, OSError, RuntimeError)
+"""Errors that users can fix: of files, scenes and values."""
+
+
 @dataclass(frozen=True)
 class Progress:
     """How far a task is."""
@@ -21,7 +25,7 @@ class Progress:
 class Task:
     """An operator whose work is a generator, `work`, that yields its progress.
 
-    An exception that users cause is a report; the work leaves nothing behind when it fails or is cancelled.
+    An error that users can fix is a report. The work leaves nothing behind when it fails or is cancelled.
     """
 
     bl_options = {"REGISTER", "UNDO"}
@@ -35,7 +39,7 @@ class Task:
         try:
             for _ in self.work(context):
                 pass
-        except (ValueError, OSError, RuntimeError) as error:
+        except USERS as error:
             return self.fail(error)
         return {"FINISHED"}
 
@@ -65,9 +69,11 @@ class Task:
         except StopIteration:
             self.end(context)
             return {"FINISHED"}
-        except (ValueError, OSError, RuntimeError) as error:
+        except Exception as error:
             self.end(context)
-            return self.fail(error)
+            if isinstance(error, USERS):
+                return self.fail(error)
+            raise
         return {"RUNNING_MODAL"}
 
     def end(self, context: bpy.types.Context) -> None:
