@@ -24,7 +24,18 @@ def scene() -> Iterator[bpy.types.Scene]:
 
 def contents() -> dict[str, int]:
     """Returns how many data blocks of each kind the file has."""
-    kinds = ("actions", "armatures", "cameras", "collections", "lights", "materials", "meshes", "node_groups", "objects", "worlds")
+    kinds = (
+        "actions",
+        "armatures",
+        "cameras",
+        "collections",
+        "lights",
+        "materials",
+        "meshes",
+        "node_groups",
+        "objects",
+        "worlds",
+    )
     return {kind: len(getattr(bpy.data, kind)) for kind in kinds}
 
 

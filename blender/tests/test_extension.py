@@ -48,7 +48,9 @@ def test_blender_accepts_it(archive: Path) -> None:
 
 def test_blender_installs_it(archive: Path, tmp_path: Path) -> None:
     environment = {**os.environ, "BLENDER_USER_RESOURCES": str(tmp_path)}
-    done = subprocess.run([sys.executable, "-c", INSTALL, archive, tmp_path], env=environment, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-c", INSTALL, archive, tmp_path], env=environment, capture_output=True, text=True
+    )
     assert "installed" in done.stdout, done.stdout + done.stderr
 
 

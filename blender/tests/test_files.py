@@ -39,7 +39,9 @@ def test_endings_are_those_of_the_package(tmp_path: Path) -> None:
         ("wrong.glb", "glTF", "wrong.glb"),
     ],
 )
-def test_errors_leave_nothing(scene: bpy.types.Scene, tmp_path: Path, name: str, content: str | None, what: str) -> None:
+def test_errors_leave_nothing(
+    scene: bpy.types.Scene, tmp_path: Path, name: str, content: str | None, what: str
+) -> None:
     if content is not None:
         (tmp_path / name).write_text(content)
     before = contents()
@@ -117,7 +119,11 @@ def test_others_are_instances(scene: bpy.types.Scene, tmp_path: Path, flies: boo
         scene.frame_set(frame)
         positions, headings = trajectories.states([(frame - 1) / 25])
         there = ~np.isnan(headings[:, 0])
-        found = [item.matrix_world.copy() for item in bpy.context.evaluated_depsgraph_get().object_instances if item.is_instance]
+        found = [
+            item.matrix_world.copy()
+            for item in bpy.context.evaluated_depsgraph_get().object_instances
+            if item.is_instance
+        ]
         assert len(found) == there.sum()
         for matrix, place, heading, radius in zip(
             found, positions[there, 0], headings[there, 0], trajectories.radii[there], strict=True

@@ -39,5 +39,7 @@ def test_quaternions() -> None:
         assert np.allclose(quaternions.inverse(a)[k], first.conjugated(), atol=1e-6)
         assert np.allclose(quaternions.rotated(a, points)[k], first @ Vector(points[k]), atol=1e-6)
     assert np.allclose(quaternions.about_z(np.array([0.7])), [Quaternion((0, 0, 1), 0.7)], atol=1e-6)
-    turning = quaternions.continuous(quaternions.about_z(np.linspace(0, 20, 50))[:, None] * rng.choice([-1, 1], (50, 1, 1)))
+    turning = quaternions.continuous(
+        quaternions.about_z(np.linspace(0, 20, 50))[:, None] * rng.choice([-1, 1], (50, 1, 1))
+    )
     assert (np.sum(turning[1:] * turning[:-1], axis=2) > 0).all()

@@ -66,7 +66,8 @@ def imported(recorded: dict[str, Path]) -> tuple[dict, dict]:
 
 def _curves():
     for action in bpy.data.actions:
-        for layer in action.layers:
+        yield from () if hasattr(action, "layers") else action.fcurves
+        for layer in getattr(action, "layers", ()):
             for strip in layer.strips:
                 for bag in strip.channelbags:
                     yield from bag.fcurves

@@ -12,12 +12,16 @@ from throng import shapes, simulation
 def box(name: str, low: tuple, high: tuple, role: str = "INHERIT") -> bpy.types.Object:
     """Adds a box with a role."""
     (left, front, bottom), (right, back, top) = low, high
-    corners = [(x, y, z) for z in (bottom, top) for x, y in ((left, front), (right, front), (right, back), (left, back))]
+    corners = [
+        (x, y, z) for z in (bottom, top) for x, y in ((left, front), (right, front), (right, back), (left, back))
+    ]
     sides = [(k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k) for k in range(4)]
     return mesh(name, corners, [(3, 2, 1, 0), (4, 5, 6, 7), *sides], role)
 
 
-def flat(name: str, left: float, front: float, right: float, back: float, role: str, height: float = 0.0) -> bpy.types.Object:
+def flat(
+    name: str, left: float, front: float, right: float, back: float, role: str, height: float = 0.0
+) -> bpy.types.Object:
     """Adds a rectangle that looks up."""
     corners = [(x, y, height) for x, y in ((left, front), (right, front), (right, back), (left, back))]
     return mesh(name, corners, [(0, 1, 2, 3)], role)
@@ -83,7 +87,9 @@ def test_no_person_crosses_an_obstacle(room: bpy.types.Scene) -> None:
                 crossed += abs(x) < 1
     assert crossed > 50, "people pass the obstacles"
     # the beam is over their heads
-    assert not [thing for thing in room.objects if thing.name.startswith(("Ground", "Obstacles"))], "the file has its own"
+    assert not [thing for thing in room.objects if thing.name.startswith(("Ground", "Obstacles"))], (
+        "the file has its own"
+    )
 
 
 def test_a_run_is_repeatable(room: bpy.types.Scene) -> None:
@@ -144,8 +150,6 @@ def upside_down(room: bpy.types.Scene) -> None:
 
 def all_covered(room: bpy.types.Scene) -> None:
     box("Block", (-9, -9, 1), (9, 9, 9), "OBSTACLE")
-
-
 
 
 @pytest.mark.parametrize(

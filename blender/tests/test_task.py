@@ -53,7 +53,9 @@ def test_slices(context: MagicMock) -> None:
 
 def ended(context: MagicMock) -> None:
     """Timer, progress and status are gone."""
-    context.window_manager.event_timer_remove.assert_called_once_with(context.window_manager.event_timer_add.return_value)
+    context.window_manager.event_timer_remove.assert_called_once_with(
+        context.window_manager.event_timer_add.return_value
+    )
     context.window_manager.progress_end.assert_called_once_with()
     assert context.workspace.status_text_set.call_args.args == (None,)
 

@@ -27,7 +27,9 @@ class Curves:
         """Adds the curves of one property: `values` are (frames, 1, components)."""
         self.add_all([path], frames, values, keys.needed(values, tolerance), first)
 
-    def add_all(self, paths: list[str], frames: np.ndarray, values: np.ndarray, keep: np.ndarray, first: int = 0) -> None:
+    def add_all(
+        self, paths: list[str], frames: np.ndarray, values: np.ndarray, keep: np.ndarray, first: int = 0
+    ) -> None:
         """Adds curves of several properties: `values` are (frames, properties, components), and `keep` says which frames
         have a key, (frames, properties)."""
         for at, path in enumerate(paths):

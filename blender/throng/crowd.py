@@ -83,13 +83,17 @@ def _nodes(poses: table.Table) -> bpy.types.NodeTree:
     ends = []
     for name in ("first", "second"):
         place, turn = poses.read(tree, current, person, tree.attribute(name, "INT"))
-        beside = tree.node("FunctionNodeRotateVector", Vector=tree.attribute(f"from_{name}", "FLOAT_VECTOR"), Rotation=turn)
+        beside = tree.node(
+            "FunctionNodeRotateVector", Vector=tree.attribute(f"from_{name}", "FLOAT_VECTOR"), Rotation=turn
+        )
         end = tree.node("ShaderNodeVectorMath", {"operation": "ADD"})
         tree.put(end.inputs[0], place)
         tree.put(end.inputs[1], beside.outputs[0])
         ends.append(end.outputs[0])
     second_share = tree.math("SUBTRACT", 1.0, tree.attribute("share", "FLOAT"))
     place = tree.mix("VECTOR", *ends, second_share)
-    here = tree.node("GeometryNodeDeleteGeometry", {"domain": "POINT"}, Geometry=tree.geometry, Selection=table.absent(tree))
+    here = tree.node(
+        "GeometryNodeDeleteGeometry", {"domain": "POINT"}, Geometry=tree.geometry, Selection=table.absent(tree)
+    )
     moved = tree.node("GeometryNodeSetPosition", Geometry=here.outputs[0], Position=place)
     return tree.end(moved.outputs[0])

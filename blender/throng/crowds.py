@@ -6,14 +6,16 @@ from contextlib import contextmanager
 import bpy
 
 from . import armatures, crowd, others, place, stage
-from .clip import Clip, of
+from .clip import of
 from .task import Progress
 
 SEEN = "throng_seen"
 """Property of the root of a crowd: points that a camera must see to see the crowd, relative to the root, metres."""
 
 
-def build(context: bpy.types.Context, trajectories, title: str, level: float = 0.0, has_place: bool = True) -> Iterator[Progress]:
+def build(
+    context: bpy.types.Context, trajectories, title: str, level: float = 0.0, has_place: bool = True
+) -> Iterator[Progress]:
     """Adds a crowd to the scene, on the ground at a height (metres). Yields what is done."""
     scene = context.scene
     clip = of(trajectories, scene)

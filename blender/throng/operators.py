@@ -26,7 +26,9 @@ class OpenTrajectory(Task, bpy.types.Operator):
     frame_rate: FloatProperty(
         name="Frames a second", description="Of a file that numbers frames; 0: as the file says", default=0, min=0
     )
-    unit: FloatProperty(name="Unit", description="Metres for each unit of length of the file; 0: as the file says", default=0, min=0)
+    unit: FloatProperty(
+        name="Unit", description="Metres for each unit of length of the file; 0: as the file says", default=0, min=0
+    )
     waits: BoolProperty(description="Ends only when all is done", default=True, options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -80,7 +82,9 @@ class RunScene(Task, bpy.types.Operator):
         yield from crowds.build(context, run.trajectories(), title, level, has_place=not has_objects)
         for note in scene.notes:
             self.report({"WARNING"}, note)
-        self.report({"INFO"}, f"{run.summary.arrived} of {run.summary.agents} agents arrived in {run.summary.time:.1f} s")
+        self.report(
+            {"INFO"}, f"{run.summary.arrived} of {run.summary.agents} agents arrived in {run.summary.time:.1f} s"
+        )
 
 
 class FrameCrowd(bpy.types.Operator):

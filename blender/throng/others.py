@@ -74,9 +74,13 @@ def _nodes(tracks: table.Table, prototypes: bpy.types.Collection, flies: bool) -
     """Returns the nodes that put an instance where each agent is."""
     tree = Tree("Throng agents")
     place, turn = tracks.read(tree, tracks.current(tree), tree.attribute("agent", "INT"), 0)
-    here = tree.node("GeometryNodeDeleteGeometry", {"domain": "POINT"}, Geometry=tree.geometry, Selection=table.absent(tree))
+    here = tree.node(
+        "GeometryNodeDeleteGeometry", {"domain": "POINT"}, Geometry=tree.geometry, Selection=table.absent(tree)
+    )
     moved = tree.node("GeometryNodeSetPosition", Geometry=here.outputs[0], Position=place)
-    bodies_of = tree.node("GeometryNodeCollectionInfo", Collection=prototypes, Separate_Children=True, Reset_Children=True)
+    bodies_of = tree.node(
+        "GeometryNodeCollectionInfo", Collection=prototypes, Separate_Children=True, Reset_Children=True
+    )
     radius = tree.attribute("radius", "FLOAT")
     size = tree.node("ShaderNodeCombineXYZ", X=radius, Y=radius, Z=radius if flies else 1.0)
     made = tree.node(

@@ -64,7 +64,12 @@ class ThrongScene(bpy.types.PropertyGroup):
         subtype="FILE_PATH",
     )
     seconds: FloatProperty(
-        name="Duration", description="The run ends at the latest then", default=20, min=0.1, soft_max=600, unit="TIME_ABSOLUTE"
+        name="Duration",
+        description="The run ends at the latest then",
+        default=20,
+        min=0.1,
+        soft_max=600,
+        unit="TIME_ABSOLUTE",
     )
     seed: IntProperty(name="Seed", description="Seed of all random numbers of a run", default=1, min=0)
     start: IntProperty(name="First frame", description="The frame of the first moment", default=1, min=0)
@@ -78,7 +83,9 @@ class ThrongScene(bpy.types.PropertyGroup):
         min=0,
         soft_max=1000,
     )
-    level: EnumProperty(name="Detail", description="Level of detail of people with armatures", items=LEVELS, default="fine")
+    level: EnumProperty(
+        name="Detail", description="Level of detail of people with armatures", items=LEVELS, default="fine"
+    )
     crowd_level: EnumProperty(
         name="Detail of the crowd",
         description="Level of detail of people without armatures",
@@ -93,7 +100,12 @@ class ThrongScene(bpy.types.PropertyGroup):
         max=120,
     )
     wall_height: FloatProperty(
-        name="Wall height", description="Height of obstacles and walls", default=2.5, min=0.01, soft_max=20, unit="LENGTH"
+        name="Wall height",
+        description="Height of obstacles and walls",
+        default=2.5,
+        min=0.01,
+        soft_max=20,
+        unit="LENGTH",
     )
     has_stage: BoolProperty(
         name="Camera and light",

@@ -46,7 +46,9 @@ def of(context: bpy.types.Context) -> Shapes:
         with _mesh(thing, graph) as made:
             outlines, heights = _floor(made)
         if not outlines:
-            raise ValueError(f"{thing.name} is ground, but none of its faces look up: turn its normals, or choose another role")
+            raise ValueError(
+                f"{thing.name} is ground, but none of its faces look up: turn its normals, or choose another role"
+            )
         shapes.ground += outlines
         weights += heights
     if weights:
@@ -111,13 +113,17 @@ def _mesh(thing: bpy.types.Object, graph: bpy.types.Depsgraph) -> Iterator[bmesh
         try:
             mesh = evaluated.to_mesh()
         except RuntimeError:
-            raise ValueError(f"{thing.name} has no shape: only meshes, curves, texts and empties can have this role") from None
+            raise ValueError(
+                f"{thing.name} has no shape: only meshes, curves, texts and empties can have this role"
+            ) from None
         made.from_mesh(mesh)
         evaluated.to_mesh_clear()
         made.transform(thing.matrix_world)
         count = sum(len(face.verts) - 2 for face in made.faces)
         if count > MOST:
-            raise ValueError(f"{thing.name} has {count} triangles, more than {MOST}: give the role to a simpler mesh of it")
+            raise ValueError(
+                f"{thing.name} has {count} triangles, more than {MOST}: give the role to a simpler mesh of it"
+            )
         made.normal_update()
         yield made
     finally:
@@ -176,7 +182,9 @@ def _plate(a: tuple[float, float], b: tuple[float, float]) -> Outline:
     start, end = np.array(a), np.array(b)
     along = (end - start) / np.linalg.norm(end - start) * THIN / 2
     left = np.array([-along[1], along[0]])
-    return [tuple(corner) for corner in (start - along - left, end + along - left, end + along + left, start - along + left)]
+    return [
+        tuple(corner) for corner in (start - along - left, end + along - left, end + along + left, start - along + left)
+    ]
 
 
 def _ring(made: bmesh.types.BMesh) -> Outline | None:

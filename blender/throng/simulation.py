@@ -28,9 +28,13 @@ def scene_of_objects(context: bpy.types.Context) -> tuple[tg.Scene, float]:
     """Returns the scene of the objects with roles, and the height of its ground, metres."""
     found, settings = shapes.of(context), context.scene.throng
     if not found.starts:
-        raise ValueError("no object is a start: select an object, and choose the role Start in the sidebar, Throng > Object")
+        raise ValueError(
+            "no object is a start: select an object, and choose the role Start in the sidebar, Throng > Object"
+        )
     if not found.goals:
-        raise ValueError("no object is a goal: select an object, and choose the role Goal in the sidebar, Throng > Object")
+        raise ValueError(
+            "no object is a goal: select an object, and choose the role Goal in the sidebar, Throng > Object"
+        )
     ground = tg.ground(found.ground or [_around(found)], found.solids)
     if not ground["coordinates"]:
         raise ValueError("obstacles cover all ground: give the role Obstacle to fewer objects")
@@ -38,7 +42,9 @@ def scene_of_objects(context: bpy.types.Context) -> tuple[tg.Scene, float]:
     for thing, outline in found.starts:
         chosen = thing.throng.goal
         if chosen is not None and chosen not in found.goals:
-            raise ValueError(f"{thing.name} sends people to {chosen.name}, which is no visible goal: give it the role Goal")
+            raise ValueError(
+                f"{thing.name} sends people to {chosen.name}, which is no visible goal: give it the role Goal"
+            )
         goals = [_goal(goal, corners) for goal, corners in found.goals.items() if chosen in (None, goal)]
         scene.group(
             thing.name,

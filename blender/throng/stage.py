@@ -32,7 +32,12 @@ def build(scene: bpy.types.Scene, seen: np.ndarray, into: bpy.types.Collection) 
         frame(camera, seen)
     if not any(thing.type == "LIGHT" for thing in scene.objects):
         sun = bpy.data.objects.new("Throng sun", bpy.data.lights.new("Throng sun", "SUN"))
-        sun.data.energy, sun.data.color, sun.data.angle, sun.rotation_euler = SUNLIGHT, SUN_COLOR, math.radians(1.5), SUN
+        sun.data.energy, sun.data.color, sun.data.angle, sun.rotation_euler = (
+            SUNLIGHT,
+            SUN_COLOR,
+            math.radians(1.5),
+            SUN,
+        )
         into.objects.link(sun)
     if scene.world is None or scene.world.name == "World":
         scene.world = _sky()

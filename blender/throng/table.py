@@ -13,6 +13,10 @@ MOST = 2 * 1024**3
 POINT = 28
 """Size of a point, bytes: three numbers of its position, four of its rotation."""
 TURN = "turn"
+HAS_WHOLE = hasattr(bpy.types, "FunctionNodeIntegerMath")
+"""Whether this Blender computes with whole numbers, from 4.3 on."""
+EXACT = 2**24
+"""The most points that numbers with a fraction count exactly."""
 SLACK = 1e-3
 """Frames nearer than this are equal."""
 
@@ -39,7 +43,9 @@ class Table:
         after = tree.math("MINIMUM", tree.math("ADD", before, 1.0), self.moments - 1)
         return before, after, tree.math("SUBTRACT", moment, before)
 
-    def read(self, tree: Tree, current: tuple[Socket, Socket, Socket], row: Socket, joint: Socket | int) -> tuple[Socket, Socket]:
+    def read(
+        self, tree: Tree, current: tuple[Socket, Socket, Socket], row: Socket, joint: Socket | int
+    ) -> tuple[Socket, Socket]:
         """Returns position and rotation of a joint of a row at the current frame."""
         before, after, share = current
         info = tree.node("GeometryNodeObjectInfo", {"transform_space": "ORIGINAL"}, Object=self.points)
@@ -48,7 +54,6 @@ class Table:
         turn = tree.attribute(TURN, "QUATERNION")
         found = {"FLOAT_VECTOR": [], "QUATERNION": []}
         for moment in (before, after):
-            # whole numbers as such: a number with a fraction is exact to 16 million only
             index = whole(tree, "ADD", whole(tree, "MULTIPLY", moment, self.rows), row)
             index = whole(tree, "ADD", whole(tree, "MULTIPLY", index, self.joints), joint)
             found["FLOAT_VECTOR"].append(tree.sample(stored, "FLOAT_VECTOR", place, index))
@@ -59,6 +64,8 @@ class Table:
 
 def whole(tree: Tree, operation: str, *given: Socket | int) -> Socket:
     """Returns the result of an operation on whole numbers."""
+    if not HAS_WHOLE:
+        return tree.math(operation, *given)
     node = tree.node("FunctionNodeIntegerMath", {"operation": operation})
     for socket, value in zip(node.inputs, given, strict=False):
         tree.put(socket, value)
@@ -74,11 +81,16 @@ def moments(clip: Clip, rate: float) -> tuple[np.ndarray, float]:
 
 def check(rows: int, count: int, joints: int) -> None:
     """Refuses a table that is too large."""
-    size = rows * count * joints * POINT
-    if size > MOST:
+    points = rows * count * joints
+    if points > EXACT and not HAS_WHOLE:
         raise ValueError(
-            f"{rows} agents at {count} stored moments take {size / 1024**3:.1f} GB, more than {MOST / 1024**3:.0f} GB: "
-            "choose fewer poses a second, or a shorter part"
+            f"{rows} agents at {count} stored moments are {points} points, more than {EXACT} in Blender before 4.3: "
+            "choose fewer poses a second, or a shorter recording"
+        )
+    if points * POINT > MOST:
+        raise ValueError(
+            f"{rows} agents at {count} stored moments take {points * POINT / 1024**3:.1f} GB, more than "
+            f"{MOST / 1024**3:.0f} GB: choose fewer poses a second, or a shorter recording"
         )
 
 

@@ -36,7 +36,9 @@ def test_states_are_those_of_the_table(run: tg.Run) -> None:
     assert np.array_equal(trajectories.times, run.times)
     positions, headings = trajectories.states(run.times)
     columns = run.arrays()
-    for time, number, x, y, heading in zip(*(columns[name] for name in ("time", "id", "x", "y", "heading")), strict=True):
+    for time, number, x, y, heading in zip(
+        *(columns[name] for name in ("time", "id", "x", "y", "heading")), strict=True
+    ):
         at = list(trajectories.ids).index(number), list(run.times).index(time)
         assert np.array_equal(positions[at], [x, y, 0]) and headings[at] == heading
     there = ~np.isnan(headings)
@@ -107,7 +109,9 @@ def test_poses_are_those_of_the_glb(run: tg.Run, tmp_path: Path) -> None:
     data = path.read_bytes()
     (length,) = struct.unpack_from("<I", data, 12)
     document = json.loads(data[20 : 20 + length])
-    people = {node["extras"]["number"]: node["extras"] for node in document["nodes"] if "build" in node.get("extras", {})}
+    people = {
+        node["extras"]["number"]: node["extras"] for node in document["nodes"] if "build" in node.get("extras", {})
+    }
     trajectories = run.trajectories()
     assert people.keys() == set(trajectories.people.tolist())
     for row, number in enumerate(trajectories.ids):

@@ -78,7 +78,9 @@ class Trajectories:
         """The obstacles: corners, metres, and whether they are closed polygons; thin walls are not."""
         return [(np.array(corners), closed) for corners, closed in self._native.obstacles()]
 
-    def states(self, times: Sequence[float] | npt.NDArray[np.float64]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    def states(
+        self, times: Sequence[float] | npt.NDArray[np.float64]
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Returns positions, (n, t, 3), metres, and headings, (n, t), radians, at times (seconds).
 
         NaN before the first and after the last sample of an agent. Between samples positions are on a line.
