@@ -31,6 +31,8 @@ def test_the_camera_sees_all(scene: bpy.types.Scene, recorded: dict[str, Path], 
         reach.append(seen(scene))
         assert (reach[-1][:, :2] > 0).all() and (reach[-1][:, :2] < 1).all() and (reach[-1][:, 2] > 0).all()
     whole = np.concatenate(reach)[:, :2]
+    margins = np.array([whole.min(axis=0), 1 - whole.max(axis=0)])
+    assert np.abs(margins[0] - margins[1]).max() < 0.1, "it is in the middle"
     assert np.ptp(whole, axis=0).max() > 0.85, "the crowd fills the picture"
 
 

@@ -62,10 +62,24 @@ def frame(camera: bpy.types.Object, seen: np.ndarray) -> None:
     before = (points[:, :2] + high * points[:, 2:]).max(axis=0)
     behind = (-points[:, :2] + low * points[:, 2:]).max(axis=0)
     back = ((before + behind) / (high + low)).max()
-    beside = ((before - high * back) - (behind - low * back)) / 2
+    depths = back - points[:, 2]
+    beside = [
+        _middle(points[:, axis], depths, (before[axis] - high[axis] * back, low[axis] * back - behind[axis]))
+        for axis in (0, 1)
+    ]
     camera.location = turn @ Vector((*beside, back))
     camera.rotation_euler = turn.to_euler()
     camera.data.clip_end = max(camera.data.clip_end, 100 * (back - points[:, 2].mean()))
+
+
+def _middle(points: np.ndarray, depths: np.ndarray, within: tuple[float, float]) -> float:
+    """Returns where a camera has points in the middle of its picture, along one of its axes; by bisection."""
+    least, most = within
+    for _ in range(40):
+        middle = (least + most) / 2
+        places = (points - middle) / depths
+        least, most = (middle, most) if places.max() > -places.min() else (least, middle)
+    return middle
 
 
 def _sky() -> bpy.types.World:
