@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
+import throng
 import throng_sim as tg
 from conftest import contents
 from throng import operators
@@ -131,3 +132,27 @@ def test_others_are_instances(scene: bpy.types.Scene, tmp_path: Path, flies: boo
             assert np.linalg.norm(np.array(matrix.translation) - place) < 1e-3
             assert abs(matrix.to_euler().z - heading) < 1e-3
             assert abs(matrix.to_scale().x - radius) < 1e-5
+
+
+def test_a_file_needs_no_extension(scene: bpy.types.Scene, recorded: dict[str, Path], tmp_path: Path) -> None:
+    """What is saved moves on a computer without the extension."""
+    from test_people import vertices
+
+    scene.throng.armatures, scene.throng.crowd_level = 5, "blocks"
+    bpy.ops.throng.open_trajectory(filepath=str(recorded["rec"]))
+
+    def places() -> list[np.ndarray]:
+        bpy.context.scene.frame_set(90)
+        return [vertices(bpy.data.objects[name]) for name in ("Crowd", "Body_1", "Body_2")]
+
+    before = places()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "crowd.blend"))
+    throng.unregister()
+    try:
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "crowd.blend"))
+        assert not hasattr(bpy.context.scene, "throng")
+        for mine, other in zip(places(), before, strict=True):
+            assert np.array_equal(mine, other)
+    finally:
+        throng.register()

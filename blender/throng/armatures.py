@@ -77,8 +77,6 @@ def _person(clip: Clip, row: int, cast: Cast, into: bpy.types.Collection) -> bpy
     skin.object = armature
     for made in (armature, body):
         into.objects.link(made)
-    armature.show_in_front = False
-    armature.data.display_type = "STICK"
     return armature
 
 
@@ -122,6 +120,7 @@ def _animate(
 def _armature(build: str) -> bpy.types.Armature:
     """Returns the armature of a build."""
     made = bpy.data.armatures.new(build.capitalize())
+    made.display_type = "STICK"
     holder = bpy.data.objects.new(made.name, made)
     layer, scene = bpy.context.view_layer, bpy.context.scene
     before = layer.objects.active

@@ -18,14 +18,14 @@ HEIGHT = 0.4
 
 def agents(clip: Clip, rows: list[int], parent: bpy.types.Object, into: bpy.types.Collection) -> Iterator[float]:
     """Adds instances for the agents of some rows. Yields the share that is done."""
-    crowd, spans = clip.trajectories, clip.spans()[rows]
+    crowd, spans, origin = clip.trajectories, clip.spans()[rows], clip.origin()
     frames, interval = table.moments(clip, bpy.context.scene.throng.pose_rate)
     table.check(len(rows), len(frames), 1)
     places = np.empty((len(frames), len(rows), 1, 3), np.float32)
     turns = np.empty((len(frames), len(rows), 1, 4), np.float32)
     positions, headings = crowd.states(clip.times(frames).clip(crowd.times[0], crowd.times[-1]))
     for column, row in enumerate(rows):
-        places[:, column, 0] = table.hold(positions[row] - clip.origin())
+        places[:, column, 0] = table.hold(positions[row] - origin)
         turns[:, column, 0] = quaternions.about_z(table.hold(headings[row]))
     yield 0.5
     tracks = table.build("Tracks", clip, interval, places, turns)
