@@ -86,8 +86,9 @@ def _animate(
     """Gives a person its motion: the object moves on the ground and turns, the bones move relative to it."""
     crowd = clip.trajectories
     times = clip.times_within(row, frames)
-    positions, headings = (array[row] for array in crowd.states(times))
-    hips, turns = (array[0].astype(float) for array in crowd.poses(times, ids=crowd.ids[[row]]))
+    number = crowd.ids[[row]]
+    positions, headings = (array[0] for array in crowd.states(times, ids=number))
+    hips, turns = (array[0].astype(float) for array in crowd.poses(times, ids=number))
     height = float(crowd.heights[row])
     headings = np.unwrap(headings)
     places = positions - origin
@@ -99,7 +100,7 @@ def _animate(
     turns = quaternions.product(quaternions.inverse(at_rest), quaternions.product(turns, at_rest))
     turns = quaternions.continuous(turns)
 
-    curves = actions.Curves(armature, f"Agent_{int(crowd.ids[row])}")
+    curves = actions.Curves(armature, f"Agent_{int(number[0])}")
     curves.add("location", frames, places[:, None], np.array([PLACE]))
     curves.add("rotation_euler", frames, headings[:, None, None], np.array([TURN]), first=2)
     curves.add('pose.bones["Hips"].location', frames, hips[:, None], np.array([PLACE / height]))

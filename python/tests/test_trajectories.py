@@ -45,6 +45,10 @@ def test_states_are_those_of_the_table(run: tg.Run) -> None:
     assert there.sum() == len(columns["id"])
     for row, (first, last) in enumerate(trajectories.spans):
         assert np.array_equal(there[row], (run.times >= first) & (run.times <= last))
+    chosen, _ = trajectories.states(run.times, ids=trajectories.ids[[2, 0]])
+    assert np.array_equal(chosen, positions[[2, 0]], equal_nan=True)
+    with pytest.raises(ValueError, match="99 is not the number of an agent"):
+        trajectories.states([0.0], ids=[99])
     # half-way between two moments
     middle, _ = trajectories.states((run.times[:-1] + run.times[1:]) / 2)
     assert np.allclose(middle[0], (positions[0, :-1] + positions[0, 1:]) / 2, atol=1e-12)

@@ -79,13 +79,19 @@ class Trajectories:
         return [(np.array(corners), closed) for corners, closed in self._native.obstacles()]
 
     def states(
-        self, times: Sequence[float] | npt.NDArray[np.float64]
+        self,
+        times: Sequence[float] | npt.NDArray[np.float64],
+        *,
+        ids: Sequence[int] | npt.NDArray[np.integer] | None = None,
     ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Returns positions, (n, t, 3), metres, and headings, (n, t), radians, at times (seconds).
 
-        NaN before the first and after the last sample of an agent. Between samples positions are on a line.
+        `ids` are the numbers of the agents, in the order of the rows (all agents). NaN before the first and after the
+        last sample of an agent. Between samples positions are on a line.
+
+        Raises `ValueError` if a number is not that of an agent.
         """
-        return self._native.states(list(times))
+        return self._native.states([int(number) for number in (self.ids if ids is None else ids)], list(times))
 
     def poses(
         self,

@@ -135,18 +135,19 @@ impl Trajectories {
         self.setting.obstacles.iter().map(|obstacle| corners(outline(obstacle))).collect()
     }
 
-    /// Positions, (n, t, 3), and headings, (n, t), of the agents at times: NaN before the first and after the last
-    /// sample of an agent.
-    fn states<'py>(&self, py: Python<'py>, times: Vec<f64>) -> PyResult<Placed<'py, f64>> {
+    /// Positions, (n, t, 3), and headings, (n, t), of agents, by their numbers, at times: NaN before the first and after
+    /// the last sample of an agent.
+    fn states<'py>(&self, py: Python<'py>, ids: Vec<u32>, times: Vec<f64>) -> PyResult<Placed<'py, f64>> {
+        let agents = ids.iter().map(|&id| self.agent(id)).collect::<PyResult<Vec<_>>>()?;
         let (mut places, mut headings) = (vec![], vec![]);
-        for agent in &self.agents {
+        for agent in agents {
             for &time in &times {
                 let Moment { place, heading, .. } = agent.at(time);
                 places.extend(place.to_array());
                 headings.push(heading);
             }
         }
-        let shape = [self.agents.len(), times.len()];
+        let shape = [ids.len(), times.len()];
         Ok((array(py, places, &[shape[0], shape[1], 3])?, array(py, headings, &shape)?))
     }
 
@@ -192,9 +193,15 @@ impl Trajectories {
         Self { setting, notes, times, agents }
     }
 
+    fn agent(&self, id: u32) -> PyResult<&Agent> {
+        let found = self.agents.binary_search_by_key(&id, |agent| agent.number).ok();
+        let agent = found.map(|at| &self.agents[at]);
+        agent.ok_or_else(|| PyValueError::new_err(format!("{id} is not the number of an agent")))
+    }
+
     fn person(&self, id: u32) -> PyResult<(&Agent, Person)> {
-        let found = self.agents.binary_search_by_key(&id, |agent| agent.number).ok().map(|at| &self.agents[at]);
-        let person = found.and_then(|agent| Some((agent, agent.person?)));
+        let agent = self.agent(id)?;
+        let person = agent.person.map(|person| (agent, person));
         person.ok_or_else(|| PyValueError::new_err(format!("{id} is not the number of a person")))
     }
 }
