@@ -36,6 +36,14 @@ def test_the_camera_sees_all(scene: bpy.types.Scene, recorded: dict[str, Path], 
     assert np.ptp(whole, axis=0).max() > 0.85, "the crowd fills the picture"
 
 
+@pytest.mark.parametrize("rows", ["0,1,2,3\n", "0,1,2,3\n0.5,1,2,3\n1,1,2,3\n", "0,1,2,3\n0,2,2,3\n0,3,2,5\n"])
+def test_few_people_in_one_place(scene: bpy.types.Scene, tmp_path: Path, rows: str) -> None:
+    (tmp_path / "few.csv").write_text("time,number,x,y\n" + rows)
+    bpy.ops.throng.open_trajectory(filepath=str(tmp_path / "few.csv"))
+    found = seen(scene)[:, :2]
+    assert (found > 0).all() and (found < 1).all()
+
+
 def test_what_is_there_stays(scene: bpy.types.Scene, recorded: dict[str, Path]) -> None:
     camera = bpy.data.objects.new("Mine", bpy.data.cameras.new("Mine"))
     lamp = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "AREA"))
@@ -48,6 +56,9 @@ def test_what_is_there_stays(scene: bpy.types.Scene, recorded: dict[str, Path]) 
     assert camera.location.length == 0
     bpy.ops.throng.frame_crowd()
     assert camera.location.length > 5
+    camera.data.type = "ORTHO"
+    with pytest.raises(RuntimeError, match="Mine is not in perspective"):
+        bpy.ops.throng.frame_crowd()
 
 
 def test_no_stage_and_range(scene: bpy.types.Scene, recorded: dict[str, Path]) -> None:

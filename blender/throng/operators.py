@@ -102,6 +102,10 @@ class FrameCrowd(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Moves the camera."""
+        if context.scene.camera.data.type != "PERSP":
+            name = context.scene.camera.name
+            self.report({"ERROR"}, f"{name} is not in perspective: choose the lens type Perspective, or another camera")
+            return {"CANCELLED"}
         roots = [thing for thing in context.scene.objects if crowds.SEEN in thing]
         seen = [np.array(root[crowds.SEEN]).reshape(-1, 3) + root.location for root in roots]
         stage.frame(context.scene.camera, np.concatenate(seen))
