@@ -18,12 +18,13 @@ from typing import Any
 from ._compare import Comparison, compare
 from ._model import Each, Model, View, model
 from ._run import Run
-from ._scene import Scene, gallery, models, open, schema
+from ._scene import Scene, gallery, ground, models, open, schema
 from ._summary import Summary
 from ._sweep import Results, sweep
 from ._throng import FileError, SceneError, WorldError
+from ._trajectories import Trajectories
 from ._world import Event, Neighbors, Status, Stepper, World, step_all
-from . import measure, plot
+from . import figure, measure, plot
 
 __all__ = [
     "Comparison",
@@ -39,11 +40,14 @@ __all__ = [
     "Status",
     "Stepper",
     "Summary",
+    "Trajectories",
     "View",
     "World",
     "WorldError",
     "compare",
+    "figure",
     "gallery",
+    "ground",
     "measure",
     "model",
     "models",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Sequence
+from collections.abc import Generator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,10 +13,14 @@ import numpy.typing as npt
 
 from . import _throng
 from ._summary import Summary
+from ._trajectories import Trajectories
 
 if TYPE_CHECKING:
     from ._scene import Scene
     from ._world import World
+
+_ALL = 2**63
+"""More steps than any run has."""
 
 
 class Run:
@@ -44,12 +48,30 @@ class Run:
     @classmethod
     def of(cls, world: World, *, record: float = 10.0, until: float | None = None) -> Run:
         """Runs a world until its scene is over, or until `until` seconds; records `record` frames a second."""
+        steps = cls.gradually(world, record=record, until=until, steps=_ALL)
+        while True:
+            try:
+                next(steps)
+            except StopIteration as end:
+                run: Run = end.value
+                return run
+
+    @classmethod
+    def gradually(
+        cls, world: World, *, record: float = 10.0, until: float | None = None, steps: int = 25
+    ) -> Generator[float, None, Run]:
+        """Runs a world as `of` does, but yields its time at least every `steps` steps. The generator returns the run.
+
+        >>> import throng_sim as tg
+        >>> len(list(tg.Run.gradually(tg.Scene("headon").build(), until=2.0, steps=10)))
+        5
+        """
         recording = _throng.Recording(world._world, record)
-        if world.behavior is None:
-            recording.go_on(world._world, until)
-        while world.behavior is not None and not world._world.is_at_end(until):
-            world._obey()
-            recording.go_on(world._world, until, 1)
+        while not world._world.is_at_end(until):
+            if world.behavior is not None:
+                world._obey()
+            recording.go_on(world._world, until, 1 if world.behavior is not None else steps)
+            yield world.time
         return cls(recording, world)
 
     @property
@@ -85,6 +107,10 @@ class Run:
         """Returns the columns as NumPy arrays; `group` and `status` are texts."""
         table = self.table()
         return {name: table.column(name).to_numpy() for name in table.column_names}
+
+    def trajectories(self) -> Trajectories:
+        """Returns what the agents did: their states, and the poses of people, at any time."""
+        return Trajectories(self._recording.trajectories())
 
     def save(
         self,

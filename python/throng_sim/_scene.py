@@ -321,6 +321,20 @@ def open(
     return Scene._of(scene, notes)
 
 
+def ground(outlines: Iterable[Any], solids: Iterable[Any] = ()) -> dict[str, Any]:
+    """Returns the ground that outlines make together, without solid outlines, as GeoJSON for `Scene(walkable=...)`.
+
+    An outline is a list of corners, metres, in either orientation; outlines may overlap.
+
+    >>> def square(low, high):
+    ...     return [(low, low), (high, low), (high, high), (low, high)]
+    >>> [len(area) for area in ground([square(0, 4), square(3, 6)], [square(1, 2)])["coordinates"]]
+    [2]
+    """
+    given = [[[[float(x), float(y)] for x, y in outline] for outline in all] for all in (outlines, solids)]
+    return {"type": "MultiPolygon", "coordinates": _throng.cut_ground(*given)}
+
+
 def gallery() -> dict[str, list[str]]:
     """Returns the names of the gallery's scenes, by group.
 

@@ -22,6 +22,32 @@ pub enum Build {
     Child,
 }
 
+impl Build {
+    /// All builds.
+    pub const ALL: [Build; 3] = [Build::Woman, Build::Man, Build::Child];
+
+    /// Returns the name: `woman`, `man` or `child`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Build::Woman => "woman",
+            Build::Man => "man",
+            Build::Child => "child",
+        }
+    }
+
+    /// Returns the build of a name.
+    ///
+    /// ```
+    /// use throng_figure::Build;
+    ///
+    /// assert!(Build::ALL.into_iter().all(|build| Build::named(build.name()) == Some(build)));
+    /// assert_eq!(Build::named("robot"), None);
+    /// ```
+    pub fn named(name: &str) -> Option<Build> {
+        Build::ALL.into_iter().find(|build| build.name() == name)
+    }
+}
+
 /// A side of the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {

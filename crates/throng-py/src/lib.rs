@@ -4,6 +4,7 @@
 
 mod arrow;
 mod error;
+mod figure;
 mod inner;
 mod live;
 mod measure;
@@ -15,6 +16,8 @@ mod scene;
 mod stepper;
 mod sweep;
 mod threads;
+mod track;
+mod trajectories;
 mod world;
 mod writable;
 
@@ -24,9 +27,13 @@ mod _throng {
     #[pymodule_export]
     use crate::error::{FileError, SceneError, WorldError};
     #[pymodule_export]
+    use crate::figure::{builds, joints, look_colors, mesh, skeleton};
+    #[pymodule_export]
     use crate::measure::figures;
     #[pymodule_export]
     use crate::model::View;
+    #[pymodule_export]
+    use crate::place::cut_ground;
     #[pymodule_export]
     use crate::run::{Recording, colors};
     #[pymodule_export]
@@ -35,6 +42,8 @@ mod _throng {
     use crate::stepper::Stepper;
     #[pymodule_export]
     use crate::sweep::Plan;
+    #[pymodule_export]
+    use crate::trajectories::Trajectories;
     #[pymodule_export]
     use crate::world::World;
 }

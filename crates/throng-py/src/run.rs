@@ -3,6 +3,9 @@
 use crate::arrow;
 use crate::error::FileError;
 use crate::inner::Inner;
+use crate::place::{Corners, rings};
+use crate::track::State;
+use crate::trajectories::Trajectories;
 use crate::world::World;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -105,12 +108,8 @@ impl Recording {
     }
 
     /// Corners of the walkable areas and of their holes, metres.
-    fn walkable(&self) -> Vec<Vec<Vec<[f64; 2]>>> {
-        let ring = |corners: &[glam::DVec2]| corners.iter().map(|corner| corner.to_array()).collect::<Vec<_>>();
-        let area = |area: &throng::Walkable| {
-            std::iter::once(ring(&area.outer)).chain(area.holes.iter().map(|hole| ring(hole))).collect()
-        };
-        self.setting.walkable.iter().map(area).collect()
+    fn walkable(&self) -> Vec<Vec<Corners>> {
+        rings(&self.setting.walkable)
     }
 
     /// The trajectories in the Arrow C stream interface.
@@ -128,6 +127,11 @@ impl Recording {
     /// Returns a web page that plays the recording, without a network.
     fn player(&self, py: Python<'_>) -> String {
         py.detach(|| self.page())
+    }
+
+    /// Returns what the agents did so far.
+    fn trajectories(&self, py: Python<'_>) -> Trajectories {
+        py.detach(|| self.trajectories_of())
     }
 
     /// Writes files of the kinds that `throng run` writes.
@@ -209,6 +213,21 @@ impl Recording {
         }
         let Some(last) = frames.last() else { return Ok(()) };
         files.finish(last.time, |to| to.clone_from(last)).map_err(|error| failed(all(), &error))
+    }
+
+    /// Returns the trajectories so far.
+    pub fn trajectories_of(&self) -> Trajectories {
+        let frames = self.frames();
+        let states = frames.iter().flat_map(|frame| frame.bodies.iter().map(move |body| (frame.time, body)));
+        let states = states.map(|(time, body)| State {
+            number: body.number,
+            group: body.group,
+            radius: body.radius,
+            time,
+            place: body.center(),
+            heading: body.heading.into(),
+        });
+        Trajectories::new(self.setting.clone(), vec![], states)
     }
 
     /// Returns the frames so far.

@@ -13,7 +13,7 @@ use std::sync::Mutex;
 /// The pages with blocks of ```sh,no_run, how many, and why they cannot run in a test.
 const SKIPPED: &[(&str, usize, &str)] = &[
     ("README.md", 1, "cargo"),
-    ("blender.md", 1, "Blender"),
+    ("blender.md", 2, "Blender, cargo"),
     ("compare.md", 2, "minutes, the Python package"),
     ("flocks.md", 1, "cargo, minutes"),
     ("gallery.md", 1, "minutes"),

@@ -3,19 +3,6 @@
 use glam::DVec3;
 use throng_figure::{Build, JOINTS, Joint, Skeleton};
 
-/// The builds, and their names in files.
-const BUILDS: [(Build, &str); 3] = [(Build::Woman, "woman"), (Build::Man, "man"), (Build::Child, "child")];
-
-/// Returns the name of a build in files.
-pub(crate) fn name(build: Build) -> &'static str {
-    BUILDS.into_iter().find(|(known, _)| *known == build).map_or("man", |(_, name)| name)
-}
-
-/// Returns the build of a name in files.
-pub(crate) fn build_named(name: &str) -> Option<Build> {
-    BUILDS.into_iter().find(|(_, known)| *known == name).map(|(build, _)| build)
-}
-
 /// Returns the build and the height (m) of the skeleton whose bones are closest to these offsets (m, in the axes of the
 /// scene): the least sum of squares. The offset of the hips does not count.
 pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
@@ -27,7 +14,7 @@ pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
         let error: f64 = pairs().map(|(unit, found)| (found - unit * height).length_squared()).sum();
         (build, height, error)
     };
-    let all = BUILDS.map(|(build, _)| fit(build));
+    let all = Build::ALL.map(fit);
     let (build, height, _) = all.into_iter().min_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or(all[0]);
     (build, height)
 }
@@ -38,7 +25,7 @@ mod tests {
 
     #[test]
     fn bones_tell_build_and_height() {
-        for (build, name) in BUILDS {
+        for build in Build::ALL {
             for height in [0.9, 1.64, 2.1] {
                 let skeleton = Skeleton::scaled(build, height);
                 // as a file of centimetres with four decimals has them
@@ -46,9 +33,8 @@ mod tests {
                 let offsets = Joint::ALL.map(|joint| skeleton.offset(joint).to_array().map(round).into());
                 let (found, tall) = fitted(&offsets);
                 assert_eq!(found, build);
-                assert!((tall - height).abs() < 1e-5, "{name}: {tall}");
+                assert!((tall - height).abs() < 1e-5, "{build:?}: {tall}");
             }
-            assert_eq!(build_named(self::name(build)), Some(build));
         }
     }
 }

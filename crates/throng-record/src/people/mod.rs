@@ -16,8 +16,6 @@ mod style;
 
 #[cfg(feature = "bvh")]
 pub(crate) use build::fitted;
-#[cfg(any(feature = "glb", feature = "usda"))]
-pub(crate) use build::{build_named, name};
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 pub(crate) use choose::People;
 pub use figure::{Figure, Figures};

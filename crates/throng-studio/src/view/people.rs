@@ -10,11 +10,8 @@ use throng_draw::{Color, Followed, Projector};
 use throng_figure::{Build, Level, Person};
 use throng_record::Body;
 
-/// All builds of bodies.
-pub const BUILDS: [Build; 3] = [Build::Woman, Build::Man, Build::Child];
-
 /// The number of bodies: of each build at each level.
-pub const BODIES: usize = BUILDS.len() * Level::ALL.len();
+pub const BODIES: usize = Build::ALL.len() * Level::ALL.len();
 
 /// The least height of a person at each level but the last, pixels.
 const LEAST: [f32; Level::ALL.len() - 1] = [140.0, 60.0, 22.0];
@@ -224,7 +221,7 @@ mod tests {
 
     #[test]
     fn every_mesh_fits_into_the_buffers() {
-        for build in BUILDS {
+        for build in Build::ALL {
             for level in Level::ALL {
                 let mesh = throng_figure::Mesh::new(build, level);
                 assert!(mesh.positions.len() <= 1 << 16);

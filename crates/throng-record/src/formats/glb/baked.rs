@@ -14,7 +14,7 @@ use super::write::{POINTS, TRIANGLES};
 use crate::Output;
 use crate::color::light;
 use crate::formats::spill::beside;
-use crate::people::{axes, name};
+use crate::people::axes;
 use glam::{DQuat, Quat};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -156,11 +156,11 @@ fn body(root: &mut Root, bin: &mut Bin, build: Build) -> io::Result<BakedBody> {
         bin.view(Some(TRIANGLES))?;
         let primitive = json!({ "attributes": attributes, "indices": bin.triangles(&mesh.triangles)? });
         levels.push(root.meshes.len());
-        root.meshes.push(json!({ "name": format!("{} {level:?}", name(build)), "primitives": [primitive] }));
+        root.meshes.push(json!({ "name": format!("{} {level:?}", build.name()), "primitives": [primitive] }));
     }
     let skeleton = Skeleton::scaled(build, 1.0);
     let offsets = Joint::ALL.map(|joint| axes::own(skeleton.offset(joint).as_vec3()).to_array()).to_vec();
-    Ok(BakedBody { build: name(build).to_owned(), offsets, levels })
+    Ok(BakedBody { build: build.name().to_owned(), offsets, levels })
 }
 
 /// Adds a file as a view. Returns the view.

@@ -2,9 +2,9 @@
 
 use super::baked::{BAKED, Baked, BakedPerson, HIPS, TURNS};
 use super::data::Data;
-use crate::people::{Figure, Figures, axes, build_named};
+use crate::people::{Figure, Figures, axes};
 use glam::{DQuat, DVec3};
-use throng_figure::{JOINTS, Joint, Person, Placed, Skeleton, slerp};
+use throng_figure::{Build, JOINTS, Joint, Person, Placed, Skeleton, slerp};
 
 /// Reads the people of a file with the key [`BAKED`]; `times` are those of its frames.
 ///
@@ -18,7 +18,7 @@ pub fn figures(data: &Data, times: &[f64], period: f64) -> Result<Figures, Strin
     }
     let poses = [data.view(baked.hips)?.0, data.view(baked.rotations)?.0];
     let figure = |person: &BakedPerson| -> Result<Figure, String> {
-        let build = baked.bodies.get(person.body).and_then(|body| build_named(&body.build));
+        let build = baked.bodies.get(person.body).and_then(|body| Build::named(&body.build));
         let build = build.ok_or_else(|| format!("{BAKED} names no body of agent {}", person.number))?;
         let visit = |visit: &[u64; 3]| Visit::of(visit, times, poses);
         let visits: Option<Vec<Visit>> = person.visits.iter().map(visit).collect();

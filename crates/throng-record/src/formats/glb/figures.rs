@@ -7,9 +7,9 @@ use super::json::Extras;
 use super::read::{MOST, moments};
 use super::sampler::{Channels, SampledNode};
 use crate::formats::FormatFlaw;
-use crate::people::{Figure, Figures, axes, build_named};
+use crate::people::{Figure, Figures, axes};
 use glam::{DQuat, DVec3};
-use throng_figure::{JOINTS, Joint, Person, Placed};
+use throng_figure::{Build, JOINTS, Joint, Person, Placed};
 
 const HINT: &str =
     "figures are skins (or baked poses) with the 19 joints that `throng run -o NAME.glb` writes: Hips, Spine and so on";
@@ -71,7 +71,7 @@ fn figure(data: &Data, channels: &Channels, first: f64, agent: usize, joints: &[
     let build = known
         .build
         .as_deref()
-        .and_then(build_named)
+        .and_then(Build::named)
         .ok_or_else(|| format!("the extras of node {agent} name no build"))?;
     let (from, to) = known.from.zip(known.to).ok_or_else(|| format!("the extras of node {agent} have no times"))?;
     let skin =

@@ -5,7 +5,7 @@ use super::json::{Node, Root};
 use super::motion::{GlbMotion, Visit};
 use super::write::{POINTS, TRIANGLES};
 use crate::color::light;
-use crate::people::{axes, name};
+use crate::people::axes;
 use glam::{Mat4, Quat, Vec3};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -116,7 +116,7 @@ impl Skins {
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
         root.meshes
-            .push(json!({ "name": format!("{} {}", name(person.build), person.look), "primitives": [primitive] }));
+            .push(json!({ "name": format!("{} {}", person.build.name(), person.look), "primitives": [primitive] }));
         self.meshes.insert((build, person.look), mesh);
         Ok((mesh, shape.binds))
     }

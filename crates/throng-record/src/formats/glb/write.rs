@@ -91,7 +91,7 @@ impl GlbWriter {
                 return Ok(());
             };
             if let Some(Extras::Person(known)) = &mut node.extras {
-                known.build = Some(people::name(walk.person().build).to_owned());
+                known.build = Some(walk.person().build.name().to_owned());
             }
             let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
             scene.root.nodes.push(node);

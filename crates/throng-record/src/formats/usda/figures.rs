@@ -4,9 +4,9 @@ use super::cursor::UsdaFlaw;
 use super::layer::Prim;
 use super::read::{codes_per_second, on_line, stage};
 use crate::formats::FormatFlaw;
-use crate::people::{Figure, Figures, build_named};
+use crate::people::{Figure, Figures};
 use glam::{DQuat, DVec3};
-use throng_figure::{JOINTS, Joint, Person, Placed, slerp};
+use throng_figure::{Build, JOINTS, Joint, Person, Placed, slerp};
 
 const HINT: &str =
     "figures are SkelRoots with the 19 joints that `throng run -o NAME.usda` writes: Hips, Spine and so on";
@@ -70,7 +70,7 @@ impl UsdaPerson {
         let lacks = |what: &str| (0, format!("the SkelRoot {} has no {what}", root.name));
         let number = root.value("throng:number").ok_or_else(|| lacks("throng:number"))?.whole()?;
         let number = *number.first().ok_or_else(|| lacks("throng:number"))?;
-        let build = root.value("throng:build").and_then(|build| build_named(build.texts().first()?));
+        let build = root.value("throng:build").and_then(|build| Build::named(build.texts().first()?));
         let build = build.ok_or_else(|| lacks("throng:build of woman, man or child"))?;
         let height = root.value("throng:height").ok_or_else(|| lacks("throng:height"))?.number()?;
         let named = walk.value("joints").ok_or_else(|| lacks("joints"))?.texts();

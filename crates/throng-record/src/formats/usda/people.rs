@@ -6,7 +6,6 @@
 use super::text::{indented, list, quoted, tuple};
 use crate::color::light;
 use crate::formats::spill::SpilledState;
-use crate::people::name;
 use glam::{DQuat, DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -26,7 +25,7 @@ const TURN: usize = 5;
 pub fn bodies(people: &[Person]) -> String {
     let mut looks: BTreeMap<&str, (Build, Vec<u8>)> = BTreeMap::new();
     for person in people {
-        let (_, looks) = looks.entry(name(person.build)).or_insert((person.build, Vec::new()));
+        let (_, looks) = looks.entry(person.build.name()).or_insert((person.build, Vec::new()));
         looks.push(person.look);
     }
     let mut text = String::from("\ndef Scope \"People\"\n{\n");
@@ -159,7 +158,7 @@ def SkelRoot \"{name}\"
 /// Returns a person. `codes` and `times` are those of all frames.
 pub fn person(agent: u32, walk: &Walk, track: &[(u32, SpilledState)], (codes, times): (&[f64], &[f64])) -> String {
     let person = walk.person();
-    let (build, look, height) = (name(person.build), person.look, person.height);
+    let (build, look, height) = (person.build.name(), person.look, person.height);
     let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
     let mut poses: Vec<Pose> = Vec::with_capacity(moments.len());
     for &moment in &moments {

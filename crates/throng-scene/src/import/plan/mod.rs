@@ -25,6 +25,8 @@ mod scale;
 mod svg;
 mod walk;
 
+pub use overlay::cut_ground;
+
 #[cfg(feature = "menge")]
 pub(super) use overlay::union;
 

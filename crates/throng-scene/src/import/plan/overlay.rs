@@ -1,5 +1,6 @@
 //! Unions, differences and outlines of polygons with holes.
 
+use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, bounds, points, signed_area};
 use crate::scene::{Area, Point};
 use i_overlay::core::fill_rule::FillRule;
@@ -32,6 +33,33 @@ pub(super) fn difference(ground: &[Area], less: &[Vec<DVec2>]) -> Vec<Area> {
     }
     let less: Vec<OverlayRing> = less.iter().map(|outline| turned(outline)).collect();
     areas(rings.overlay(&less, OverlayRule::Difference, FillRule::NonZero))
+}
+
+/// Returns the union of outlines minus the union of solid outlines: areas that are separate from each other. Outlines
+/// may overlap, and have either orientation.
+///
+/// ```
+/// use glam::DVec2;
+/// use throng_scene::import::plan::cut_ground;
+/// let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+/// let ground = cut_ground(&[square(0.0, 4.0), square(3.0, 6.0)], &[square(1.0, 2.0)]);
+/// assert_eq!((ground.len(), ground[0].holes.len()), (1, 1));
+/// ```
+///
+/// # Errors
+/// A coordinate is not finite, or farther than 1e9 m away.
+pub fn cut_ground(ground: &[Vec<DVec2>], solids: &[Vec<DVec2>]) -> Result<Vec<throng::Walkable>, Error> {
+    let far = ground.iter().chain(solids).flatten().find(|at| !at.is_finite() || at.abs().max_element() > FARTHEST);
+    if let Some(far) = far {
+        let message = format!("the corner {far} is farther than {FARTHEST} m away");
+        return Err(Error::new(Kind::OutOfRange, message).hint("move the shapes to where the scene is"));
+    }
+    let areas = difference(&union(ground), solids);
+    let walkable = |area: Area| {
+        let holes = area.holes.iter().map(|hole| points(hole)).collect();
+        throng::Walkable { outer: points(&area.outer), holes }
+    };
+    Ok(areas.into_iter().map(walkable).collect())
 }
 
 /// Returns the areas that rings enclose, by the even-odd or the non-zero rule.

@@ -1,13 +1,13 @@
 //! Drawing of people: bodies as instances, poses as pictures of floating-point numbers.
 
-use super::super::people::{BODIES, BUILDS, DrawnPeople, DrawnPerson, body};
+use super::super::people::{BODIES, DrawnPeople, DrawnPerson, body};
 use super::{Attribute, Buffer, Lighting, Program};
 use crate::play::{Joints, Poses};
 use bytemuck::{Pod, Zeroable};
 use eframe::glow::{self, HasContext};
 use glam::Vec3;
 use std::sync::Arc;
-use throng_figure::{JOINTS, LOOKS, Level, Look, Mesh, Region};
+use throng_figure::{Build, JOINTS, LOOKS, Level, Look, Mesh, Region};
 
 /// The number of people in a row of a picture of poses.
 const IN_ROW: usize = 16;
@@ -51,7 +51,7 @@ impl PeopleCanvas {
             program.set_integer(gl, name, value);
         }
         let mut bodies = Vec::with_capacity(BODIES);
-        for build in BUILDS {
+        for build in Build::ALL {
             for level in Level::ALL {
                 debug_assert_eq!(bodies.len(), body(build, level));
                 bodies.push(vertices(gl, &Mesh::new(build, level))?);
