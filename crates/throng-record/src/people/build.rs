@@ -3,7 +3,7 @@
 use glam::DVec3;
 use throng_figure::{Build, JOINTS, Joint, Skeleton};
 
-/// Returns the build and the height (m) of the skeleton whose bones are closest to these offsets (m, in the axes of the
+/// Returns the build and the height (m) of the skeleton with the bones closest to these offsets (m, in the axes of the
 /// scene): the least sum of squares. The offset of the hips does not count.
 pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
     let fit = |build: Build| {
