@@ -19,6 +19,12 @@ use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Sample, Skele
 pub const MOST: usize = 300;
 /// The longest recording with figures, seconds.
 const LONGEST: f64 = 14_400.0;
+/// The largest radius of a person, metres.
+const LARGEST: f32 = 0.5;
+/// Below this radius a person is a child, metres.
+const CHILD: f32 = 0.18;
+/// Height of a child, metres.
+const CHILD_HEIGHT: f64 = 1.2;
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
 /// Greatest error of a rotation about each axis, radians: of the joints from the hips to the feet, and of the others.
@@ -53,11 +59,7 @@ impl People {
 
     /// Whether an agent is a person.
     pub fn has(&self, agent: &SpilledAgent) -> bool {
-        self.person(agent).is_some()
-    }
-
-    fn person(&self, agent: &SpilledAgent) -> Option<Person> {
-        Person::of_agent(agent.number, agent.radius).filter(|_| self.any)
+        self.any && agent.radius <= LARGEST
     }
 
     /// Returns the walk of an agent; `None` if it is not a person.
@@ -65,7 +67,13 @@ impl People {
     /// # Errors
     /// A position is not finite.
     pub fn walk(&self, agent: &SpilledAgent, track: &[(u32, SpilledState)], times: &[f64]) -> io::Result<Option<Walk>> {
-        let Some(person) = self.person(agent) else { return Ok(None) };
+        if !self.has(agent) {
+            return Ok(None);
+        }
+        let mut person = Person::new(0, u64::from(agent.number));
+        if agent.radius < CHILD {
+            person = person.with_build(Build::Child).with_height(CHILD_HEIGHT);
+        }
         let sample = |(moment, state): &(u32, SpilledState)| {
             let ahead = (state.rotation * Vec3::X).as_dvec3();
             let heading = libm::atan2(ahead.y, ahead.x);
