@@ -1,7 +1,11 @@
 //! The builds of people in files.
 
-use glam::DVec3;
-use throng_figure::{Build, JOINTS, Joint, Skeleton};
+use throng_figure::Build;
+#[cfg(feature = "bvh")]
+use {
+    glam::DVec3,
+    throng_figure::{JOINTS, Joint, Skeleton},
+};
 
 /// The builds, and their names in files.
 const BUILDS: [(Build, &str); 3] = [(Build::Woman, "woman"), (Build::Man, "man"), (Build::Child, "child")];
@@ -16,8 +20,9 @@ pub(crate) fn build_named(name: &str) -> Option<Build> {
     BUILDS.into_iter().find(|(_, known)| *known == name).map(|(build, _)| build)
 }
 
-/// Returns the build and the height (m) of the skeleton whose bones are closest to these offsets (m, in the axes of the
-/// scene): the least sum of squares. The offset of the hips does not count.
+/// Returns the build and the height (m) of the skeleton that has the bones closest to these offsets (m, in the axes of
+/// the scene): the least sum of squares. The offset of the hips does not count.
+#[cfg(feature = "bvh")]
 pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
     let fit = |build: Build| {
         let unit = Skeleton::scaled(build, 1.0);
@@ -32,7 +37,7 @@ pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
     (build, height)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "bvh"))]
 mod tests {
     use super::*;
 

@@ -6,6 +6,7 @@
 
 #[cfg(any(feature = "bvh", feature = "glb"))]
 pub(crate) mod axes;
+#[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 mod build;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 mod choose;
