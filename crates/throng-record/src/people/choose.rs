@@ -19,7 +19,7 @@ pub(crate) struct People {
 }
 
 impl People {
-    /// Returns the people of a recording. Their positions are metres from the origin of the setting.
+    /// Returns the people of a recording, in this style.
     pub(crate) fn of(style: FigureStyle, setting: &Setting, spill: &Spill) -> Self {
         let times: Vec<f64> = spill.moments.iter().map(|&(time, _)| time).collect();
         let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);

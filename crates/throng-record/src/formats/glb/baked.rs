@@ -1,4 +1,4 @@
-//! Baked people: their poses are in one buffer, for shaders that draw thousands of them.
+//! People with all poses in one buffer, for shaders that draw thousands of them.
 //!
 //! `asset.extras["throng.baked"]` describes the buffer ([`Baked`]). A pose is a position of the hips (three `f32`, in
 //! the axes of the file, against the node `World`) and a rotation of each joint (four signed 16-bit parts of 1: x, y, z,

@@ -1,4 +1,4 @@
-//! Reads baked people: their poses are in one buffer.
+//! Reads people with all poses in one buffer.
 
 use super::baked::{BAKED, Baked, BakedPerson, HIPS, TURNS};
 use super::data::Data;
