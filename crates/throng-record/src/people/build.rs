@@ -19,7 +19,7 @@ pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64) {
     (build, height)
 }
 
-#[cfg(all(test, feature = "bvh"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

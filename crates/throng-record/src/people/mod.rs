@@ -6,7 +6,6 @@
 
 #[cfg(any(feature = "bvh", feature = "glb"))]
 pub(crate) mod axes;
-#[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 #[cfg(feature = "bvh")]
 mod build;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
