@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (width, height) = size.split_once('x').ok_or("the size is width x height, such as 1280x720")?;
     let mut film = sink::sink(&path, RATE)?;
     for part in parts(seconds) {
-        let mut scene = gallery::scene(part.scene).ok_or(part.scene)?;
+        let mut scene = gallery::scene(part.scene)?;
         scene.view.camera = Some(Camera::default());
         let style = Style::said(&scene);
         let viewpoint = throng_draw::Viewpoint { motion: Motion::Keys(part.keys), ..style.viewpoint };
