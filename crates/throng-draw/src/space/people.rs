@@ -47,7 +47,7 @@ impl People {
         for body in frame.bodies.iter().filter(|body| self.has(body, look)) {
             let sample = Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) };
             let known = before.remove(&body.number).and_then(|(mut live, skeleton)| {
-                let known = live.sample().time == sample.time || live.step(sample).is_ok();
+                let known = live.sample() == sample || live.step(sample).is_ok();
                 known.then_some((live, skeleton))
             });
             if let Some(figure) = known.or_else(|| arrived(body, sample)) {

@@ -6,6 +6,7 @@ mod figures;
 mod films;
 mod flows;
 mod insects;
+mod people;
 mod pictures;
 mod shapes;
 mod sheets;

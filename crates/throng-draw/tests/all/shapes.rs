@@ -34,20 +34,23 @@ fn a_figure_stands_on_its_place_and_is_as_tall_as_a_person() {
     let frame = alone(0.0);
     let empty = Frame { bodies: Vec::new(), ..frame.clone() };
     let painted = |form: AgentShape, up: f64| {
-        let mut painter = Painter::new(&place(), &in_space(form), &frame).unwrap();
+        // where agents fly, those without a shape are balls
+        let place = Setting { in_space: true, ..place() };
+        let mut painter = Painter::new(&place, &in_space(form), &frame).unwrap();
         let at = painter.pixel(DVec3::new(0.0, 0.0, up)).unwrap();
         let [with, bare] = [&frame, &empty].map(|frame| painter.paint(frame).pixel(at.x as u32, at.y as u32));
         with != bare
     };
-    // With a radius of 0.25 m, the head is between 1.4 and 1.65 m, and nothing is above it.
-    assert!(painted(AgentShape::Shaped(Shape::Walker), 1.5) && !painted(AgentShape::Shaped(Shape::Walker), 1.75));
-    assert!(painted(AgentShape::Body, 0.25) && !painted(AgentShape::Body, 1.5));
+    let figure = AgentShape::Shaped(Shape::Walker);
+    assert!(painted(figure, 1.4) && !painted(figure, 2.0));
+    assert!(painted(AgentShape::Body, 0.25) && !painted(AgentShape::Body, 1.4));
 }
 
 #[test]
 fn only_walking_moves_the_limbs() {
     let pictures = |step: f64, shape: Shape| {
-        let mut painter = Painter::new(&place(), &in_space(AgentShape::Shaped(shape)), &alone(0.0)).unwrap();
+        let style = Style { projection: Some(Projection::Plan), ..in_space(AgentShape::Shaped(shape)) };
+        let mut painter = Painter::new(&place(), &style, &alone(0.0)).unwrap();
         // The position in the picture is the same, so only the walked distance differs.
         painter.follow(&alone(0.0));
         let first = painter.paint(&alone(0.0)).clone();
@@ -67,7 +70,8 @@ fn every_shape_is_drawn_from_above_and_in_space() {
         let mut pictures: Vec<Image> = Vec::new();
         for form in Shape::ALL.map(AgentShape::Shaped).into_iter().chain([AgentShape::Body]) {
             let style = Style { projection: Some(projection), ..in_space(form) };
-            let mut painter = Painter::new(&place(), &style, &alone(0.0)).unwrap();
+            let place = Setting { in_space: true, ..place() };
+            let mut painter = Painter::new(&place, &style, &alone(0.0)).unwrap();
             let image = painter.paint(&alone(0.0)).clone();
             assert!(pictures.iter().all(|other| differ(other, &image) > 5), "{form:?}, {projection:?}");
             pictures.push(image);

@@ -1,0 +1,142 @@
+//! People in pictures in perspective.
+
+use glam::{DVec2, DVec3, Vec2};
+use throng_draw::{Color, Image, Motion, Painter, Projection, Style, Viewpoint, palette};
+use throng_record::{Body, Frame, Setting};
+
+fn style() -> Style {
+    let viewpoint = Viewpoint {
+        eye: Some(DVec3::new(0.0, -9.0, 1.6)),
+        target: Some(DVec3::new(0.0, 0.0, 0.9)),
+        ..Viewpoint::default()
+    };
+    let projection = Some(Projection::Perspective);
+    Style { width: 320, height: 240, projection, viewpoint, trails: 0.0, ..crate::common::style() }
+}
+
+fn setting() -> Setting {
+    Setting { in_space: false, obstacles: Vec::new(), goals: Vec::new(), ..crate::common::setting() }
+}
+
+fn body(number: u32, group: u32, at: DVec2) -> Body {
+    Body {
+        number,
+        group,
+        goal: None,
+        position: at,
+        altitude: 0.0,
+        velocity: Vec2::ZERO,
+        vertical_velocity: 0.0,
+        heading: 0.4,
+        basis: None,
+        radius: 0.25,
+        core: Vec2::ZERO,
+        ..crate::common::moment(0).bodies[0]
+    }
+}
+
+fn frame(bodies: &[Body]) -> Frame {
+    Frame { bodies: bodies.to_vec(), ..Frame::default() }
+}
+
+/// Returns the pixels that are not the same in two pictures, without shadows: those with a changed hue.
+fn changed(a: &Image, b: &Image) -> Vec<(u32, u32)> {
+    let hue = |color: Color| (i32::from(color.r) - i32::from(color.b), i32::from(color.g) - i32::from(color.b));
+    let cells = (0..a.height()).flat_map(|y| (0..a.width()).map(move |x| (x, y)));
+    let apart = |&(x, y): &(u32, u32)| {
+        let ((p, q), (r, s)) = (hue(a.pixel(x, y)), hue(b.pixel(x, y)));
+        (p - r).abs() + (q - s).abs() > 24
+    };
+    cells.filter(apart).collect()
+}
+
+#[test]
+fn agents_are_as_tall_as_people_and_stand_where_they_are() {
+    for (x, radius, heights) in [(0.0, 0.25, 1.45..1.95), (1.5, 0.13, 1.4..1.95), (-1.5, 0.08, 1.05..1.25)] {
+        let body = Body { radius, ..body(7, 0, DVec2::new(x, 0.0)) };
+        let mut painter = Painter::new(&setting(), &style(), &frame(&[body])).unwrap();
+        let image = painter.paint(&frame(&[body])).clone();
+        let cells = changed(&image, painter.paint(&Frame::default()));
+        let (top, low) = (cells.iter().map(|at| at.1).min().unwrap(), cells.iter().map(|at| at.1).max().unwrap());
+        let pixel = |z: f64| painter.pixel(DVec3::new(x, 0.0, z)).unwrap();
+        let scale = f64::from(pixel(0.0).y - pixel(1.0).y);
+        let tall = f64::from(low - top) / scale;
+        assert!(heights.contains(&tall), "{tall} m, radius {radius} m");
+        assert!((f64::from(low) - f64::from(pixel(0.0).y)).abs() < 0.2 * scale, "it stands on the ground");
+        let middle = cells.iter().map(|at| at.0 as f32).sum::<f32>() / cells.len() as f32;
+        assert!((middle - pixel(0.0).x).abs() < 0.25 * scale as f32);
+    }
+}
+
+#[test]
+fn clothes_show_groups_where_there_are_several() {
+    let shown = |groups: &[u32]| {
+        let bodies: Vec<Body> = groups
+            .iter()
+            .zip(0..)
+            .map(|(&group, k)| body(k, group, DVec2::new(2.0 * f64::from(k) - 1.0, 0.0)))
+            .collect();
+        let mut painter = Painter::new(&setting(), &style(), &frame(&bodies)).unwrap();
+        let image = painter.paint(&frame(&bodies)).clone();
+        let chest = |k: usize| {
+            let at = painter.pixel(bodies[k].center() + DVec3::Z * 1.1).unwrap();
+            image.pixel(at.x as u32, at.y as u32)
+        };
+        [chest(0), chest(1)]
+    };
+    // light changes brightness; shares of red and blue stay
+    let near = |a: Color, b: Color| {
+        let share =
+            |part: u8, color: Color| f32::from(part) / (f32::from(color.r) + f32::from(color.g) + f32::from(color.b));
+        (share(a.r, a) - share(b.r, b)).abs() + (share(a.b, a) - share(b.b, b)).abs()
+    };
+    let two = shown(&[0, 1]);
+    for k in 0..2 {
+        let other = palette(1 - k);
+        assert!(near(two[k], palette(k)) < near(two[k], other), "{:?} is group {k}", two[k]);
+        assert!(near(two[k], palette(k)) < 0.12, "{:?} is {:?}", two[k], palette(k));
+    }
+    assert_ne!(shown(&[0, 0]), two, "people of one group have clothes of their own");
+}
+
+#[test]
+fn feet_stay_where_they_are_while_bodies_pass_over_them() {
+    // The bottom of a walking person, seen from its side: in each step, the lowest part does not move.
+    let moment = |k: u32| {
+        let time = f64::from(k) / 25.0;
+        let walks = Body { velocity: Vec2::X * 1.3, heading: 0.0, ..body(3, 0, DVec2::new(1.3 * (time - 1.0), 0.0)) };
+        Frame { time, ..frame(&[walks]) }
+    };
+    let mut painter = Painter::new(&setting(), &style(), &moment(0)).unwrap();
+    let mut empty = Painter::new(&setting(), &style(), &Frame::default()).unwrap();
+    let ground = empty.paint(&Frame::default()).clone();
+    let scale = painter.pixel(DVec3::X).unwrap().x - painter.pixel(DVec3::ZERO).unwrap().x;
+    let mut slid = Vec::new();
+    let mut last: Option<Vec<u32>> = None;
+    for k in 0..50 {
+        let cells = changed(painter.paint(&moment(k)), &ground);
+        let low = cells.iter().map(|at| at.1).max().unwrap();
+        let feet: Vec<u32> = cells.iter().filter(|at| at.1 + 2 >= low).map(|at| at.0).collect();
+        if let Some(before) = last.replace(feet.clone()) {
+            // the least motion of any part of what touches the ground
+            let least = feet.iter().flat_map(|a| before.iter().map(move |b| a.abs_diff(*b))).min().unwrap();
+            slid.push(least as f32 / scale);
+        }
+    }
+    // 1.3 m/s move a body by 5.2 cm from moment to moment
+    assert!(slid.iter().all(|slid| *slid < 0.03), "{slid:?} m");
+}
+
+#[test]
+fn a_camera_that_keeps_the_crowd_in_the_picture_fills_it() {
+    let bodies: Vec<Body> =
+        (0..9).map(|k| body(k, 0, DVec2::from_angle(f64::from(k)) * 3.0 + DVec2::X * 40.0)).collect();
+    let viewpoint = Viewpoint { motion: Motion::Crowd, ..Viewpoint::default() };
+    let mut painter = Painter::new(&setting(), &Style { viewpoint, ..style() }, &frame(&bodies)).unwrap();
+    painter.paint(&frame(&bodies));
+    let pixels =
+        bodies.iter().flat_map(|body| [0.0, 1.7].map(|z| painter.pixel(body.center() + DVec3::Z * z).unwrap()));
+    let (low, high) = pixels.fold((Vec2::INFINITY, Vec2::ZERO), |(low, high), at| (low.min(at), high.max(at)));
+    assert!(low.min_element() > 0.0 && high.x < 320.0 && high.y < 240.0, "{low} to {high}");
+    assert!((high - low).x > 200.0 || (high - low).y > 150.0, "{low} to {high}");
+}
