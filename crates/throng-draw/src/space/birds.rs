@@ -68,11 +68,11 @@ impl Birds {
         self.all.extend(birds.map(|body| (body.number, Flight::next(before.get(&body.number), body, step))));
     }
 
-    /// Returns the shape of a bird about its position, with a radius of at least `least` metres; `None` if it is none.
-    pub fn mesh(&self, body: &Body, least: f32) -> Option<Mesh<'static>> {
+    /// Returns the shape of a bird about its position, enlarged by `growth`; `None` if it is none.
+    pub fn mesh(&self, body: &Body, growth: f32) -> Option<Mesh<'static>> {
         let flight = self.all.get(&body.number)?;
         let basis = body.basis.unwrap_or_else(|| Basis::facing(Vec2::from_angle(body.heading).extend(0.0)));
-        let turn = Mat3::from_cols(basis.forward, basis.side, basis.up) * body.radius.max(least);
+        let turn = Mat3::from_cols(basis.forward, basis.side, basis.up) * (body.radius * growth);
         let mut mesh = Mesh::default();
         let mut add = |corners: &[Vec3]| mesh.face(&corners.iter().map(|corner| turn * *corner).collect::<Vec<_>>());
         let ring = |k: u32, [x, radius]: [f32; 2]| {
@@ -169,7 +169,7 @@ mod tests {
             (0..100).map(|k| Frame { time: f64::from(k) * 0.02, bodies: vec![body(climb)], ..Frame::default() });
         let tip = |frame: Frame| {
             birds.follow(&frame, &look);
-            let mesh = birds.mesh(&frame.bodies[0], 0.0).expect("it is a bird");
+            let mesh = birds.mesh(&frame.bodies[0], 1.0).expect("it is a bird");
             mesh.positions().iter().copied().max_by(|a, b| a.y.total_cmp(&b.y)).map_or(0.0, |tip| tip.z / 0.4)
         };
         moments.map(tip).collect()

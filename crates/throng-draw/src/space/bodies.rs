@@ -78,7 +78,7 @@ impl<'a> Agents<'a> {
             if let Some(mesh) = people.mesh(body, look, scale) {
                 return (body, Form::Own { mesh, place: body.center(), thin: false, plain: false });
             }
-            if let Some(mesh) = birds.mesh(body, LEAST_RADIUS / scale) {
+            if let Some(mesh) = birds.mesh(body, stage.growth) {
                 return (body, own(mesh, true));
             }
             if let Some(shape) = look.shape(body) {
