@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use throng_draw::{CameraKey, Motion, Painter, Projection, Style, sink};
-use throng_record::{Frame, Setting};
+use throng_record::{Frame, moment};
 use throng_scene::{Camera, gallery};
 
 /// Pictures per second.
@@ -80,12 +80,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             legend: false,
             ..style
         };
-        let (mut world, _) = scene.build()?;
-        let mut painter = Painter::new(&Setting::of(&world, &scene.title), &style, &Frame::of(&world))?;
+        let (mut world, built) = scene.build()?;
+        let mut frame = Frame::default();
+        moment::capture(&world, &mut frame);
+        let mut painter = Painter::new(&moment::setting(&world, &built, scene.title.clone()), &style, &frame)?;
         let mut shown = 0;
         while f64::from(shown) < seconds * RATE {
             world.step();
-            let frame = Frame::of(&world);
+            moment::capture(&world, &mut frame);
             if frame.time < part.from + f64::from(shown) / RATE {
                 painter.follow(&frame);
             } else {

@@ -13,8 +13,8 @@ const NOON: f32 = 1.2;
 /// The distance of the haze, in distances of the farthest things.
 const HAZE: f64 = 4.5;
 /// The colours of the horizon and of the zenith, relative to the ground outside.
-const HORIZON: Vec3 = Vec3::new(0.93, 1.0, 1.06);
-const ZENITH: Vec3 = Vec3::new(0.42, 0.62, 0.92);
+const HORIZON: Vec3 = Vec3::new(0.97, 1.0, 1.03);
+const ZENITH: Vec3 = Vec3::new(0.5, 0.68, 0.95);
 
 /// Returns a colour as linear light.
 pub(super) fn light_of(color: Color) -> Vec3 {
@@ -27,8 +27,8 @@ pub(super) fn light(theme: &Theme, out: DVec3, far: f64, flies: bool) -> Light {
     let usual = Light::default();
     let azimuth = (libm::atan2(out.y, out.x) + ASIDE) as f32;
     let sun = Sun { azimuth, elevation: if flies { NOON } else { AFTERNOON }, ..usual.sun };
-    let horizon = light_of(theme.outside) * HORIZON;
+    let ground = sun.color * sun.direction().z + usual.sky.light;
+    let horizon = light_of(theme.outside) * HORIZON * ground.y;
     let sky = Sky { horizon, zenith: horizon * ZENITH, ..usual.sky };
-    let ground = sun.color * sun.direction().z + sky.light;
     Light { sun, sky, haze: Haze { distance: (HAZE * far) as f32 }, exposure: 1.0 / ground.y }
 }

@@ -175,7 +175,7 @@ mod tests {
         for (height, orbit) in [(0.0, 0.0), (12.0, 0.0), (90.0, 0.0), (12.0, 20.0)] {
             let setting = Setting {
                 in_space: true,
-                walkable: vec![throng::Walkable::new(vec![DVec2::ZERO; 3])],
+                walkable: vec![throng::Walkable { outer: vec![DVec2::ZERO; 3], ..Default::default() }],
                 ..Setting::default()
             };
             let body = throng_record::Body { altitude: height as f32, radius: 0.0, ..body(DVec2::new(20.0, 0.0)) };
