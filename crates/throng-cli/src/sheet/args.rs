@@ -1,7 +1,7 @@
 //! The command line of `throng sheet`.
 
 use crate::field::FieldArgs;
-use crate::look::parse_not_negative;
+use crate::look::{ProjectionArg, parse_not_negative};
 use crate::options::ThreadArgs;
 use clap::Args;
 use std::path::PathBuf;
@@ -52,6 +52,10 @@ pub struct SheetArgs {
     /// Length of the trails behind agents, seconds; 0 for none [default: the scene's `view.trails`, else 3]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub trails: Option<f64>,
+
+    /// Whether all scenes are drawn in plan view or in perspective [default: as each scene says]
+    #[arg(long, value_enum, value_name = "HOW", help_heading = "Pictures")]
+    pub projection: Option<ProjectionArg>,
 
     /// How fields are drawn.
     #[command(flatten)]

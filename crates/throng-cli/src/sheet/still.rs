@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::field::FieldArgs;
 use crate::interrupt;
-use crate::look::{ColorArg, LookArgs};
+use crate::look::{ColorArg, LookArgs, ProjectionArg};
 use crate::source::Loaded;
 use throng_draw::{Painter, Style};
 use throng_record::{Frame, moment};
@@ -20,6 +20,8 @@ pub struct Look {
     pub at: Option<f64>,
     /// The length of trails, if it is the same in all stills, seconds.
     pub trails: Option<f64>,
+    /// The projection, if it is the same in all stills.
+    pub projection: Option<ProjectionArg>,
     /// How fields are drawn.
     pub field: FieldArgs,
 }
@@ -53,7 +55,7 @@ fn style(scene: &Scene, look: &Look) -> LookArgs {
     LookArgs {
         size: Some(look.panel),
         camera: None,
-        projection: None,
+        projection: look.projection,
         trails: look.trails.or(scene.view.trails).or(Some(TRAILS)),
         color: ColorArg::Group,
         no_headings: false,
