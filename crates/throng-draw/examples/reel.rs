@@ -83,7 +83,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let (mut world, built) = scene.build()?;
         let mut frame = Frame::default();
         moment::capture(&world, &mut frame);
-        let mut painter = Painter::new(&moment::setting(&world, &built, scene.title.clone()), &style, &frame)?;
+        let mut painter = Painter::new(&moment::setting(&world, &built, &scene.title), &style, &frame)?;
         let mut shown = 0;
         while f64::from(shown) < seconds * RATE {
             world.step();

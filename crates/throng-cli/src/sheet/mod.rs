@@ -27,7 +27,13 @@ pub fn sheet(args: &SheetArgs, out: &mut Out) -> Result<(), Failure> {
     }
     let widest = sections.iter().map(|section| section.names.len()).max().unwrap_or(1);
     let contact = Contact::create(&args.output, &sections, args.width, usize::from(args.columns).min(widest))?;
-    let look = Look { panel: contact.panel(), at: args.at, trails: args.trails, projection: args.projection, field: args.field.clone() };
+    let look = Look {
+        panel: contact.panel(),
+        at: args.at,
+        trails: args.trails,
+        projection: args.projection,
+        field: args.field.clone(),
+    };
     interrupt::watch();
     let (count, done, progress) = (scenes.len(), AtomicUsize::new(0), Progress::new(args.quiet));
     let work = |loaded| {
