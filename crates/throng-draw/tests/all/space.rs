@@ -54,6 +54,13 @@ fn apart(a: Color, b: Color) -> i32 {
     [(a.r, b.r), (a.g, b.g), (a.b, b.b)].iter().map(|&(a, b)| (i32::from(a) - i32::from(b)).abs()).sum()
 }
 
+/// Returns a document without the bytes of its pictures.
+fn shapes_of(svg: &str) -> String {
+    let mut parts = svg.split("base64,");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.filter_map(|part| part.split_once('"')).fold(first, |text, (_, rest)| text + rest)
+}
+
 #[test]
 fn in_space_high_is_up_and_far_is_small_and_pale() {
     let (near, far) = (DVec3::new(-2.0, 0.0, 4.0), DVec3::new(-2.0, 40.0, 4.0));
@@ -91,9 +98,11 @@ fn near_bodies_cover_far_ones_and_obstacles_hide_bodies() {
     // As high as the flying agents: seen from above, it hides little behind it.
     let high = body(2, DVec3::new(6.0, 20.0, 9.0));
     let hidden = |y: f64| {
-        let frame = frame(&[body(0, behind), high]);
-        let (painter, image) = paint(&tower(y), &style(), &frame);
-        apart(at(&painter, &image, behind), palette(0)) > 200
+        let picture = |bodies: &[Body]| {
+            let (painter, image) = paint(&tower(y), &style(), &frame(bodies));
+            at(&painter, &image, behind)
+        };
+        picture(&[body(0, behind), high]) == picture(&[high])
     };
     assert!(hidden(0.0) && !hidden(12.0));
 }
@@ -156,7 +165,8 @@ fn the_eye_orbits_and_the_same_moments_give_the_same_picture() {
     let quarter = painter.pixel(east).unwrap();
     assert!(start.x > 200.0 && (quarter.x - 160.0).abs() < 1e-2, "in the middle, seen from the east: {quarter}");
     let svg = painter.svg(&moment(10));
-    assert!(svg.contains("<image") && elements(&svg) > 5 && !svg.contains("NaN") && !svg.contains("inf"));
+    assert!(svg.contains("<image") && elements(&svg) > 5);
+    assert!(!shapes_of(&svg).contains("NaN") && !shapes_of(&svg).contains("inf"));
 }
 
 /// In every way of following, the followed agent stays in view, and the viewpoint stays where it is once the agent is
@@ -220,7 +230,7 @@ fn invalid_numbers_and_any_viewpoint_do_not_panic() {
         let viewpoint = Viewpoint { eye: Some(eye), target: Some(target), ..Viewpoint::default() };
         let style = Style { viewpoint, legend: true, trails: 1.0, ..style() };
         let (mut painter, _) = paint(&setting, &style, &frame(&[broken, body(1, spot), body(2, spot - 1.0)]));
-        let svg = painter.svg(&frame(&[broken, body(1, spot)]));
+        let svg = shapes_of(&painter.svg(&frame(&[broken, body(1, spot)])));
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
     let flat = Style { projection: Some(Projection::Perspective), ..Style::default() };

@@ -21,12 +21,17 @@ const RATE: f64 = 25.0;
 /// ```
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("*.bvh");
+/// use throng::{Agent, Settings, World};
 /// use throng_record::formats::bvh::BvhWriter;
-/// use throng_record::{Body, Frame, Output, Setting, Writer};
+/// use throng_record::{Frame, Output, Setting, Writer};
+/// let mut world = World::new(Settings::default())?;
+/// world.add_agent(Agent::at([0.0, 0.0]))?;
+/// let frame = Frame::of(&world);
 /// let mut writer = BvhWriter::new(Output::create(&path)?, &Setting::default())?;
-/// writer.push(&Frame { bodies: vec![Body::walking(7, (0.0, 0.0).into())], ..Frame::default() })?;
+/// writer.push(&frame)?;
 /// Box::new(writer).finish()?;
-/// assert!(std::fs::read_to_string(folder.path().join("7.bvh"))?.starts_with("HIERARCHY\nROOT Hips\n"));
+/// let name = format!("{}.bvh", frame.bodies[0].number);
+/// assert!(std::fs::read_to_string(folder.path().join(name))?.starts_with("HIERARCHY\nROOT Hips\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use crate::formats::by_agent::by_agent;
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState, beside};
 use crate::formats::{PROGRAM, Writer, body, describe, keys};
-use crate::people::{self, FigureStyle, People, axes};
+use crate::people::{FigureStyle, People, axes};
 use crate::{Frame, Output, OutputError, Setting, color};
 use glam::Vec3;
 use serde_json::{Value, json};

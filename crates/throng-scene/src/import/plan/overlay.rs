@@ -42,8 +42,9 @@ pub(super) fn difference(ground: &[Area], less: &[Vec<DVec2>]) -> Vec<Area> {
 /// use glam::DVec2;
 /// use throng_scene::import::plan::cut_ground;
 /// let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
-/// let ground = cut_ground(&[square(0.0, 4.0), square(3.0, 6.0)], &[square(1.0, 2.0)]);
+/// let ground = cut_ground(&[square(0.0, 4.0), square(3.0, 6.0)], &[square(1.0, 2.0)])?;
 /// assert_eq!((ground.len(), ground[0].holes.len()), (1, 1));
+/// # Ok::<(), throng_scene::Error>(())
 /// ```
 ///
 /// # Errors
