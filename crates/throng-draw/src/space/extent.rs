@@ -85,14 +85,15 @@ fn things<'a>(setting: &'a Setting, first: &'a Frame) -> impl Iterator<Item = DV
     let paths = setting.paths.iter().flat_map(|path| path.segments()).flat_map(|segment| [segment.start, segment.end]);
     let paths = paths.map(|end| end.truncate().as_dvec2() + setting.origin);
     let flat = ground.chain(obstacles).chain(goals).chain(paths).map(|point| point.extend(0.0));
-    flat.chain(people(first)).filter(|point| point.is_finite())
+    flat.chain(people(first, 0.0)).filter(|point| point.is_finite())
 }
 
-/// Returns the points of the people of a moment: their feet and their heads.
-pub(super) fn people(frame: &Frame) -> impl Iterator<Item = DVec3> + '_ {
-    let ends = frame.bodies.iter().flat_map(|body| {
+/// Returns the points of the people of a moment, `ahead` seconds later if they walk on: their feet and their heads.
+pub(super) fn people(frame: &Frame, ahead: f64) -> impl Iterator<Item = DVec3> + '_ {
+    let ends = frame.bodies.iter().flat_map(move |body| {
         let height = PERSON.max(2.0 * f64::from(body.radius));
-        [0.0, height].map(|z| body.center() + DVec3::Z * z)
+        let way = (body.velocity.as_dvec2() * ahead).extend(0.0);
+        [0.0, height].map(|z| body.center() + way + DVec3::Z * z)
     });
     ends.filter(|point| point.is_finite())
 }
