@@ -116,7 +116,8 @@ impl End {
     fn new(view: &View, place: Vec3, end: &LineEnd) -> Self {
         let near = 1.0 / place.z;
         let pixel = view.centre + Vec2::new(place.x, -place.y) * (view.focal * near);
-        let width = end.width.max(0.0).min(WIDEST);
+        // NaN is no width
+        let width = if end.width > 0.0 { end.width.min(WIDEST) } else { 0.0 };
         Self { pixel, near, half: 0.5 * width.max(1.0), opacity: end.opacity * width.min(1.0) }
     }
 }

@@ -151,9 +151,9 @@ impl Cover {
             let mut values = edges.map(|edge| grid.samples.map(|[x, y]| edge.value::<T>(begin + x, top + y)));
             for column in span {
                 let mut bits = 0;
-                for sample in 0..SAMPLES {
-                    let inside = T::none_negative([values[0][sample], values[1][sample], values[2][sample]]);
-                    bits |= u32::from(inside) << sample;
+                let [first, second, third] = &values;
+                for (sample, ((a, b), c)) in first.iter().zip(second).zip(third).enumerate() {
+                    bits |= u32::from(T::none_negative([*a, *b, *c])) << sample;
                 }
                 if bits != 0 {
                     each(row, column as usize, bits, lanes.at(column as usize, row).max(low).min(high));
