@@ -76,7 +76,7 @@ impl Ground {
                 Goal::Area { corners } => (corners, 0.16),
                 Goal::Exit { corners } => (corners, 0.32),
             };
-            areas.push(Area::new(&[corners.clone()], plain(theme.goal.alpha(tint))));
+            areas.push(Area::new(std::slice::from_ref(corners), plain(theme.goal.alpha(tint))));
             let edge = (1.1 * unit, theme.goal.alpha(0.8));
             lines.push(line(corners.iter().map(|corner| corner.extend(0.0)), true, edge));
         }

@@ -27,7 +27,7 @@ fn shadows_are_where_something_hides_the_sun() {
     let (mut lit, mut dark) = (0, 0);
     for round in 0..6 {
         let sun = Sun {
-            azimuth: numbers.between(0.0, 6.28) as f32,
+            azimuth: numbers.between(0.0, std::f64::consts::TAU) as f32,
             elevation: numbers.between(0.4, 1.2) as f32,
             size: 0.005,
             ..Light::default().sun

@@ -29,7 +29,7 @@ impl Numbers {
     /// Returns a rotation.
     pub fn turn(&mut self) -> Mat3 {
         let axis = self.point(DVec3::NEG_ONE, DVec3::ONE).normalize_or(DVec3::Z);
-        Mat3::from_quat(Quat::from_axis_angle(axis.as_vec3(), self.between(0.0, 6.28) as f32))
+        Mat3::from_quat(Quat::from_axis_angle(axis.as_vec3(), self.between(0.0, std::f64::consts::TAU) as f32))
     }
 }
 
