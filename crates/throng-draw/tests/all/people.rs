@@ -91,9 +91,9 @@ fn clothes_show_groups_where_there_are_several() {
         (share(a.r, a) - share(b.r, b)).abs() + (share(a.b, a) - share(b.b, b)).abs()
     };
     let two = shown(&[0, 1]);
-    for k in 0..2 {
-        let (own, other) = (near(two[k], palette(k)), near(two[k], palette(1 - k)));
-        assert!(2.0 * own < other, "{:?} is group {k}: {own} from its colour, {other} from the other", two[k]);
+    for (k, shown) in two.into_iter().enumerate() {
+        let (own, other) = (near(shown, palette(k)), near(shown, palette(1 - k)));
+        assert!(2.0 * own < other, "{shown:?} is group {k}: {own} from its colour, {other} from the other");
     }
     assert_ne!(shown(&[0, 0]), two, "people of one group have clothes of their own");
 }

@@ -6,7 +6,7 @@ use throng::motion::{Basis, Locomotion, Vehicle};
 use throng::steer::Target;
 use throng::{Agent, Goal, Group, Obstacle, Settings, World};
 use throng_draw::{
-    Chase, Color, ColorBy, Following, Image, Look, Motion, Painter, Projection, Style, Theme, Viewpoint, palette, ramp,
+    Chase, Color, ColorBy, Following, Image, Look, Motion, Painter, Projection, Style, Viewpoint, palette, ramp,
 };
 use throng_record::{Body, Frame, Setting};
 use throng_steer::Seek;
