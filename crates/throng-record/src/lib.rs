@@ -42,7 +42,6 @@ pub use frame::{Body, Frame, Setting, Shell};
 pub use map::map;
 pub use moments::Moments;
 pub use output::{Hand, Output, OutputError};
-#[cfg(feature = "glb")]
 pub use summary_cells::summary_cells;
 pub use table::Table;
 pub use trajectories::{Sample, Trajectories, TrajectoriesError};
