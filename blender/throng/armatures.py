@@ -15,7 +15,7 @@ END = {"Head": (0, 0, 0.13), "LeftHand": (0, 0.06, -0.06), "RightHand": (0, -0.0
 """Where bones without children point to, for a height of 1 m; others point ahead."""
 AHEAD = (0.05, 0, 0)
 LEGS = {"Hips", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg", "RightLeg", "RightFoot"}
-TOLERANCE, LEG_TOLERANCE = 2e-3, 2e-4
+TOLERANCE, LEG_TOLERANCE = 1.2e-3, 2e-4
 """Greatest distance of a quaternion from its curve; half an angle in radians. Legs carry feet, which must not slide."""
 PLACE = 2e-4
 """Greatest distance of a position from its curve, metres."""

@@ -17,7 +17,7 @@ use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Skeleton, Wal
 const PLACE: f64 = 2e-4;
 /// Greatest error of a rotation about each axis, radians: of the joints from the hips to the feet, and of the others.
 const TURN_OF_LEG: f64 = 4e-4;
-const TURN: f64 = 5e-3;
+const TURN: f64 = 3.5e-3;
 
 /// The skins of a file.
 #[derive(Default)]
