@@ -163,7 +163,7 @@ impl Format {
         FORMATS.iter().find(|format| extension.eq_ignore_ascii_case(format.ending) && (format.kept || !part))
     }
 
-    /// Starts a file of this format, as a [`Choice`](crate::Choice) requires.
+    /// Starts a file of this format, as a [`Choice`] requires.
     ///
     /// # Errors
     /// The errors of [`Output::create`].
