@@ -51,7 +51,7 @@ fn ball(around: u32, headings: bool) -> Mesh<'static> {
 
 /// How an agent is drawn.
 enum Form {
-    /// A mesh of its own, in the axes of the world about the middle of the agent.
+    /// A mesh of its own, in the axes of the world about the middle of the agent; `plain`: it has the colour of the agent.
     Own { mesh: Mesh<'static>, place: DVec3, thin: bool, plain: bool },
     /// A ball.
     Ball(usize),
