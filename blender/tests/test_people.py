@@ -88,8 +88,10 @@ def test_armatures_follow_gltf(scene: bpy.types.Scene, recorded: dict[str, Path]
     assert (scene.frame_start, scene.frame_end) == (1, 1 + math.floor(last * 25 + 1e-6))
     found = by_frame(all_joints)
     assert len({len(people) for people in found.values()}) > 2, "people enter and leave"
-    compare(found, imported[0], 5e-3)
-    compare(by_frame(all_vertices), imported[1], 5e-3)
+    # Files store the rotations of the upper body within 0.2 degrees about each axis. Over the five joints from the hips to
+    # a hand this is up to 5 mm for a child of 1.2 m, and as much more as an adult of 1.75 m is taller.
+    compare(found, imported[0], 5e-3 * 1.75 / 1.2)
+    compare(by_frame(all_vertices), imported[1], 5e-3 * 1.75 / 1.2)
 
 
 def test_armatures_hold_their_poses(scene: bpy.types.Scene, recorded: dict[str, Path]) -> None:
