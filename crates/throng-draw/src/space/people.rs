@@ -9,8 +9,6 @@ use throng_figure::{Level, Live, Look as Clothes, Mesh as Figure, Person, Region
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Mesh, linear};
 
-/// The heights in the picture from which people have the finer levels, pixels.
-const LEVELS: [(Level, f64); 3] = [(Level::Fine, 140.0), (Level::Medium, 60.0), (Level::Coarse, 22.0)];
 /// The people of a recording, by agent number.
 #[derive(Debug, Default)]
 pub(crate) struct People {
@@ -67,8 +65,7 @@ impl People {
     pub fn mesh(&self, body: &Body, look: &Look, scale: f32) -> Option<Mesh<'static>> {
         let (live, skeleton) = self.figures.get(&body.number)?;
         let person = live.person();
-        let height = f64::from(scale) * person.height;
-        let level = LEVELS.iter().find(|(_, least)| height >= *least).map_or(Level::Blocks, |(level, _)| *level);
+        let level = Level::for_height(f64::from(scale) * person.height);
         let figure = self.bodies.get(&(person.build as u8, level))?;
         let joints = skeleton.world(&live.pose());
         let (positions, normals) = figure.skinned(skeleton, person.height, &joints, body.center());

@@ -25,6 +25,24 @@ pub enum Level {
 impl Level {
     /// All levels, the finest first.
     pub const ALL: [Level; 4] = [Level::Fine, Level::Medium, Level::Coarse, Level::Blocks];
+
+    /// Returns the level for a height in a picture, pixels.
+    ///
+    /// ```
+    /// use throng_figure::Level;
+    ///
+    /// let levels = [140.0, 139.0, 60.0, 59.0, 22.0, 21.0].map(Level::for_height);
+    /// use Level::{Blocks, Coarse, Fine, Medium};
+    /// assert_eq!(levels, [Fine, Medium, Medium, Coarse, Coarse, Blocks]);
+    /// ```
+    pub fn for_height(pixels: f64) -> Level {
+        match pixels {
+            140.0.. => Level::Fine,
+            60.0.. => Level::Medium,
+            22.0.. => Level::Coarse,
+            _ => Level::Blocks,
+        }
+    }
 }
 
 /// A body of height 1 m in the pose of the skeleton at rest: scale it by the height of the person.

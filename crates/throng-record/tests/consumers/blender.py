@@ -10,7 +10,9 @@ import os
 import sys
 
 import bpy
-from mathutils import Matrix, Quaternion, Vector
+from mathutils import Quaternion, Vector
+
+from picture import render
 
 usda, glb, table = sys.argv[1:4]
 # Blender has a folder of its own
@@ -90,35 +92,12 @@ def gltf():
     print(f"gltf: {len(agents)} objects, {len(times)} frames, {compared} places equal")
 
 
-def render(path, time, frame):
-    """A picture of everybody at a time."""
-    scene = bpy.context.scene
-    scene.frame_set(int(frame // 1), subframe=frame % 1)
-    places = [Vector([float(row["x"]), float(row["y"]), float(row.get("z", 0))]) for row in moments[time].values()]
-    middle = sum(places, Vector()) / len(places)
-    wide = max(6.0, 1.5 * sorted((place - middle).length for place in places)[len(places) // 2])
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    camera.location = middle + Vector((-0.4, -1.3, 0.9)) * wide
-    camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
-    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
-    sun.data.energy, sun.matrix_world = 3, Matrix.Rotation(0.7, 4, Vector((1, 0.4, 0)))
-    scene.world = bpy.data.worlds.new("Sky")
-    for thing in (camera, sun):
-        scene.collection.objects.link(thing)
-    scene.camera = camera
-    render = scene.render
-    # the one engine that needs no display
-    render.engine, scene.cycles.samples, scene.cycles.device = "CYCLES", 16, "CPU"
-    scene.cycles.use_denoising = False
-    render.resolution_x, render.resolution_y, render.filepath = 800, 450, path
-    bpy.ops.render.render(write_still=True)
-
-
 middle = times[len(times) // 2]
 fresh()
 usd()
 codes = float(next(line.split("=")[1] for line in open(usda) if "timeCodesPerSecond" in line))
-render(picture, middle, middle * codes)
+places = [Vector([float(row["x"]), float(row["y"]), float(row.get("z", 0))]) for row in moments[middle].values()]
+render(picture, middle * codes, places, 6.0, 1.5)
 fresh()
 gltf()
-render(picture.replace(".png", "-glb.png"), middle, (middle - times[0]) * 100)
+render(picture.replace(".png", "-glb.png"), (middle - times[0]) * 100, places, 6.0, 1.5)

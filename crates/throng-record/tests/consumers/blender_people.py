@@ -8,8 +8,9 @@ import sys
 
 import bpy
 import numpy as np
-from mathutils import Matrix, Vector
+from mathutils import Vector
 
+from picture import render
 from skins import Skins
 
 usda, glb, picture = (os.path.abspath(name) for name in sys.argv[1:4])
@@ -71,32 +72,10 @@ def bvh(paths):
         compare(f"bvh of {number}", {number: armature}, lambda time: max(1, 1 + 100 * (time - first[number])))
 
 
-def render(path, frame):
-    scene = bpy.context.scene
-    scene.frame_set(int(frame // 1), subframe=frame % 1)
-    time = times[len(times) // 2]
-    places = [Vector(skins.joints(number, time)["Hips"]) for number in skins.people if skins.there(number, time)]
-    middle = sum(places, Vector()) / len(places)
-    wide = max(3.0, 1.2 * sorted((place - middle).length for place in places)[len(places) // 2])
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    camera.location = middle + Vector((-0.4, -1.3, 0.9)) * wide
-    camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
-    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
-    sun.data.energy, sun.matrix_world = 3, Matrix.Rotation(0.7, 4, Vector((1, 0.4, 0)))
-    scene.world = bpy.data.worlds.new("Sky")
-    for thing in (camera, sun):
-        scene.collection.objects.link(thing)
-    scene.camera = camera
-    render = scene.render
-    # the one engine that needs no display
-    render.engine, scene.cycles.samples, scene.cycles.device = "CYCLES", 16, "CPU"
-    scene.cycles.use_denoising = False
-    render.resolution_x, render.resolution_y, render.filepath = 800, 450, path
-    bpy.ops.render.render(write_still=True)
-
-
 fresh()
 codes = usd()
-render(picture, round(times[len(times) // 2] * codes, 6))
+middle = times[len(times) // 2]
+hips = [Vector(skins.joints(number, middle)["Hips"]) for number in skins.people if skins.there(number, middle)]
+render(picture, round(middle * codes, 6), hips, 3.0, 1.2)
 fresh()
 bvh(sys.argv[4:])

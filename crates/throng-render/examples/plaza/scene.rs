@@ -89,12 +89,7 @@ fn people(view: &View, count: u64) -> Vec<(Mesh<'static>, DVec3)> {
         let skeleton = Skeleton::new(&person);
         let place = DVec3::new(pose.hips.x, pose.hips.y, 0.0);
         let height = f64::from(view.focal) * person.height / view.eye.distance(place);
-        let level = match height {
-            140.0.. => Level::Fine,
-            60.0.. => Level::Medium,
-            22.0.. => Level::Coarse,
-            _ => Level::Blocks,
-        };
+        let level = Level::for_height(height);
         let figure = Figure::new(person.build, level);
         let (positions, normals) = figure.skinned(&skeleton, person.height, &skeleton.world(&pose), place);
         let color = |[r, g, b]: [u8; 3]| linear(u32::from_be_bytes([0, r, g, b]));

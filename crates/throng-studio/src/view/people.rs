@@ -13,9 +13,6 @@ use throng_record::Body;
 /// The number of bodies: of each build at each level.
 pub const BODIES: usize = Build::ALL.len() * Level::ALL.len();
 
-/// The least height of a person at each level but the last, pixels.
-const LEAST: [f32; Level::ALL.len() - 1] = [140.0, 60.0, 22.0];
-
 /// A person nearer to the eye than this is not drawn: the eye is in its head, metres.
 const NEAREST: f64 = 0.6;
 
@@ -70,11 +67,6 @@ pub fn body(build: Build, level: Level) -> usize {
     build as usize * Level::ALL.len() + level as usize
 }
 
-/// Returns the level for a height on the screen, pixels.
-fn level(height: f32) -> Level {
-    Level::ALL[LEAST.iter().take_while(|&&least| height < least).count()]
-}
-
 impl DrawnPeople {
     /// Returns the people that are seen. `tops` are the colours of their tops, in the order of the poses; without a colour
     /// a top has that of the look. `unit` is the number of pixels per point of the screen.
@@ -100,7 +92,7 @@ impl DrawnPeople {
             let middle = agent.position.extend(0.5 * person.height);
             let Some(height) = seen(projector, size, middle, person.height) else { continue };
             let before = if had { before as f32 } else { -1.0 };
-            bodies[body(person.build, level(height * unit))].push(DrawnPerson {
+            bodies[body(person.build, Level::for_height((height * unit).into()))].push(DrawnPerson {
                 slots: [before, now as f32, person.look.into(), 0.0],
                 top: top.map_or([0; 4], paint),
             });
@@ -160,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_level_is_that_of_the_height_on_the_screen() {
-        let found = [500.0, 140.0, 139.0, 60.0, 59.0, 22.0, 21.0, 0.0].map(level);
+        let found = [500.0, 140.0, 139.0, 60.0, 59.0, 22.0, 21.0, 0.0].map(Level::for_height);
         use Level::{Blocks, Coarse, Fine, Medium};
         assert_eq!(found, [Fine, Fine, Medium, Medium, Coarse, Coarse, Blocks, Blocks]);
     }
