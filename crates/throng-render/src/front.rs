@@ -59,30 +59,46 @@ pub(crate) fn blurred(values: &[f32], fronts: &Fronts) -> Vec<f32> {
     blurred_along(&blurred_along(values, fronts, false), fronts, true)
 }
 
+/// The number of pixels of a row that are left as they are at once where nothing differs.
+const BLOCK: usize = 8;
+
 fn blurred_along(values: &[f32], fronts: &Fronts, vertical: bool) -> Vec<f32> {
     let width = fronts.width;
     let height = values.len() / width;
+    let around = |at: usize, count: usize, most: usize| at.saturating_sub(BLUR)..(at + count + BLUR).min(most);
     let mut out = vec![1.0; values.len()];
     parallel::chunks(&mut out, width, |row, out| {
-        for (column, out) in out.iter_mut().enumerate() {
-            let here = row * width + column;
-            let own = values[here];
-            *out = own;
-            let (at, most, stride) = if vertical { (row, height, width) } else { (column, width, 1) };
-            let (low, high) = (at.saturating_sub(BLUR), (at + BLUR + 1).min(most));
-            let cells = (low..high).map(|k| here - (at - low) * stride + (k - low) * stride);
-            if cells.clone().all(|cell| values[cell] == own) {
+        for (block, out) in out.chunks_mut(BLOCK).enumerate() {
+            let first = block * BLOCK;
+            let (rows, columns) = match vertical {
+                true => (around(row, 1, height), first..first + out.len()),
+                false => (row..row + 1, around(first, out.len(), width)),
+            };
+            let own = values[row * width + first];
+            let differs = rows.fold(0, |bits, row| {
+                let values = values[row * width..][columns.clone()].iter();
+                values.fold(bits, |bits, value| bits | (value.to_bits() ^ own.to_bits()))
+            });
+            if differs == 0 {
+                out.fill(own);
                 continue;
             }
-            let front = fronts.all[here];
-            let (mut sum, mut weights) = (0.0, 0.0);
-            for cell in cells {
-                let weight = alike(&fronts.all[cell], &front);
-                sum += weight * values[cell];
-                weights += weight;
-            }
-            if weights > 0.0 {
-                *out = sum / weights;
+            for (k, out) in out.iter_mut().enumerate() {
+                let column = first + k;
+                let here = row * width + column;
+                let (span, stride) = match vertical {
+                    true => (around(row, 1, height), width),
+                    false => (around(column, 1, width), 1),
+                };
+                let low = if vertical { span.start * width + column } else { row * width + span.start };
+                let front = fronts.all[here];
+                let (mut sum, mut weights) = (0.0, 0.0);
+                for cell in (0..span.len()).map(|k| low + k * stride) {
+                    let weight = alike(&fronts.all[cell], &front);
+                    sum += weight * values[cell];
+                    weights += weight;
+                }
+                *out = if weights > 0.0 { sum / weights } else { values[here] };
             }
         }
     });

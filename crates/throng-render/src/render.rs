@@ -76,14 +76,12 @@ impl Picture {
             towards: scene.light.sun.direction(),
             eye: view.eye.as_vec3(),
         };
-        let seen = samples.seen(&shader, width as usize);
-        let fronts = Fronts { all: seen.iter().map(|seen| seen.front).collect(), width: width as usize };
+        let (fronts, mut colors) = samples.fronts(&shader, width as usize);
         let open = occlusion::open(&fronts, view);
         let shadows = Shadows::new(&geometry, &scene.light.sun);
         let sun = shadows.map_or_else(|| vec![1.0; open.len()], |shadows| shadows.lights(&fronts, view));
-        let lights: Vec<Lit> = sun.into_iter().zip(open).map(|(sun, open)| Lit { sun, open }).collect();
-        let colors = samples.colors(&shader, &seen, &lights, width as usize);
-        let colors = above(colors, scene, &shader, &samples, (&grid, size));
+        samples.light(&shader, &fronts, &Lights { sun, open }, &mut colors);
+        above(&mut colors, scene, &shader, &samples, (&grid, size));
         let tone = Tone::new(scene.light.exposure);
         let mut bytes = vec![0; grid.cells() * 4];
         parallel::chunks(&mut bytes, width as usize * 4, |row, bytes| {
@@ -128,12 +126,16 @@ struct Samples {
     ids: Vec<[u32; SAMPLES]>,
 }
 
-/// What most samples of a pixel see.
-#[derive(Clone, Copy)]
-struct Seen {
-    id: u32,
-    front: Front,
-    color: Vec3,
+/// The light at the middle of each pixel: the shares of the sun and of the sky, 0 to 1.
+struct Lights {
+    sun: Vec<f32>,
+    open: Vec<f32>,
+}
+
+impl Lights {
+    fn at(&self, cell: usize) -> Lit {
+        Lit { sun: self.sun[cell], open: self.open[cell] }
+    }
 }
 
 impl Samples {
@@ -165,42 +167,44 @@ impl Samples {
         (sum / count, count)
     }
 
-    fn seen(&self, shader: &Shader<'_>, width: usize) -> Vec<Seen> {
-        let none = Seen { id: SKY, front: Front { near: 0.0, normal: Vec3::ZERO }, color: Vec3::ZERO };
-        let mut seen = vec![none; self.ids.len()];
-        parallel::chunks(&mut seen, width, |row, seen| {
-            for (column, seen) in seen.iter_mut().enumerate() {
+    /// Returns what most samples of each pixel see: its front, and its colour in white light.
+    fn fronts(&self, shader: &Shader<'_>, width: usize) -> (Fronts, Vec<Vec3>) {
+        let mut all = vec![Front { near: 0.0, normal: Vec3::ZERO }; self.ids.len()];
+        let mut colors = vec![Vec3::ZERO; self.ids.len()];
+        parallel::pairs(&mut all, &mut colors, width, |row, fronts, colors| {
+            for (column, (front, color)) in fronts.iter_mut().zip(colors).enumerate() {
                 let cell = row * width + column;
                 let id = most(self.ids[cell]);
                 if id == SKY {
                     continue;
                 }
                 let (near, _) = self.nearness(cell, id);
-                let (hit, color) = shader.surface(id, near, shader.view.ray(middle(column, row)));
-                *seen = Seen { id, front: Front { near, normal: hit.normal }, color };
+                let (hit, own) = shader.surface(id, near, shader.view.ray(middle(column, row)));
+                (*front, *color) = (Front { near, normal: hit.normal }, own);
             }
         });
-        seen
+        (Fronts { all, width }, colors)
     }
 
-    /// Returns the colours of all pixels.
-    fn colors(&self, shader: &Shader<'_>, seen: &[Seen], lights: &[Lit], width: usize) -> Vec<Vec3> {
-        let height = seen.len() / width;
-        let mut colors = vec![Vec3::ZERO; seen.len()];
-        parallel::chunks(&mut colors, width, |row, colors| {
+    /// Lights the colours of all pixels, and mixes those of the samples of a pixel.
+    fn light(&self, shader: &Shader<'_>, fronts: &Fronts, lights: &Lights, colors: &mut [Vec3]) {
+        let width = fronts.width;
+        parallel::chunks(colors, width, |row, colors| {
             for (column, color) in colors.iter_mut().enumerate() {
                 let cell = row * width + column;
                 let ray = shader.view.ray(middle(column, row));
-                let Seen { id, front, color: own } = seen[cell];
+                let ids = self.ids[cell];
+                let id = most(ids);
+                let front = fronts.all[cell];
                 let main = match id {
                     SKY => shader.sky(ray),
-                    _ => shader.lit(front.normal, own, lights[cell], front.near, ray),
+                    _ => shader.lit(front.normal, *color, lights.at(cell), front.near, ray),
                 };
-                let ids = self.ids[cell];
                 if ids == [id; SAMPLES] {
                     *color = main;
                     continue;
                 }
+                *color = Vec3::ZERO;
                 for sample in 0..SAMPLES {
                     let other = ids[sample];
                     if ids[..sample].contains(&other) {
@@ -212,7 +216,7 @@ impl Samples {
                         SKY => shader.sky(ray),
                         _ => {
                             let (hit, color) = shader.surface(other, near, ray);
-                            let light = neighbour(seen, lights, [width, height], [column, row], near);
+                            let light = lights.at(neighbour(fronts, [column, row], near));
                             shader.lit(hit.normal, color, light, near, ray)
                         }
                     };
@@ -220,7 +224,6 @@ impl Samples {
                 }
             }
         });
-        colors
     }
 }
 
@@ -238,29 +241,30 @@ fn middle(column: usize, row: usize) -> Vec2 {
     Vec2::new(column as f32 + 0.5, row as f32 + 0.5)
 }
 
-/// Returns the light of the neighbour that is most nearly as near.
-fn neighbour(seen: &[Seen], lights: &[Lit], [width, height]: [usize; 2], [column, row]: [usize; 2], near: f32) -> Lit {
+/// Returns the pixel about a pixel that is most nearly as near.
+fn neighbour(fronts: &Fronts, [column, row]: [usize; 2], near: f32) -> usize {
+    let (width, height) = (fronts.width, fronts.all.len() / fronts.width);
     let columns = column.saturating_sub(1)..(column + 2).min(width);
     let rows = row.saturating_sub(1)..(row + 2).min(height);
     let all = rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
-    let apart = |cell: &usize| (seen[*cell].front.near - near).abs();
-    all.min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or(Lit::WHOLE, |cell| lights[cell])
+    let apart = |cell: &usize| (fronts.all[*cell].near - near).abs();
+    all.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(row * width + column)
 }
 
 /// Adds what lies above: lines, and then bodies that one can see through.
 fn above(
-    mut colors: Vec<Vec3>,
+    colors: &mut [Vec3],
     scene: &Scene<'_>,
     shader: &Shader<'_>,
     samples: &Samples,
     (grid, size): (&Grid, [u32; 2]),
-) -> Vec<Vec3> {
+) {
     let width = grid.size[0];
     let strokes = Strokes::new(&scene.lines, shader.view, size);
     let lines = Bands::new(grid, &strokes.covers);
     let clear = shader.geometry.covers(shader.view, size, true);
     let clear = Bands::new(grid, clear.iter().flatten());
-    parallel::chunks(&mut colors, width * BAND, |band, colors| {
+    parallel::chunks(colors, width * BAND, |band, colors| {
         let first = band * BAND * width;
         let mut layers = vec![Layer::default(); colors.len()];
         let seen = |bits: u32, near: Vec4, cell: usize| near.cmpge(samples.near[cell]).bitmask() & bits;
@@ -294,7 +298,6 @@ fn above(
             });
         }
     });
-    colors
 }
 
 /// What was last laid over a pixel. The triangles of one line, or of one body, cover a sample once.
