@@ -22,10 +22,29 @@ pub(crate) struct Fronts {
     pub width: usize,
 }
 
-/// Returns how certainly two pixels see the same surface, 0 to 1: it has about the same depth and direction.
-pub(crate) fn alike(a: &Front, b: &Front) -> f32 {
-    let apart = (a.near - b.near).abs() / b.near;
-    (1.0 - 25.0 * apart).max(0.0) * (a.normal.dot(b.normal) * 4.0 - 3.0).max(0.0)
+impl Front {
+    /// The sky.
+    pub const SKY: Self = Self { near: 0.0, normal: Vec3::ZERO };
+}
+
+/// How certainly other pixels see the same surface as a pixel: it has about the same depth and direction.
+pub(crate) struct Like {
+    near: f32,
+    normal: Vec3,
+    /// How fast the share falls with the difference of nearness.
+    fall: f32,
+}
+
+impl Like {
+    pub fn new(front: &Front) -> Self {
+        Self { near: front.near, normal: front.normal, fall: 25.0 / front.near }
+    }
+
+    /// Returns how certainly a pixel sees the same surface, 0 to 1.
+    pub fn share(&self, other: &Front) -> f32 {
+        let apart = (other.near - self.near).abs() * self.fall;
+        (1.0 - apart).max(0.0) * (other.normal.dot(self.normal) * 4.0 - 3.0).max(0.0)
+    }
 }
 
 /// A turn that differs between the pixels of a small square.
@@ -91,14 +110,21 @@ fn blurred_along(values: &[f32], fronts: &Fronts, vertical: bool) -> Vec<f32> {
                     false => (around(column, 1, width), 1),
                 };
                 let low = if vertical { span.start * width + column } else { row * width + span.start };
-                let front = fronts.all[here];
+                let cells = (0..span.len()).map(|k| low + k * stride);
+                *out = values[here];
+                if cells.clone().all(|cell| values[cell] == *out) {
+                    continue;
+                }
+                let like = Like::new(&fronts.all[here]);
                 let (mut sum, mut weights) = (0.0, 0.0);
-                for cell in (0..span.len()).map(|k| low + k * stride) {
-                    let weight = alike(&fronts.all[cell], &front);
+                for cell in cells {
+                    let weight = like.share(&fronts.all[cell]);
                     sum += weight * values[cell];
                     weights += weight;
                 }
-                *out = if weights > 0.0 { sum / weights } else { values[here] };
+                if weights > 0.0 {
+                    *out = sum / weights;
+                }
             }
         }
     });

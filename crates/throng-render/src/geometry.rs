@@ -36,7 +36,7 @@ pub(crate) struct Surface<'a> {
 
 /// What is seen at a place of a triangle.
 pub(crate) struct Hit {
-    /// The normal towards the viewpoint, and the normal of the triangle.
+    /// The normal towards the viewpoint, and that of the triangle, of any length.
     pub normal: Vec3,
     pub face: Vec3,
     pub color: Vec3,
@@ -90,11 +90,12 @@ impl<'a> Geometry<'a> {
         let shares = [b.cross(c).dot(ray), c.cross(a).dot(ray), a.cross(b).dot(ray)];
         let sum = shares[0] + shares[1] + shares[2];
         let least = if sum < 0.0 { shares.map(|share| (-share).max(0.0)) } else { shares.map(|share| share.max(0.0)) };
-        let sum = (least[0] + least[1] + least[2]).max(f32::MIN_POSITIVE);
-        let mix =
-            |of: &[Vec3]| (of[corners[0]] * least[0] + of[corners[1]] * least[1] + of[corners[2]] * least[2]) / sum;
-        let face = (b - a).cross(c - a).normalize_or(Vec3::Z);
-        let (normal, face) = (mix(&surface.normals).normalize_or(face), if face.dot(ray) > 0.0 { -face } else { face });
+        let whole = 1.0 / (least[0] + least[1] + least[2]).max(f32::MIN_POSITIVE);
+        let least = least.map(|share| share * whole);
+        let mix = |of: &[Vec3]| of[corners[0]] * least[0] + of[corners[1]] * least[1] + of[corners[2]] * least[2];
+        let face = (b - a).cross(c - a);
+        let normal = mix(&surface.normals).normalize_or(face.normalize_or(Vec3::Z));
+        let face = if face.dot(ray) > 0.0 { -face } else { face };
         let normal = if surface.thin && normal.dot(ray) > 0.0 { -normal } else { normal };
         let color = if surface.colors.is_empty() { Vec3::ONE } else { mix(surface.colors) };
         Hit { normal, face, color, material: surface.material }

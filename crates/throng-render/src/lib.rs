@@ -14,6 +14,7 @@
 //! 5. Lines and glass are laid over (`lines`).
 //! 6. A curve maps light to bytes (`tone`).
 
+mod coarse;
 mod front;
 mod geometry;
 mod light;

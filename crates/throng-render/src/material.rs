@@ -82,7 +82,7 @@ impl Material {
         Self { gloss: 1.0, opacity: 0.16, ..Self::plain(linear(0xb7d3cd)) }
     }
 
-    /// Returns the share of the colour that a place of a surface reflects. `footprint` is the width of a pixel on the
+    /// Returns the share of the colour that a place of a surface reflects. The normal may have any length. `footprint` is the width of a pixel on the
     /// surface, metres: what is finer is left out.
     pub(crate) fn shade(&self, place: Vec3, normal: Vec3, footprint: f32) -> f32 {
         match self.pattern {
@@ -90,14 +90,14 @@ impl Material {
             Pattern::Grain { strength } => 1.0 + strength * grain(flat(place, normal), footprint),
             Pattern::Slabs { size, strength } => {
                 let place = flat(place, normal);
-                let across = place / size;
+                let across = place * (1.0 / size);
                 let tone = hash(whole(across.x), whole(across.y), 7) - 0.5;
                 let joints = joint(across.x, size, footprint).max(joint(across.y, size, footprint));
                 let seen = visible(size, footprint);
                 1.0 + strength * (0.6 * tone * seen - 1.6 * joints + 0.5 * grain(place, footprint))
             }
             Pattern::Boards { size, strength } => {
-                let across = flat(place, normal) / size;
+                let across = flat(place, normal) * (1.0 / size);
                 let board = whole(across.y);
                 let tone = hash(board, 3, 11) - 0.5;
                 let fibre = noise(Vec2::new(across.x * 0.12 + board as f32 * 7.3, across.y * 6.0));
@@ -110,7 +110,7 @@ impl Material {
 
 /// Returns the coordinates of a place along a surface: horizontal, and up the surface or across it.
 fn flat(place: Vec3, normal: Vec3) -> Vec2 {
-    if normal.z.abs() > 0.7 {
+    if normal.z * normal.z > 0.5 * normal.length_squared() {
         return place.truncate();
     }
     let along = if normal.x.abs() > normal.y.abs() { place.y } else { place.x };
@@ -119,16 +119,16 @@ fn flat(place: Vec3, normal: Vec3) -> Vec2 {
 
 /// Returns how much of a detail of `size` metres is left where a pixel covers `footprint` metres.
 fn visible(size: f32, footprint: f32) -> f32 {
-    (1.5 - 3.0 * footprint / size).clamp(0.0, 1.0)
+    (1.5 - footprint * (3.0 / size)).clamp(0.0, 1.0)
 }
 
 /// Returns the share of the pixel at `across`, in units of `size` metres, that a joint of 12 mm covers.
 fn joint(across: f32, size: f32, footprint: f32) -> f32 {
     const WIDTH: f32 = 0.012;
     let distance = (across - whole(across + 0.5) as f32).abs() * size;
-    let wide = footprint.max(1e-6);
-    let covered = ((WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0)
-        - ((-WIDTH * 0.5 - distance) / wide + 0.5).clamp(0.0, 1.0);
+    let pixels = 1.0 / footprint.max(1e-6);
+    let covered = ((WIDTH * 0.5 - distance) * pixels + 0.5).clamp(0.0, 1.0)
+        - ((-WIDTH * 0.5 - distance) * pixels + 0.5).clamp(0.0, 1.0);
     covered * visible(size, footprint)
 }
 

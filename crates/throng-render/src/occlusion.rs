@@ -1,7 +1,8 @@
 //! The share of the sky that near things do not hide (ambient occlusion in the picture: McGuire, Mara, Luebke, Scalable
 //! Ambient Obscurance, 2012). It is found for every other pixel of every other row, and blended for the rest.
 
-use crate::front::{Front, Fronts, alike, blurred, turn};
+use crate::coarse::{Coarse, STRIDE};
+use crate::front::{Fronts, blurred, turn};
 use crate::{View, parallel};
 use glam::{Vec2, Vec3};
 
@@ -13,113 +14,131 @@ const SPOKES: usize = 9;
 const STRENGTH: f32 = 1.5;
 /// The greatest distance in pixels; beyond, the comparison would be slow and coarse.
 const FARTHEST: f32 = 90.0;
-/// The distance of the pixels that are compared, pixels.
-const STRIDE: usize = 2;
+/// The sine of the angle above a surface from which things hide the sky.
+const LEAST: f32 = 0.08;
+
+/// The side of a square of pixels that is left as it is at once where nothing near rises above it.
+const TILE: usize = 8;
 
 /// Returns the share of the sky that each pixel sees, 0 to 1.
-pub(crate) fn open(fronts: &Fronts, view: &View) -> Vec<f32> {
-    let coarse = Coarse::new(fronts, view);
-    let mut raw = vec![1.0; coarse.fronts.all.len()];
+pub(crate) fn open(fronts: &Fronts, coarse: &Coarse, view: &View) -> Vec<f32> {
+    let near = Near::new(coarse, view);
     let width = coarse.fronts.width;
+    let peaks = near.peaks();
+    let mut raw = vec![1.0; coarse.fronts.all.len()];
     parallel::chunks(&mut raw, width, |row, open| {
-        open.iter_mut().enumerate().for_each(|(column, open)| *open = coarse.open(column, row));
+        let peaks = &peaks[row / TILE * width.div_ceil(TILE)..];
+        open.iter_mut().enumerate().for_each(|(column, open)| *open = near.open([column, row], peaks[column / TILE]));
     });
-    let coarse_open = blurred(&raw, &coarse.fronts);
+    let some = blurred(&raw, &coarse.fronts);
     let mut open = vec![1.0; fronts.all.len()];
     parallel::chunks(&mut open, fronts.width, |row, open| {
         for (column, open) in open.iter_mut().enumerate() {
             let front = &fronts.all[row * fronts.width + column];
-            *open = if front.near > 0.0 { coarse.blended(&coarse_open, [column, row], front) } else { 1.0 };
+            *open = if front.near > 0.0 { coarse.blended(&some, [column, row], front) } else { 1.0 };
         }
     });
     open
 }
 
-/// What every other pixel of every other row sees.
-struct Coarse<'a> {
-    fronts: Fronts,
-    height: usize,
+/// The chosen pixels, and what is near them.
+struct Near<'a> {
+    coarse: &'a Coarse,
+    /// The places that the chosen pixels see, relative to the viewpoint, metres; infinity for the sky.
+    places: Vec<Vec3>,
     view: &'a View,
 }
 
-impl<'a> Coarse<'a> {
-    fn new(fronts: &Fronts, view: &'a View) -> Self {
-        let rows = fronts.all.chunks(fronts.width).step_by(STRIDE);
-        let all = rows.flat_map(|row| row.iter().step_by(STRIDE).copied()).collect();
-        let height = (fronts.all.len() / fronts.width).div_ceil(STRIDE);
-        Self { fronts: Fronts { all, width: fronts.width.div_ceil(STRIDE) }, height, view }
+impl<'a> Near<'a> {
+    fn new(coarse: &'a Coarse, view: &'a View) -> Self {
+        let width = coarse.fronts.width;
+        let mut places = vec![Vec3::INFINITY; coarse.fronts.all.len()];
+        parallel::chunks(&mut places, width, |row, places| {
+            for (column, place) in places.iter_mut().enumerate() {
+                let near = coarse.fronts.all[row * width + column].near;
+                if near > 0.0 {
+                    let pixel = Vec2::new((column * STRIDE) as f32 + 0.5, (row * STRIDE) as f32 + 0.5);
+                    *place = view.ray(pixel) * (1.0 / near);
+                }
+            }
+        });
+        Self { coarse, places, view }
     }
 
-    /// Returns the direction of one of its pixels.
-    fn ray(&self, column: usize, row: usize) -> Vec3 {
-        self.view.ray(Vec2::new((column * STRIDE) as f32 + 0.5, (row * STRIDE) as f32 + 0.5))
+    /// Returns the distance within which pixels are compared with one of this depth, pixels of the picture.
+    fn radius(&self, depth: f32) -> f32 {
+        (REACH / self.view.pixel_width(depth)).min(FARTHEST)
     }
 
-    /// Returns the share of the sky that one of its pixels sees.
-    fn open(&self, column: usize, row: usize) -> f32 {
-        let front = self.fronts.all[row * self.fronts.width + column];
+    /// Returns the greatest height of what is compared with the pixels of each tile, relative to the viewpoint.
+    fn peaks(&self) -> Vec<f32> {
+        let width = self.coarse.fronts.width.div_ceil(TILE);
+        let height = self.coarse.height.div_ceil(TILE);
+        let own = parallel::map(width * height, |tile| {
+            let (mut peak, mut radius) = (f32::NEG_INFINITY, 0.0f32);
+            for row in tile / width * TILE..((tile / width + 1) * TILE).min(self.coarse.height) {
+                for column in tile % width * TILE..((tile % width + 1) * TILE).min(self.coarse.fronts.width) {
+                    let cell = row * self.coarse.fronts.width + column;
+                    let near = self.coarse.fronts.all[cell].near;
+                    if near > 0.0 {
+                        peak = peak.max(self.places[cell].z);
+                        radius = radius.max(self.radius(1.0 / near));
+                    }
+                }
+            }
+            (peak, radius)
+        });
+        let span = |at: usize, reach: usize, most: usize| at.saturating_sub(reach)..(at + reach + 1).min(most);
+        parallel::map(width * height, |tile| {
+            let reach = (own[tile].1 / (STRIDE * TILE) as f32) as usize + 1;
+            let columns = span(tile % width, reach, width);
+            let tiles = span(tile / width, reach, height).flat_map(|row| columns.clone().map(move |k| row * width + k));
+            tiles.fold(f32::NEG_INFINITY, |peak, tile| peak.max(own[tile].0))
+        })
+    }
+
+    /// Returns the share of the sky that a chosen pixel sees. `peak` is the greatest height of what is near.
+    fn open(&self, at: [usize; 2], peak: f32) -> f32 {
+        let (width, height) = (self.coarse.fronts.width, self.coarse.height);
+        let cell = at[1] * width + at[0];
+        let (front, place) = (self.coarse.fronts.all[cell], self.places[cell]);
         if front.near <= 0.0 {
             return 1.0;
         }
         let depth = 1.0 / front.near;
-        let pixel = self.view.pixel_width(depth);
-        let radius = (REACH / pixel).min(FARTHEST);
+        let radius = self.radius(depth);
         if radius < 1.0 {
             return 1.0;
         }
-        let reach = (radius * pixel).min(REACH);
+        // The height is that of a pixel of the same plane within the errors of rounding.
+        if front.normal == Vec3::Z && peak <= place.z + self.view.pixel_width(depth) * LEAST {
+            return 1.0;
+        }
+        let reach = (radius * self.view.pixel_width(depth)).min(REACH);
         let fading = 1.0 / (reach * reach);
-        let at = Vec2::new(column as f32, row as f32);
-        let place = self.ray(column, row) * depth;
-        let turn = turn(column, row);
+        let middle = Vec2::new(at[0] as f32, at[1] as f32);
+        let turn = turn(at[0], at[1]);
         let mut arm = turn.direction;
         // three turns of a spiral
         const STEP: Vec2 = Vec2::new(-0.939_692_6, 0.342_020_14);
         let mut hidden = 0.0;
         for spoke in 0..SPOKES {
             let part = (spoke as f32 + 0.5 + 0.5 * turn.share) / SPOKES as f32;
-            let other = at + arm * ((radius * part * part).max(1.0) / STRIDE as f32) + 0.5;
+            let other = middle + arm * ((radius * part * part).max(1.0) / STRIDE as f32) + 0.5;
             arm = arm.rotate(STEP);
             // a negative number becomes a large one
             let (x, y) = (other.x as i32 as u32 as usize, other.y as i32 as u32 as usize);
-            if x >= self.fronts.width || y >= self.height {
+            if x >= width || y >= height {
                 continue;
             }
-            let near = self.fronts.all[y * self.fronts.width + x].near;
-            if near <= 0.0 {
-                continue;
-            }
-            let offset = self.ray(x, y) * (1.0 / near) - place;
+            let offset = self.places[y * width + x] - place;
             let square = offset.length_squared().max(1e-8);
             let above = offset.dot(front.normal);
             let fade = 1.0 - square * fading;
             if above > 0.0 && fade > 0.0 {
-                hidden += (above / square.sqrt() - 0.08).max(0.0) * fade;
+                hidden += (above / square.sqrt() - LEAST).max(0.0) * fade;
             }
         }
         (1.0 - STRENGTH * hidden / SPOKES as f32 * 2.0).clamp(0.0, 1.0)
-    }
-
-    /// Returns the mean of the values about a pixel of the picture that belong to the same surface; without any, of the
-    /// one that is most nearly as near.
-    fn blended(&self, open: &[f32], [column, row]: [usize; 2], front: &Front) -> f32 {
-        let columns = [column / STRIDE, column.div_ceil(STRIDE).min(self.fronts.width - 1)];
-        let rows = [row / STRIDE, row.div_ceil(STRIDE).min(self.height - 1)];
-        let cells = rows.map(|row| columns.map(|column| row * self.fronts.width + column));
-        let cells = cells.as_flattened();
-        let first = open[cells[0]];
-        if cells.iter().all(|&cell| open[cell] == first) {
-            return first;
-        }
-        let weights = cells.iter().map(|&cell| alike(&self.fronts.all[cell], front));
-        let (sum, weight) = cells
-            .iter()
-            .zip(weights)
-            .fold((0.0, 0.0), |(sum, all), (&cell, weight)| (sum + weight * open[cell], all + weight));
-        if weight > 0.0 {
-            return sum / weight;
-        }
-        let apart = |cell: &&usize| (self.fronts.all[**cell].near - front.near).abs();
-        cells.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or(first, |&cell| open[cell])
     }
 }

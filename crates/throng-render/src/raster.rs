@@ -98,6 +98,16 @@ impl Cover {
         (area != 0).then_some(Self { corners, near, limits, id })
     }
 
+    /// Whether it is between the rows, or between the columns, of samples in the middle of squares of `side`
+    /// subdivisions: then it covers none.
+    pub fn between(&self, side: i32) -> bool {
+        let [a, b, c] = self.corners;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let next = |from: i32| (from - side / 2).div_euclid(side);
+        let beyond = |low: i32, high: i32| next(low - 1) == next(high);
+        beyond(low.x, high.x) || beyond(low.y, high.y)
+    }
+
     /// Returns the rows of cells that it may cover.
     fn rows(&self, grid: &Grid) -> Range<usize> {
         let [a, b, c] = self.corners.map(|corner| corner.y);
@@ -291,14 +301,14 @@ pub(crate) fn cover(grid: &Grid, bands: &Bands, near: &mut [Vec4], ids: &mut [[u
     });
 }
 
-/// Keeps the greatest nearness of each sample.
+/// Keeps the greatest nearness of each sample, in the order of [`place_in_bands`].
 pub(crate) fn cover_depth(grid: &Grid, bands: &Bands, near: &mut [Vec4]) {
     let width = grid.size[0];
     parallel::chunks(near, width * BAND, |band, near| {
         let first = band * BAND;
         for cover in bands.of(band) {
             cover.scan(grid, rows_of(band), |row, column, bits, found| {
-                let cell = &mut near[(row - first) * width + column];
+                let cell = &mut near[column * BAND + row - first];
                 let most = cell.max(found);
                 for sample in 0..SAMPLES {
                     if bits >> sample & 1 == 1 {
@@ -308,4 +318,10 @@ pub(crate) fn cover_depth(grid: &Grid, bands: &Bands, near: &mut [Vec4]) {
             });
         }
     });
+}
+
+/// Returns the place of a cell of a grid of `width` columns in an order in which cells above one another are side by side:
+/// band by band, column by column. The number of rows is a multiple of [`BAND`].
+pub(crate) fn place_in_bands(width: usize, [column, row]: [usize; 2]) -> usize {
+    (row / BAND * width + column) * BAND + row % BAND
 }

@@ -1,5 +1,6 @@
 //! From a scene to a picture, step by step.
 
+use crate::coarse::Coarse;
 use crate::front::{Front, Fronts};
 use crate::geometry::{GROUND, Geometry, SKY, ground};
 use crate::lines::Strokes;
@@ -77,19 +78,23 @@ impl Picture {
             eye: view.eye.as_vec3(),
         };
         let (fronts, mut colors) = samples.fronts(&shader, width as usize);
-        let open = occlusion::open(&fronts, view);
+        let coarse = Coarse::new(&fronts);
+        let open = occlusion::open(&fronts, &coarse, view);
         let shadows = Shadows::new(&geometry, &scene.light.sun);
-        let sun = shadows.map_or_else(|| vec![1.0; open.len()], |shadows| shadows.lights(&fronts, view));
+        let sun = shadows.map_or_else(|| vec![1.0; open.len()], |shadows| shadows.lights(&fronts, &coarse, view));
         samples.light(&shader, &fronts, &Lights { sun, open }, &mut colors);
         above(&mut colors, scene, &shader, &samples, (&grid, size));
         let tone = Tone::new(scene.light.exposure);
-        let mut bytes = vec![0; grid.cells() * 4];
-        parallel::chunks(&mut bytes, width as usize * 4, |row, bytes| {
-            for (pixel, color) in bytes.as_chunks_mut::<4>().0.iter_mut().zip(&colors[row * width as usize..]) {
-                *pixel = tone.pixel(*color);
+        let mut near = vec![0.0; grid.cells()];
+        let mut pixels = vec![[0; 4]; grid.cells()];
+        parallel::pairs(&mut pixels, &mut near, width as usize, |row, pixels, near| {
+            let row = row * width as usize..(row + 1) * width as usize;
+            let seen = fronts.all[row.clone()].iter().zip(&colors[row]);
+            for ((pixel, near), (front, color)) in pixels.iter_mut().zip(near).zip(seen) {
+                (*pixel, *near) = (tone.pixel(*color), front.near);
             }
         });
-        Ok(Self { size, view: *view, bytes, near: fronts.all.iter().map(|front| front.near).collect() })
+        Ok(Self { size, view: *view, bytes: pixels.into_flattened(), near })
     }
 
     /// Returns the pixels in rows from the upper left corner: red, green, blue, and an opacity of 255.
@@ -162,14 +167,18 @@ impl Samples {
 
     /// Returns the nearness of what some samples of a pixel see: the mean.
     fn nearness(&self, cell: usize, id: u32) -> (f32, f32) {
+        let near = self.near[cell];
+        if self.ids[cell] == [id; SAMPLES] {
+            return (near.element_sum() / SAMPLES as f32, SAMPLES as f32);
+        }
         let own = (0..SAMPLES).filter(|&sample| self.ids[cell][sample] == id);
-        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), sample| (sum + self.near[cell][sample], count + 1.0));
+        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), sample| (sum + near[sample], count + 1.0));
         (sum / count, count)
     }
 
     /// Returns what most samples of each pixel see: its front, and its colour in white light.
     fn fronts(&self, shader: &Shader<'_>, width: usize) -> (Fronts, Vec<Vec3>) {
-        let mut all = vec![Front { near: 0.0, normal: Vec3::ZERO }; self.ids.len()];
+        let mut all = vec![Front::SKY; self.ids.len()];
         let mut colors = vec![Vec3::ZERO; self.ids.len()];
         parallel::pairs(&mut all, &mut colors, width, |row, fronts, colors| {
             for (column, (front, color)) in fronts.iter_mut().zip(colors).enumerate() {

@@ -1,7 +1,7 @@
 //! The colours of what is seen.
 
 use crate::geometry::{GROUND, Geometry, Hit};
-use crate::{Light, Material, View};
+use crate::{Light, Material, Pattern, View};
 use glam::Vec3;
 
 /// The light that reaches a place.
@@ -39,11 +39,16 @@ impl Shader<'_> {
         } else {
             self.geometry.hit(id, ray)
         };
+        let plain = hit.color * hit.material.color;
+        if hit.material.pattern == Pattern::Plain {
+            return (hit, plain);
+        }
         let depth = 1.0 / near;
-        // the width of a pixel on the surface
-        let slope = (hit.face.dot(ray).abs() / ray.length()).max(0.02);
-        let width = self.view.pixel_width(depth) / slope;
-        let color = hit.color * hit.material.color * hit.material.shade(ray * depth + self.eye, hit.face, width);
+        // the width of a pixel on the surface, at most 50 times that of a pixel
+        let square = hit.face.length_squared() * ray.length_squared();
+        let slope = (square.sqrt() / hit.face.dot(ray).abs()).min(50.0);
+        let width = self.view.pixel_width(depth) * slope;
+        let color = plain * hit.material.shade(ray * depth + self.eye, hit.face, width);
         (hit, color)
     }
 

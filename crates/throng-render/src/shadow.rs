@@ -3,9 +3,10 @@
 //! Penumbras are as wide as the sun and the distance of what casts the shadow make them (Fernando, Percentage-Closer
 //! Soft Shadows, 2005). Closed bodies cast the shadow of their far sides, so that lit sides do not shade themselves.
 
-use crate::front::{Fronts, blurred, turn};
+use crate::coarse::{Coarse, STRIDE};
+use crate::front::{Front, Fronts, blurred, turn};
 use crate::geometry::{Geometry, Surface};
-use crate::raster::{Bands, Cover, Grid, Plane, cover_depth};
+use crate::raster::{BAND, Bands, Cover, Grid, Plane, SAMPLES, cover_depth, place_in_bands};
 use crate::view::SUB;
 use crate::{Sun, View, parallel};
 use glam::{Vec2, Vec3, Vec4};
@@ -13,7 +14,7 @@ use glam::{Vec2, Vec3, Vec4};
 /// The number of points of the map along a side.
 const SIDE: usize = 2048;
 /// The side of a tile of the map, points, and the number of tiles along a side.
-const TILE: usize = 16;
+const TILE: usize = BAND;
 const TILES: usize = SIDE / TILE;
 /// The finest distance of points, metres.
 const FINEST: f32 = 0.004;
@@ -24,6 +25,16 @@ const SEARCHES: usize = 6;
 const SOFTENERS: usize = 10;
 /// The golden angle, which spreads points evenly over a disc, radians.
 const GOLDEN: f32 = 2.399_963;
+
+/// A place in the map.
+struct Spot {
+    /// Where it is, in units of points.
+    at: Vec2,
+    /// Its height towards the sun.
+    height: f32,
+    /// The height above which things shade it.
+    least: f32,
+}
 
 /// The map of shadows.
 pub(crate) struct Shadows {
@@ -37,7 +48,8 @@ pub(crate) struct Shadows {
     size: f32,
     /// How far casters are looked for, points.
     search: f32,
-    /// The greatest height towards the sun of what is at each point, four points a cell.
+    /// The greatest height towards the sun of what is at each point, four points a cell, in the order of
+    /// [`place_in_bands`].
     heights: Vec<Vec4>,
     /// The greatest height that a search from each tile of the map finds.
     peaks: Vec<f32>,
@@ -88,7 +100,7 @@ impl Shadows {
     /// Returns a place in units of points, and its height towards the sun.
     fn at(&self, place: Vec3) -> (Vec2, f32) {
         let [along, across, towards] = self.axes;
-        ((Vec2::new(place.dot(along), place.dot(across)) - self.low) / self.point, place.dot(towards))
+        ((Vec2::new(place.dot(along), place.dot(across)) - self.low) * (1.0 / self.point), place.dot(towards))
     }
 
     /// Returns the triangles of a surface: the far sides of a closed body.
@@ -107,7 +119,8 @@ impl Shadows {
                 return None;
             }
             let pixel = |place: Vec2| (place * SUB as f32).round().as_ivec2();
-            Cover::new([pixel(a), pixel(b), pixel(c)], near, [p.min(q).min(r), p.max(q).max(r)], 0)
+            let cover = Cover::new([pixel(a), pixel(b), pixel(c)], near, [p.min(q).min(r), p.max(q).max(r)], 0)?;
+            (!cover.between(SUB)).then_some(cover)
         };
         surface.triangles.iter().filter_map(triangle).collect()
     }
@@ -119,35 +132,54 @@ impl Shadows {
         if x >= SIDE || y >= SIDE {
             return f32::NEG_INFINITY;
         }
-        self.heights[y * (SIDE / 4) + x / 4][x % 4]
+        self.heights[place_in_bands(SIDE / SAMPLES, [x / SAMPLES, y])][x % SAMPLES]
     }
 
     /// Returns the share of the sun that each pixel sees, 0 to 1.
-    pub fn lights(&self, fronts: &Fronts, view: &View) -> Vec<f32> {
-        let mut raw = vec![1.0; fronts.all.len()];
-        parallel::chunks(&mut raw, fronts.width, |row, lights| {
-            for (column, light) in lights.iter_mut().enumerate() {
-                let front = fronts.all[row * fronts.width + column];
-                // What faces away from the sun has no light that a shadow could take.
-                if front.near > 0.0 && front.normal.dot(self.axes[2]) > 0.0 {
-                    let ray = view.ray(Vec2::new(column as f32 + 0.5, row as f32 + 0.5));
-                    *light = self.light(ray * (1.0 / front.near), front.normal, || turn(column, row).direction);
-                }
+    ///
+    /// It is found for every other pixel of every other row, and for the rest where those about a pixel differ, or see
+    /// another surface.
+    pub fn lights(&self, fronts: &Fronts, coarse: &Coarse, view: &View) -> Vec<f32> {
+        let width = fronts.width;
+        let light = |[column, row]: [usize; 2], known: &dyn Fn(&Front) -> Option<f32>| {
+            let front = fronts.all[row * width + column];
+            if front.near <= 0.0 {
+                return 1.0;
+            }
+            // What faces away from the sun is in its own shadow. So is the ground where it begins.
+            if front.normal.dot(self.axes[2]) <= 0.0 {
+                return 0.0;
+            }
+            let ray = view.ray(Vec2::new(column as f32 + 0.5, row as f32 + 0.5));
+            let Some(spot) = self.spot(ray * (1.0 / front.near), front.normal) else { return 1.0 };
+            known(&front).unwrap_or_else(|| self.light(&spot, turn(column, row).direction))
+        };
+        let mut some = vec![1.0; coarse.fronts.all.len()];
+        parallel::chunks(&mut some, coarse.fronts.width, |row, lights| {
+            for (column, out) in lights.iter_mut().enumerate() {
+                *out = light([column * STRIDE, row * STRIDE], &|_| None);
             }
         });
-        blurred(&raw, fronts)
+        let mut all = vec![1.0; fronts.all.len()];
+        parallel::chunks(&mut all, width, |row, lights| {
+            for (column, out) in lights.iter_mut().enumerate() {
+                *out = light([column, row], &|front| coarse.agreed(&some, [column, row], front));
+            }
+        });
+        blurred(&all, fronts)
     }
 
-    /// Returns the share of the sun that a place with a normal sees. `spread`, a direction, differs between neighbouring
-    /// pixels, so that what is compared differs too.
-    fn light(&self, place: Vec3, normal: Vec3, spread: impl FnOnce() -> Vec2) -> f32 {
+    /// Returns where a place with a normal is in the map; `None` if nothing can shade it.
+    fn spot(&self, place: Vec3, normal: Vec3) -> Option<Spot> {
         let (at, height) = self.at(place + normal * (0.8 * self.point));
         // A caster is above the slope of the surface.
         let least = height + 1.2 * self.point;
-        if self.peak(at) <= least {
-            return 1.0;
-        }
-        let spread = spread();
+        (self.peak(at) > least).then_some(Spot { at, height, least })
+    }
+
+    /// Returns the share of the sun that a place sees. `spread`, a direction, differs between neighbouring pixels, so
+    /// that what is compared differs too.
+    fn light(&self, &Spot { at, height, least }: &Spot, spread: Vec2) -> f32 {
         let (mut sum, mut found) = (0.0, 0.0);
         for point in self.disc[..SEARCHES].iter().chain([&Vec2::ZERO]) {
             let caster = self.height(at + spread.rotate(*point) * self.search);
@@ -172,13 +204,10 @@ impl Shadows {
 
     /// Returns the greatest height within the search of each tile of the map and of what is beyond its edge.
     fn peaks(&self) -> Vec<f32> {
-        let mut own = vec![f32::NEG_INFINITY; TILES * TILES];
-        parallel::chunks(&mut own, TILES, |row, peaks| {
-            for cells in self.heights[row * TILE * SIDE / 4..][..TILE * SIDE / 4].chunks(SIDE / 4) {
-                for (peak, cells) in peaks.iter_mut().zip(cells.chunks(TILE / 4)) {
-                    *peak = cells.iter().fold(*peak, |peak, cell| peak.max(cell.max_element()));
-                }
-            }
+        let cells = TILE * TILE / SAMPLES;
+        let own = parallel::map(TILES * TILES, |tile| {
+            let cells = &self.heights[tile * cells..][..cells];
+            cells.iter().fold(Vec4::NEG_INFINITY, |peak, cell| peak.max(*cell)).max_element()
         });
         let near = (self.search / TILE as f32).ceil() as usize;
         let span = |at: usize| at.saturating_sub(near)..(at + near + 1).min(TILES);

@@ -2,8 +2,11 @@
 
 use glam::Vec3;
 
-/// The steps of the table from linear light, 0 to 1, to bytes.
-const STEPS: usize = 4096;
+/// The table from linear light to bytes has 256 steps for each doubling of the light, from 2⁻¹² to 2⁶: a step is the upper
+/// bits of a number.
+const DROPPED: u32 = 23 - 8;
+const FIRST: u32 = (127 - 12) << 8;
+const STEPS: usize = (6 + 12) << 8;
 
 /// Returns the linear light of a colour in sRGB, `0xRRGGBB`.
 ///
@@ -28,7 +31,8 @@ pub struct Tone {
 impl Tone {
     pub fn new(exposure: f32) -> Self {
         let byte = |step: usize| {
-            let value = step as f32 / (STEPS - 1) as f32;
+            let light = f32::from_bits((step as u32 + FIRST) << DROPPED | 1 << (DROPPED - 1));
+            let value = curve(light);
             let srgb = if value <= 0.003_130_8 { 12.92 * value } else { 1.055 * libm::powf(value, 1.0 / 2.4) - 0.055 };
             (srgb * 255.0 + 0.5) as u8
         };
@@ -37,7 +41,10 @@ impl Tone {
 
     /// Returns the bytes of a pixel, RGBA.
     pub fn pixel(&self, light: Vec3) -> [u8; 4] {
-        let byte = |light: f32| self.bytes[(curve(light * self.exposure) * (STEPS - 1) as f32 + 0.5) as usize];
+        let byte = |light: f32| {
+            let bits = (light * self.exposure).max(0.0).to_bits() >> DROPPED;
+            self.bytes[(bits.saturating_sub(FIRST) as usize).min(STEPS - 1)]
+        };
         [byte(light.x), byte(light.y), byte(light.z), 255]
     }
 }

@@ -61,12 +61,12 @@ impl View {
 
     /// Returns the direction of a pixel, with a length of 1 along the direction of the view.
     pub(crate) fn ray(&self, pixel: Vec2) -> Vec3 {
-        let at = (pixel - self.centre) / self.focal;
+        let at = (pixel - self.centre) * (1.0 / self.focal);
         self.forward + self.right * at.x - self.up * at.y
     }
 
     /// Returns the width of a pixel at a depth, metres.
     pub(crate) fn pixel_width(&self, depth: f32) -> f32 {
-        depth / self.focal
+        depth * (1.0 / self.focal)
     }
 }
