@@ -162,3 +162,40 @@ fn areas_lie_on_the_ground_in_order() {
         assert_eq!(found, Some(most), "{pixel:?} at {at} m");
     }
 }
+
+/// Where a wall that faces away from the sun meets the ground, both are in its shadow, for walls at any angle.
+#[test]
+fn no_light_shines_under_a_wall() {
+    let cube = cube();
+    let mut numbers = Numbers(23);
+    for round in 0..8 {
+        let turn = numbers.between(-0.4, 0.4);
+        let mut wall = placed(&cube, DVec3::new(0.0, 0.0, 1.5), Vec3::ONE);
+        wall.turn = Mat3::from_rotation_z(turn as f32) * Mat3::from_diagonal(Vec3::new(40.0, 0.3, 3.0));
+        let sun = Sun { azimuth: 1.6, elevation: 0.6, ..Light::default().sun };
+        let scene = Scene {
+            ground: Some(Material::plain(Vec3::splat(0.6))),
+            bodies: vec![wall],
+            light: Light { sun, ..clear() },
+            ..Scene::default()
+        };
+        let view = View::look(DVec3::new(0.0, -14.0, 5.0), DVec3::new(0.0, 0.0, 0.5), 0.4, SIZE);
+        let picture = Picture::render(&scene, &view, SIZE).unwrap();
+        let mut found = 0;
+        for column in 20..SIZE[0] - 20 {
+            // the row of the foot of the wall, from the view's own directions
+            let [a, b] = [0, SIZE[1] - 1].map(|row| ray(&view, column, row));
+            let side = DVec3::new(-turn.sin(), turn.cos(), 0.0);
+            let before = |way: DVec3| side.dot(view.eye + way * (-view.eye.z / way.z)) < -0.15 && way.z < 0.0;
+            assert!(!before(a) && before(b), "{round}: the foot of the wall is in the picture");
+            let foot = (0..SIZE[1]).find(|&row| before(ray(&view, column, row))).unwrap();
+            let shade = brightness(&picture, column, foot + 4).max(brightness(&picture, column, foot - 5));
+            for row in foot - 4..foot + 4 {
+                found += 1;
+                let here = brightness(&picture, column, row);
+                assert!(here < shade + 30, "{round}: {column}, {row} is lit: {here}, and {shade} about it");
+            }
+        }
+        assert!(found > 800);
+    }
+}
