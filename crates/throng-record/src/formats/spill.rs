@@ -7,6 +7,13 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
 use std::path::Path;
+use throng_figure::slerp;
+
+/// The longest time between two moments that suffices for people to walk, and between moments that are added, seconds.
+const COARSE: f64 = 0.0401;
+const FINE: f64 = 0.02;
+/// The longest time in which moments are added, seconds.
+const GAP: f64 = 2.0;
 
 /// Bytes of a row: the index of the agent and ten numbers.
 pub(super) const ROW: usize = 44;
@@ -39,6 +46,16 @@ impl SpilledState {
             place: (body.position - origin).as_vec2().extend(body.altitude),
             velocity: body.velocity.extend(body.vertical_velocity),
             rotation: body.basis.map_or_else(|| Quat::from_rotation_z(body.heading), |basis| basis.rotation()),
+        }
+    }
+
+    /// Returns the state at a share of the time to another, 0 to 1.
+    fn between(&self, other: &Self, share: f64) -> Self {
+        let part = share as f32;
+        Self {
+            place: self.place.lerp(other.place, part),
+            velocity: self.velocity.lerp(other.velocity, part),
+            rotation: slerp(self.rotation.as_dquat(), other.rotation.as_dquat(), share).as_quat(),
         }
     }
 
@@ -149,6 +166,53 @@ impl Spill {
     }
 }
 
+impl Spill {
+    /// Adds moments, so that people who walk have poses often enough for their feet to stay where they are: at least 50 a
+    /// second where there were fewer than 25. Agents that are there before and after are interpolated. Gaps of more than
+    /// two seconds stay.
+    ///
+    /// # Errors
+    /// A system error, such as a full disk.
+    pub(crate) fn refine(&mut self, output: &Output) -> io::Result<()> {
+        let parts = |from: f64, to: f64| {
+            let time = to - from;
+            if time > COARSE && time <= GAP { (time / FINE - 1e-6).ceil() as u32 } else { 1 }
+        };
+        if !self.moments.windows(2).any(|two| parts(two[0].0, two[1].0) > 1) {
+            return Ok(());
+        }
+        let mut file = BufWriter::new(beside(output)?);
+        let mut moments: Vec<(f64, u32)> = Vec::with_capacity(self.moments.len());
+        let mut last: BTreeMap<u32, SpilledState> = BTreeMap::new();
+        self.replay(|_, time, rows| {
+            let before = moments.last().map_or(time, |&(time, _)| time);
+            let next: BTreeMap<u32, SpilledState> = rows.iter().copied().collect();
+            let parts = parts(before, time);
+            for part in 1..parts {
+                let share = f64::from(part) / f64::from(parts);
+                let mut count = 0;
+                for (agent, state) in &last {
+                    if let Some(other) = next.get(agent) {
+                        file.write_all(&state.between(other, share).row(*agent))?;
+                        count += 1;
+                    }
+                }
+                moments.push((before + (time - before) * share, count));
+            }
+            for (agent, state) in rows {
+                file.write_all(&state.row(*agent))?;
+            }
+            moments.push((time, rows.len() as u32));
+            last = next;
+            Ok(())
+        })?;
+        self.rate = Rate::default();
+        moments.iter().for_each(|&(time, _)| self.rate.push(time));
+        (self.file, self.moments) = (file, moments);
+        Ok(())
+    }
+}
+
 /// Creates a file without a name, in the folder of the file of `output`.
 ///
 /// # Errors
@@ -156,4 +220,44 @@ impl Spill {
 pub(super) fn beside(output: &Output) -> io::Result<File> {
     let folder = output.own_file().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
     folder.map_or_else(tempfile::tempfile, tempfile::tempfile_in)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Moments are added where there are few, on the straight line of each agent, and not in long gaps.
+    #[test]
+    fn moments_are_added_where_there_are_few() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = Output::create(folder.path().join("run.glb")).unwrap();
+        let mut spill = Spill::new(&output, &Setting::default()).unwrap();
+        // 0.1 s, 0.04 s, then 3 s apart; agent 5 leaves, and agent 6 comes
+        let times = [0.0, 0.1, 0.14, 3.14];
+        for (k, &time) in times.iter().enumerate() {
+            let body = |number: u32| {
+                let mut body = Body::walking(number, DVec2::new(time * 1.5, f64::from(number)));
+                body.heading = time as f32;
+                body
+            };
+            let bodies = if k < 2 { vec![body(4), body(5)] } else { vec![body(4), body(6)] };
+            spill.push(&Frame { time, bodies, ..Frame::default() }).unwrap();
+        }
+        spill.refine(&output).unwrap();
+        let found: Vec<f64> = spill.moments.iter().map(|&(time, _)| (time * 1e6).round() / 1e6).collect();
+        assert_eq!(found, [0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.14, 3.14]);
+        let mut seen = Vec::new();
+        spill
+            .replay(|_, time, rows| {
+                for (agent, state) in rows {
+                    assert!((f64::from(state.place.x) - time * 1.5).abs() < 1e-6, "{time}: {state:?}");
+                    let turned = state.rotation.angle_between(Quat::from_rotation_z(time as f32));
+                    assert!(turned < 1e-3, "{time}: {state:?}");
+                    seen.push(*agent);
+                }
+                Ok(())
+            })
+            .unwrap();
+        assert_eq!(seen, [[0, 1].repeat(6), [0, 2].repeat(2)].concat());
+    }
 }

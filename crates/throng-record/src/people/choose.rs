@@ -1,8 +1,8 @@
 //! Which agents of a recording are people, and how they walk.
 
 use super::{FigureStyle, MOST_SKINS};
-use crate::Setting;
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
+use crate::{Output, Setting};
 use glam::Vec3;
 use std::io;
 use throng_figure::{Person, Sample, Walk};
@@ -19,17 +19,23 @@ pub(crate) struct People {
 }
 
 impl People {
-    /// Returns the people of a recording, in this style.
-    pub(crate) fn of(style: FigureStyle, setting: &Setting, spill: &Spill) -> Self {
-        let times: Vec<f64> = spill.moments.iter().map(|&(time, _)| time).collect();
-        let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
-        let few = !setting.in_space && spill.agents.len() <= MOST_SKINS && duration <= LONGEST;
+    /// Returns the people of a recording, in this style. A recording with figures gets as many moments as these need.
+    ///
+    /// # Errors
+    /// A system error, such as a full disk.
+    pub(crate) fn of(style: FigureStyle, setting: &Setting, spill: &mut Spill, output: &Output) -> io::Result<Self> {
+        let [first, last] = [spill.moments.first(), spill.moments.last()].map(|moment| moment.map_or(0.0, |at| at.0));
+        let few = !setting.in_space && spill.agents.len() <= MOST_SKINS && last - first <= LONGEST;
         let style = match style {
             FigureStyle::Auto if few => FigureStyle::Skins,
             FigureStyle::Auto => FigureStyle::None,
             chosen => chosen,
         };
-        Self { style, times }
+        let walks = |agent: &SpilledAgent| Person::of_agent(agent.number, agent.radius).is_some();
+        if style != FigureStyle::None && spill.agents.iter().any(walks) {
+            spill.refine(output)?;
+        }
+        Ok(Self { style, times: spill.moments.iter().map(|&(time, _)| time).collect() })
     }
 
     /// Whether an agent is a person.

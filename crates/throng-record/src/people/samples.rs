@@ -25,6 +25,11 @@ pub(crate) fn walkers() -> Vec<Frame> {
     (0..400).map(frame).collect()
 }
 
+/// Returns every `step`th frame: a recording of people with few moments a second.
+pub(crate) fn seldom(frames: &[Frame], step: usize) -> Vec<Frame> {
+    frames.iter().step_by(step).cloned().collect()
+}
+
 /// Returns recordings that are hard to walk: a single sample, a jump of 10 m, an agent for one moment, and an agent that
 /// comes back.
 pub(crate) fn hard() -> Vec<Vec<Frame>> {

@@ -1,7 +1,7 @@
 //! Tests of BVH: files are read back and compared with the planned poses.
 
 use super::read::read;
-use crate::people::samples::{assert_feet_stand, hard, planned, walkers, write};
+use crate::people::samples::{assert_feet_stand, hard, planned, seldom, walkers, write};
 use crate::{Body, Choice, Frame, Setting};
 use glam::DVec2;
 use std::path::Path;
@@ -42,6 +42,17 @@ fn joints_of_files_are_those_of_the_walk() {
                 assert!(found.rotation.angle_between(want.rotation) < 3e-5, "{number} {time}: {found:?} {want:?}");
             }
         }
+        assert_feet_stand(&figures);
+    }
+}
+
+/// A recording of 2.5 frames a second gets poses in between.
+#[test]
+fn people_of_a_coarse_recording_stand_on_planted_feet() {
+    let folder = tempfile::tempdir().unwrap();
+    for (_, bytes) in written(folder.path(), &Setting::default(), &seldom(&walkers(), 10)) {
+        let figures = read(&bytes).unwrap();
+        assert!((figures.period - 0.02).abs() < 1e-9);
         assert_feet_stand(&figures);
     }
 }

@@ -59,9 +59,10 @@ impl BvhWriter {
     }
 
     fn write(mut self) -> Result<(), OutputError> {
-        let period = 1.0 / self.spill.rate.mean().unwrap_or(RATE);
-        let people = People::of(FigureStyle::Skins, &self.setting, &self.spill);
         let (origin, output) = (self.setting.origin, &self.output);
+        let people = People::of(FigureStyle::Skins, &self.setting, &mut self.spill, output);
+        let people = people.map_err(|error| output.error(error))?;
+        let period = 1.0 / self.spill.rate.mean().unwrap_or(RATE);
         // an error of a person's file names that file
         let mut failed = None;
         let scratch = beside(output).map_err(|error| output.error(error))?;

@@ -4,7 +4,7 @@ use super::people::carries_feet;
 use super::{FORMAT, figures};
 use crate::formats::Reading;
 use crate::people::FigureStyle;
-use crate::people::samples::{self, assert_feet_stand, hard, planned, walkers};
+use crate::people::samples::{self, assert_feet_stand, hard, planned, seldom, walkers};
 use crate::{Choice, Frame, Setting};
 use std::collections::BTreeSet;
 use throng_figure::Joint;
@@ -22,6 +22,16 @@ fn people_of_a_file_stand_on_planted_feet() {
     let found = figures::read(&written(&walkers(), FigureStyle::Auto)).unwrap();
     assert_eq!((found.all.len(), (found.period * 1e3).round()), (3, 40.0));
     assert_feet_stand(&found);
+}
+
+/// Recordings of 12.5 and of 2.5 frames a second get poses in between.
+#[test]
+fn people_of_a_coarse_recording_stand_on_planted_feet() {
+    for step in [2, 10] {
+        let found = figures::read(&written(&seldom(&walkers(), step), FigureStyle::Auto)).unwrap();
+        assert_eq!((found.all.len(), (found.period * 1e3).round()), (3, 20.0));
+        assert_feet_stand(&found);
+    }
 }
 
 /// Where the joints of a file are, they are in the walk of the same person.

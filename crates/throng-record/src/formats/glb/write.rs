@@ -61,6 +61,7 @@ impl GlbWriter {
 
     /// Returns the JSON and the binary chunk of the whole file.
     fn scene(&mut self) -> io::Result<(Root, Bin)> {
+        let people = People::of(self.style, &self.setting, &mut self.spill, &self.output)?;
         let mut scene = Scene { root: Root::default(), bin: Bin::new(&self.output)? };
         let times: Vec<f64> = self.spill.moments.iter().map(|&(time, _)| time).collect();
         let seconds = seconds(&times);
@@ -68,7 +69,7 @@ impl GlbWriter {
         scene.times(&times)?;
         let agents = scene.place(&self.setting, &self.spill)?;
         let agents_of = &self.spill.agents;
-        let (people, mut skins) = (People::of(self.style, &self.setting, &self.spill), Skins::default());
+        let mut skins = Skins::default();
         let baked = people.style == FigureStyle::Baked;
         let plain = baked || agents_of.iter().any(|agent| !people.has(agent));
         let meshes = if plain { scene.bodies(&self.setting, agents_of)? } else { 0 };

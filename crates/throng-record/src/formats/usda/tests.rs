@@ -3,7 +3,7 @@
 use super::{FORMAT, figures, layer};
 use crate::formats::{FormatFlaw, Reading};
 use crate::people::FigureStyle;
-use crate::people::samples::{self, assert_feet_stand, hard, planned, walkers};
+use crate::people::samples::{self, assert_feet_stand, hard, planned, seldom, walkers};
 use crate::trajectories::Trajectories;
 use crate::{Body, Choice, Frame, Output, Setting};
 use glam::{DVec2, DVec3, Quat, Vec3};
@@ -153,8 +153,10 @@ fn joints_of_a_file_are_those_of_the_walk() {
 fn joints_are_no_agents() {
     for frames in hard().into_iter().chain([walkers()]) {
         let [with, without] = [FigureStyle::Skins, FigureStyle::None].map(|style| people(&frames, style));
-        let [with, without] =
+        let [mut with, without] =
             [with, without].map(|bytes| FORMAT.reader().unwrap()(&bytes, &Reading::default()).unwrap());
+        // moments that were added for poses
+        with.spots.retain(|spot| frames.iter().any(|frame| frame.time == spot.time));
         assert_eq!(with, without);
         assert_eq!(with.spots.len(), frames.iter().map(|frame| frame.bodies.len()).sum::<usize>());
     }
@@ -196,4 +198,12 @@ fn damaged_people_are_errors() {
     for end in (0..text.len()).step_by(1009) {
         assert!(figures::read(&text.as_bytes()[..end]).is_err(), "{end} of {} bytes", text.len());
     }
+}
+
+/// A recording of 2.5 frames a second gets poses in between.
+#[test]
+fn people_of_a_coarse_recording_stand_on_planted_feet() {
+    let found = figures::read(&people(&seldom(&walkers(), 10), FigureStyle::Auto)).unwrap();
+    assert_eq!((found.all.len(), (found.period * 1e3).round()), (3, 20.0));
+    assert_feet_stand(&found);
 }

@@ -154,7 +154,7 @@ impl UsdaWriter {
     }
 
     fn write(&mut self) -> io::Result<()> {
-        let people = People::of(self.style, &self.setting, &self.spill);
+        let people = People::of(self.style, &self.setting, &mut self.spill, &self.output)?;
         self.head()?;
         self.agents(&people)?;
         self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
