@@ -109,7 +109,6 @@ impl Proportions {
                 shoulder: 0.105,
                 upper_arm: 0.165,
                 forearm: 0.138,
-                ..MAN
             },
         }
     }

@@ -220,10 +220,10 @@ impl Skeleton {
         &self.binds
     }
 
-    /// Returns the matrix of each joint in the body as it was modelled, as files of skins need it (its inverse is the
-    /// inverse bind matrix).
-    pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
-        self.binds.map(|bind| DMat4::from_rotation_translation(bind.turn.conjugate(), bind.position))
+    /// Returns the inverse bind matrix of each joint, as files of skins need it: it moves a body as it was modelled (m) to the
+    /// axes of the joint.
+    pub fn inverse_bind_matrices(&self) -> [DMat4; JOINTS] {
+        self.binds.map(|bind| DMat4::from_rotation_translation(bind.turn, -(bind.turn * bind.position)))
     }
 
     /// Returns the matrix of each joint that moves a body as it was modelled (m) to where it is relative to `origin`, as

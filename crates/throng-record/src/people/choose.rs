@@ -5,6 +5,8 @@ use crate::Setting;
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
 use glam::Vec3;
 use std::io;
+use std::sync::Arc;
+use throng_figure::Character;
 use throng_figure::{Person, Sample, Walk};
 
 /// The longest recording with figures, seconds.
@@ -16,6 +18,8 @@ pub(crate) struct People {
     /// How they are written: never [`FigureStyle::Auto`].
     pub(crate) style: FigureStyle,
     times: Vec<f64>,
+    /// The bodies of groups, from files.
+    characters: Vec<Option<Arc<Character>>>,
 }
 
 impl People {
@@ -29,7 +33,18 @@ impl People {
             FigureStyle::Auto => FigureStyle::None,
             chosen => chosen,
         };
-        Self { style, times }
+        Self { style, times, characters: Vec::new() }
+    }
+
+    /// Returns the people with the bodies that their groups have from files: they walk on the legs of these bodies.
+    #[cfg(feature = "glb")]
+    pub(crate) fn with_characters(self, setting: &Setting) -> Self {
+        Self { characters: setting.characters.clone(), ..self }
+    }
+
+    /// Returns the body that an agent has from a file.
+    pub(crate) fn character(&self, agent: &SpilledAgent) -> Option<&Arc<Character>> {
+        self.characters.get(agent.group as usize)?.as_ref()
     }
 
     /// Whether an agent is a person.
@@ -39,7 +54,8 @@ impl People {
 
     /// Returns the person that an agent is; `None` if it is none.
     pub(crate) fn person(&self, agent: &SpilledAgent) -> Option<Person> {
-        Person::of_agent(agent.number, agent.radius).filter(|_| self.style != FigureStyle::None)
+        let person = Person::of_agent(agent.number, agent.radius).filter(|_| self.style != FigureStyle::None)?;
+        Some(self.character(agent).map_or(person, |character| character.person(person)))
     }
 
     /// Returns the walk of an agent; `None` if it is not a person.
