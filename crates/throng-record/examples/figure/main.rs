@@ -1,5 +1,6 @@
 //! Writes a figure of blocks that walks as the figure of a group: `cargo run -p throng-record --example figure NAME.glb`.
 
+#[path = "blocks.rs"]
 mod blocks;
 
 use std::process::ExitCode;

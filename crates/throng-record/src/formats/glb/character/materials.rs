@@ -1,6 +1,7 @@
 //! The colours of vertices: materials, colours of vertices, and textures where a vertex is on them.
 
 use super::texture::Texture;
+use super::vertices::{attribute, number};
 use crate::color::{self, light};
 use crate::formats::glb::data::Data;
 use serde_json::Value;
@@ -22,12 +23,12 @@ impl Materials {
     ///
     /// # Errors
     /// Colours or places on the texture are damaged, or a texture is.
-    pub fn colours(&mut self, data: &Data, primitive: &Value, vertices: usize) -> Result<Vec<[u8; 3]>, String> {
-        let material = primitive["material"].as_u64().and_then(|at| data.root.materials.get(usize::try_from(at).ok()?));
+    pub fn colours(&mut self, data: &Data, primitive: &Value, vertices: u64) -> Result<Vec<[u8; 3]>, String> {
+        let material = number(&primitive["material"]).and_then(|at| data.root.materials.get(at));
         let surface = material.map_or(&Value::Null, |material| &material["pbrMetallicRoughness"]);
         let base = [0, 1, 2].map(|part| surface["baseColorFactor"][part].as_f64().map_or(1.0, |part| part as f32));
         let attributes = &primitive["attributes"];
-        let own: Option<Vec<[f32; 3]>> = match attribute(attributes, "COLOR_0") {
+        let own: Option<Vec<[f32; 3]>> = match attribute(data, attributes, "COLOR_0", vertices)? {
             Some(at) if data.root.accessors.get(at).is_some_and(|accessor| accessor.kind == "VEC4") => {
                 Some(data.numbers::<4>(at)?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect())
             }
@@ -35,7 +36,8 @@ impl Materials {
             None => None,
         };
         let said = &surface["baseColorTexture"];
-        let places = attribute(attributes, &format!("TEXCOORD_{}", said["texCoord"].as_u64().unwrap_or(0)));
+        let places = format!("TEXCOORD_{}", number(&said["texCoord"]).unwrap_or(0));
+        let places = attribute(data, attributes, &places, vertices)?;
         let texture = match (image(data, said), places) {
             (Some(image), Some(places)) => self.texture(data, image)?.zip(Some(data.numbers::<2>(places)?)),
             _ => None,
@@ -46,7 +48,7 @@ impl Materials {
             let painted = place.unwrap_or([255; 3]).map(light);
             [0, 1, 2].map(|part| color::part(base[part] * own[part] * painted[part]))
         };
-        Ok((0..vertices).map(colour).collect())
+        Ok((0..vertices as usize).map(colour).collect())
     }
 
     /// Returns the texture of an image; `None`: another format than PNG.
@@ -61,13 +63,7 @@ impl Materials {
     }
 }
 
-/// Returns the accessor of an attribute.
-fn attribute(attributes: &Value, name: &str) -> Option<usize> {
-    attributes[name].as_u64().and_then(|at| usize::try_from(at).ok())
-}
-
 /// Returns the image of the texture of a material.
 fn image(data: &Data, said: &Value) -> Option<usize> {
-    let number = |value: &Value| usize::try_from(value.as_u64()?).ok();
     number(&data.root.textures.get(number(&said["index"])?)?["source"])
 }

@@ -3,6 +3,8 @@
 //! Only the places of joints, and the places of vertices at rest, are taken from a file: axes of bones, scales of nodes and the
 //! pose do not matter. The pose at rest is that of the nodes, as viewers show the file without animation.
 
+#[cfg(test)]
+mod damaged_tests;
 mod joints;
 mod materials;
 mod names;

@@ -1,5 +1,6 @@
 //! Textures of bodies.
 
+use super::vertices::number;
 use crate::formats::glb::data::{Data, embedded};
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -17,7 +18,7 @@ impl Texture {
     /// Returns an image of a file, with at most `most` pixels; `None` if it is no PNG or not in the file.
     pub fn of(data: &Data, image: usize, most: usize) -> Result<Option<Self>, String> {
         let Some(said) = data.root.images.get(image) else { return Err("it does not exist".to_owned()) };
-        let view = said["bufferView"].as_u64().map(|at| data.view(usize::try_from(at).unwrap_or(usize::MAX)));
+        let view = number(&said["bufferView"]).map(|at| data.view(at));
         let bytes: Cow<[u8]> = match view {
             Some(view) => Cow::Borrowed(view?.0),
             None => match said["uri"].as_str().and_then(embedded) {

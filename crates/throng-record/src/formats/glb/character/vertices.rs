@@ -13,12 +13,29 @@ const MOST_VERTICES: usize = 200_000;
 const MOST_TRIANGLES: usize = 400_000;
 /// The most groups of four joints that move a vertex.
 const SETS: usize = 4;
+/// The most joints of a skin, and the most parts of a body.
+const MOST_JOINTS: usize = 4_096;
+const MOST_PARTS: usize = 1_024;
+/// The most vertices of all parts, before those that are not used are left out.
+const MOST_READ: u64 = 4_000_000;
 
 /// The joints that move the vertices of a mesh.
 struct Skin {
     /// For each joint of the skin: ours that it follows, and the transform of vertices at rest.
     joints: Vec<(Joint, DMat4)>,
+    /// Whether vertices have weights; otherwise the only joint moves all of them.
+    bends: bool,
     name: String,
+}
+
+/// A body under construction.
+struct Builder<'a> {
+    body: &'a mut RestBody,
+    data: &'a Data<'a>,
+    materials: Materials,
+    /// How many vertices were read, and how many parts of meshes.
+    read: u64,
+    parts: usize,
 }
 
 /// Adds all meshes that joints move to a body.
@@ -27,22 +44,26 @@ struct Skin {
 /// The data are damaged, mirrored or too large.
 pub(super) fn add(body: &mut RestBody, data: &Data, joints: &Joints) -> Result<(), String> {
     let nodes = &data.root.nodes;
-    let mut materials = Materials::default();
+    let mut builder = Builder { body, data, materials: Materials::default(), read: 0, parts: 0 };
     for (at, node) in nodes.iter().enumerate() {
         let Some(mesh) = node.mesh else { continue };
         let skin = match node.skin {
             Some(skin) => Skin::of(data, joints, skin)?,
             // what a joint carries, such as a hat; what none carries is no part of the body
             None => match joints.follows[at] {
-                Some(joint) => Skin { joints: vec![(joint, joints.world[at])], name: called(nodes, at) },
+                Some(joint) => Skin::rigid(joint, joints.world[at], called(nodes, at)),
                 None => continue,
             },
         };
         skin.check()?;
         let mesh = data.root.meshes.get(mesh).ok_or_else(|| format!("there is no mesh {mesh}"))?;
         for primitive in mesh["primitives"].as_array().into_iter().flatten() {
-            add_primitive((body, &mut materials), data, &skin, node.skin.is_some(), primitive)?;
+            builder.add(&skin, primitive)?;
         }
+    }
+    // a body has all normals, or none
+    if builder.body.normals.len() < builder.body.positions.len() {
+        builder.body.normals.clear();
     }
     Ok(())
 }
@@ -51,8 +72,11 @@ impl Skin {
     fn of(data: &Data, joints: &Joints, at: usize) -> Result<Self, String> {
         let skin = data.root.skins.get(at).ok_or_else(|| format!("there is no skin {at}"))?;
         let nodes = joints_of(skin);
-        let binds = match skin["inverseBindMatrices"].as_u64() {
-            Some(accessor) => data.numbers::<16>(usize::try_from(accessor).unwrap_or(usize::MAX))?,
+        if nodes.len() > MOST_JOINTS {
+            return Err(format!("skin {at} has more than {MOST_JOINTS} joints"));
+        }
+        let binds = match number(&skin["inverseBindMatrices"]) {
+            Some(accessor) => data.numbers::<16>(accessor)?,
             None => vec![glam::Mat4::IDENTITY.to_cols_array(); nodes.len()],
         };
         if binds.len() < nodes.len() {
@@ -66,7 +90,12 @@ impl Skin {
             Ok((follows, *world * DMat4::from_cols_array(&bind.map(f64::from))))
         };
         let joints = nodes.iter().zip(&binds).map(joint).collect::<Result<_, String>>()?;
-        Ok(Self { joints, name: format!("skin {at}") })
+        Ok(Self { joints, bends: true, name: format!("skin {at}") })
+    }
+
+    /// Returns the skin of a mesh that one joint carries.
+    fn rigid(joint: Joint, matrix: DMat4, name: String) -> Self {
+        Self { joints: vec![(joint, matrix)], bends: false, name }
     }
 
     /// Checks that no joint mirrors or flattens its vertices.
@@ -87,91 +116,134 @@ impl Skin {
     }
 }
 
-/// Adds a part of a mesh.
-fn add_primitive(
-    (body, materials): (&mut RestBody, &mut Materials),
-    data: &Data,
-    skin: &Skin,
-    skinned: bool,
-    primitive: &Value,
-) -> Result<(), String> {
-    match primitive["mode"].as_u64().unwrap_or(4) {
-        4 => {}
-        // points and lines
-        0..=3 => return Ok(()),
-        mode => return Err(format!("a mesh has strips or fans of triangles (mode {mode}); export plain triangles")),
+impl Builder<'_> {
+    /// Adds a part of a mesh.
+    fn add(&mut self, skin: &Skin, primitive: &Value) -> Result<(), String> {
+        match primitive["mode"].as_u64().unwrap_or(4) {
+            4 => {}
+            // points and lines
+            0..=3 => return Ok(()),
+            mode => {
+                return Err(format!("a mesh has strips or fans of triangles (mode {mode}); export plain triangles"));
+            }
+        }
+        let data = self.data;
+        let attributes = &primitive["attributes"];
+        let positions = number(&attributes["POSITION"]).ok_or("a mesh has no positions")?;
+        let vertices = data.root.accessors.get(positions).map_or(0, |accessor| accessor.count);
+        self.count(vertices)?;
+        let positions = data.numbers::<3>(positions)?;
+        let normals = attribute(data, attributes, "NORMAL", vertices)?.map(|at| data.numbers::<3>(at)).transpose()?;
+        let sets = if skin.bends { weights(data, attributes, vertices)? } else { Vec::new() };
+        let colours = self.materials.colours(data, primitive, vertices)?;
+        let corners = self.corners(primitive, positions.len())?;
+        // parts of a mesh may share their vertices: only those of the triangles count
+        let mut numbers: Vec<Option<u32>> = vec![None; positions.len()];
+        for corner in corners.chunks_exact(3) {
+            let mut triangle = [0; 3];
+            for (own, &index) in triangle.iter_mut().zip(corner) {
+                let vertex = index as usize;
+                *own = match numbers[vertex] {
+                    Some(known) => known,
+                    None => {
+                        let new = self.body.positions.len() as u32;
+                        let sets = sets.iter().map(|(joints, weights)| (&joints[vertex], &weights[vertex]));
+                        let moved = skin.moved(sets).map_err(|why| format!("vertex {vertex} of {}: {why}", skin.name));
+                        let normal = normals.as_ref().map(|normals| normals[vertex]);
+                        self.vertex(moved?, positions[vertex], normal, colours[vertex])?;
+                        numbers[vertex] = Some(new);
+                        new
+                    }
+                };
+            }
+            self.body.triangles.push(triangle);
+        }
+        Ok(())
     }
-    let attributes = &primitive["attributes"];
-    let accessor = |value: &Value| value.as_u64().and_then(|at| usize::try_from(at).ok());
-    let attribute = |name: &str| accessor(&attributes[name]);
-    let positions = attribute("POSITION").ok_or("a mesh has no positions")?;
-    let count = |at: usize| data.root.accessors.get(at).map_or(0, |accessor| accessor.count);
-    let indices = accessor(&primitive["indices"]);
-    let corners = indices.map_or_else(|| count(positions), count);
-    if body.positions.len() as u64 + count(positions) > MOST_VERTICES as u64 {
-        return Err(format!("the body has more than {MOST_VERTICES} vertices; export a coarser body"));
+
+    /// Counts a part of a mesh that is to be read.
+    fn count(&mut self, vertices: u64) -> Result<(), String> {
+        (self.parts, self.read) = (self.parts + 1, self.read.saturating_add(vertices));
+        if self.parts > MOST_PARTS || self.read > MOST_READ {
+            return Err(format!(
+                "the meshes have more than {MOST_PARTS} parts or {MOST_READ} vertices; export a coarser body"
+            ));
+        }
+        Ok(())
     }
-    if body.triangles.len() as u64 + corners / 3 > MOST_TRIANGLES as u64 {
-        return Err(format!("the body has more than {MOST_TRIANGLES} triangles; export a coarser body"));
+
+    /// Returns the vertices of the corners of triangles of a part of a mesh with so many vertices.
+    fn corners(&self, primitive: &Value, vertices: usize) -> Result<Vec<u32>, String> {
+        let indices = number(&primitive["indices"]);
+        let count = |at: usize| self.data.root.accessors.get(at).map_or(0, |accessor| accessor.count);
+        let corners = indices.map_or(vertices as u64, count);
+        if (corners / 3).saturating_add(self.body.triangles.len() as u64) > MOST_TRIANGLES as u64 {
+            return Err(format!("the body has more than {MOST_TRIANGLES} triangles; export a coarser body"));
+        }
+        let Some(at) = indices else { return Ok((0..vertices as u32).collect()) };
+        let corners: Vec<u32> = self.data.whole_numbers::<1>(at)?.into_iter().map(|[index]| index).collect();
+        match corners.iter().find(|&&index| index as usize >= vertices) {
+            Some(index) => Err(format!("a triangle names vertex {index} of {vertices}")),
+            None => Ok(corners),
+        }
     }
-    let positions = data.numbers::<3>(positions)?;
-    let normals = attribute("NORMAL").map(|at| data.numbers::<3>(at)).transpose()?;
-    let normals = normals.filter(|normals| normals.len() == positions.len());
-    let sets = if skinned { weights(data, attributes, positions.len())? } else { Vec::new() };
-    let colours = materials.colours(data, primitive, positions.len())?;
-    let first = body.positions.len() as u32;
-    // a body has all normals, or none
-    let all = body.normals.len() == body.positions.len();
-    for (vertex, position) in positions.iter().enumerate() {
-        let (matrix, shares) = if skinned {
-            skin.moved(sets.iter().map(|(joints, weights)| (&joints[vertex], &weights[vertex])))
-                .map_err(|why| format!("vertex {vertex} of {}: {why}", skin.name))?
-        } else {
-            let mut shares = [0.0; JOINTS];
-            shares[skin.joints[0].0.index()] = 1.0;
-            (skin.joints[0].1, shares)
-        };
-        let position = DVec3::from_array(position.map(f64::from));
-        body.positions.push(axes::place(matrix.transform_point3(position)));
-        if let Some(normals) = normals.as_ref().filter(|_| all) {
-            let normal = DVec3::from_array(normals[vertex].map(f64::from));
-            let turned = DMat3::from_mat4(matrix).inverse().transpose() * normal;
+
+    /// Adds a vertex: its transform and the shares of our joints, its position, normal and colour.
+    fn vertex(
+        &mut self,
+        (matrix, shares): (DMat4, [f32; JOINTS]),
+        position: [f32; 3],
+        normal: Option<[f32; 3]>,
+        colour: [u8; 3],
+    ) -> Result<(), String> {
+        let body = &mut *self.body;
+        if body.positions.len() >= MOST_VERTICES {
+            return Err(format!("the body has more than {MOST_VERTICES} vertices; export a coarser body"));
+        }
+        let exact = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
+        body.positions.push(axes::place(matrix.transform_point3(exact(position))));
+        if let Some(normal) = normal {
+            let turned = DMat3::from_mat4(matrix).inverse().transpose() * exact(normal);
             body.normals.push(axes::place(turned).as_vec3().normalize_or(Vec3::Z));
         }
         let (numbers, weights) = largest(&shares);
         body.numbers.push(numbers);
         body.weights.push(weights);
+        body.colours.push(colour);
+        Ok(())
     }
-    body.colours.extend(colours);
-    if body.normals.len() < body.positions.len() {
-        body.normals.clear();
+}
+
+/// Returns the number of an accessor or another part of the file.
+pub(super) fn number(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
+}
+
+/// Returns the accessor of an attribute of `vertices` vertices, if there is one.
+///
+/// # Errors
+/// It holds another number of values.
+pub(super) fn attribute(data: &Data, attributes: &Value, name: &str, vertices: u64) -> Result<Option<usize>, String> {
+    let Some(at) = number(&attributes[name]) else { return Ok(None) };
+    let accessor = data.root.accessors.get(at).ok_or_else(|| format!("there is no accessor {at}"))?;
+    let count = accessor.count;
+    if count == vertices {
+        Ok(Some(at))
+    } else {
+        Err(format!("a mesh has {vertices} vertices, but {count} values of {name}"))
     }
-    let corners: Vec<u32> = match indices {
-        Some(at) => data.whole_numbers::<1>(at)?.into_iter().map(|[index]| index).collect(),
-        None => (0..positions.len() as u32).collect(),
-    };
-    if let Some(index) = corners.iter().find(|&&index| index as usize >= positions.len()) {
-        return Err(format!("a triangle names vertex {index} of {}", positions.len()));
-    }
-    body.triangles
-        .extend(corners.chunks_exact(3).map(|corner| [corner[0] + first, corner[1] + first, corner[2] + first]));
-    Ok(())
 }
 
 /// The joints of all vertices, four each, and their weights.
 type WeightSet = (Vec<[u32; 4]>, Vec<[f32; 4]>);
 
 /// Returns the joints and weights of a part of a mesh.
-fn weights(data: &Data, attributes: &Value, vertices: usize) -> Result<Vec<WeightSet>, String> {
+fn weights(data: &Data, attributes: &Value, vertices: u64) -> Result<Vec<WeightSet>, String> {
     let mut sets = Vec::new();
     for set in 0..SETS {
-        let accessor = |name: &str| attributes[format!("{name}_{set}")].as_u64().map(|at| at as usize);
-        let Some((joints, weights)) = accessor("JOINTS").zip(accessor("WEIGHTS")) else { break };
-        let found = (data.whole_numbers::<4>(joints)?, data.numbers::<4>(weights)?);
-        if found.0.len() != vertices || found.1.len() != vertices {
-            return Err(format!("a mesh has {vertices} vertices, but other numbers of joints and weights"));
-        }
-        sets.push(found);
+        let accessor = |name: &str| attribute(data, attributes, &format!("{name}_{set}"), vertices);
+        let Some((joints, weights)) = accessor("JOINTS")?.zip(accessor("WEIGHTS")?) else { break };
+        sets.push((data.whole_numbers::<4>(joints)?, data.numbers::<4>(weights)?));
     }
     if sets.is_empty() { Err("a mesh with a skin has no joints and weights".to_owned()) } else { Ok(sets) }
 }
