@@ -1,5 +1,8 @@
 //! A figure of blocks as glTF, as programs of animators write it: each has its own names, axes, units and pose.
 
+// each test uses a part of it
+#![allow(dead_code)]
+
 mod file;
 mod names;
 
