@@ -53,7 +53,7 @@ fn a_body_walks_alike_in_whichever_pose_it_was_modelled() {
             let moved = character.mesh().posed(&skeleton, character.height(), &got);
             for (k, (want, got)) in wanted.iter().zip(&moved).enumerate() {
                 // vertices of one joint; where joints share a vertex, the pose of the model counts
-                let whole = mesh.weights[k].iter().any(|&weight| weight == 1.0);
+                let whole = mesh.weights[k].contains(&1.0);
                 let off = if whole { 2e-4 } else { 0.06 };
                 assert!(got.distance(*want) < off, "vertex {k}: {got} is not {want}, lowest {lowest}");
             }

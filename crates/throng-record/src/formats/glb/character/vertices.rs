@@ -254,6 +254,9 @@ impl Skin {
         &self,
         sets: impl Iterator<Item = (&'a [u32; 4], &'a [f32; 4])> + Clone,
     ) -> Result<(DMat4, [f32; JOINTS]), String> {
+        if let ([(joint, matrix)], false) = (self.joints.as_slice(), self.bends) {
+            return Ok((*matrix, std::array::from_fn(|at| if at == joint.index() { 1.0 } else { 0.0 })));
+        }
         let parts =
             || sets.clone().flat_map(|(joints, weights)| joints.iter().zip(weights)).filter(|(_, w)| **w != 0.0);
         let sum: f32 = parts().map(|(_, weight)| *weight).sum();
