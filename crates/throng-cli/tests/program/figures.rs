@@ -60,7 +60,7 @@ fn wrong_figures_are_errors_at_their_key() {
     ]);
     let (mut json, bin) = Blocks::default().parts();
     json["nodes"][14]["name"] = "Fuss".into();
-    write(folder.path(), &blocks::packed(&json, &bin));
+    write(folder.path(), &blocks::file::packed(&json, &bin));
     refused(&["missing joints: LeftFoot; the joints of the file: Hips, Spine", "Mixamo"]);
     std::fs::remove_file(folder.path().join("scenes/bodies/person.glb")).unwrap();
     refused(&["there is no file", "person.glb"]);

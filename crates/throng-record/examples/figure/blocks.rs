@@ -3,10 +3,9 @@
 // each test uses a part of it
 #![allow(dead_code)]
 
-mod file;
+pub mod file;
 mod names;
 
-pub use file::packed;
 pub use names::Names;
 
 use glam::{DQuat, DVec3};

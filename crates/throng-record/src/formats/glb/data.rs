@@ -107,7 +107,7 @@ impl<'a> Data<'a> {
     fn elements<const N: usize, T: Copy + Default>(
         &self,
         at: usize,
-        decoder: fn(&Accessor) -> Option<(usize, fn(&[u8]) -> T)>,
+        decoder: fn(&Accessor) -> Decoder<T>,
     ) -> Result<Vec<[T; N]>, String> {
         let accessor = self.root.accessors.get(at).ok_or_else(|| format!("there is no accessor {at}"))?;
         let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"].get(N - 1).copied().unwrap_or("MAT4");
@@ -139,12 +139,12 @@ pub fn embedded(uri: &str) -> Option<Vec<u8>> {
     STANDARD.decode(text).ok()
 }
 
-/// Decodes a number from its bytes.
-type Decode = fn(&[u8]) -> f32;
+/// The size of a number in bytes, and what decodes it.
+type Decoder<T> = Option<(usize, fn(&[u8]) -> T)>;
 
 /// Returns the size of an accessor's numbers in bytes, and their decoder. Normalised integers become fractions of their
 /// greatest value.
-fn number(accessor: &Accessor) -> Option<(usize, Decode)> {
+fn number(accessor: &Accessor) -> Decoder<f32> {
     Some(match (accessor.component_type, accessor.normalized) {
         (FLOAT, _) => (4, |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
         (SHORT, true) => (2, |b| (f32::from(i16::from_le_bytes([b[0], b[1]])) / 32767.0).max(-1.0)),
@@ -156,7 +156,7 @@ fn number(accessor: &Accessor) -> Option<(usize, Decode)> {
 }
 
 /// Returns the size of an accessor's whole numbers in bytes, and their decoder.
-fn whole_number(accessor: &Accessor) -> Option<(usize, fn(&[u8]) -> u32)> {
+fn whole_number(accessor: &Accessor) -> Decoder<u32> {
     Some(match (accessor.component_type, accessor.normalized) {
         (UNSIGNED_BYTE, false) => (1, |b| u32::from(b[0])),
         (UNSIGNED_SHORT, false) => (2, |b| u32::from(u16::from_le_bytes([b[0], b[1]]))),

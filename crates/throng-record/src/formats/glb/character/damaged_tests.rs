@@ -1,7 +1,8 @@
 //! Tests of bodies of files that are damaged, incomplete or too large.
 
 use super::read;
-use super::tests::blocks::{Blocks, packed};
+use super::tests::blocks::Blocks;
+use super::tests::blocks::file::packed;
 use super::tests::put;
 use serde_json::{Value, json};
 

@@ -5,7 +5,8 @@ pub(in crate::formats::glb) mod blocks;
 
 use super::read;
 use base64::Engine;
-use blocks::{Blocks, Names, packed};
+use blocks::file::packed;
+use blocks::{Blocks, Names};
 use glam::{DMat4, DVec2, DVec3};
 use serde_json::{Value, json};
 use throng_figure::measure::FeetMeasure;
