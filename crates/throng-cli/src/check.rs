@@ -18,6 +18,8 @@ const SHOWN: usize = 5;
 pub fn check(args: &SceneArgs, out: &mut Out) -> Result<(), Failure> {
     let loaded = args.load()?;
     let (mut world, built) = loaded.build(false)?;
+    // figures of groups are read, so that a wrong file is found
+    loaded.setting(&world, &built)?;
     let Loaded { name, scene, notes, .. } = &loaded;
     let title = if scene.title.is_empty() { String::new() } else { format!(": {}", scene.title) };
     out.line(format_args!("{name}{title}"))?;

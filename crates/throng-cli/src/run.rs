@@ -71,7 +71,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
     let choice = args.choice.choice();
     let plan = Plan {
-        setting: &moment::setting(&world, &built, loaded.title()),
+        setting: &loaded.setting(&world, &built)?,
         sheet: None,
         style: &style,
         rate: args.film.rate(scene),

@@ -20,7 +20,7 @@ pub fn show(args: &ShowArgs, out: &mut Out) -> Result<(), Failure> {
     let style = Style { trails: 0.0, ..args.look.style(&loaded.scene, built.bounds)? };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
-    let mut film = Film::create(&path, &moment::setting(&world, &built, loaded.title()), &style, 25.0)?;
+    let mut film = Film::create(&path, &loaded.setting(&world, &built)?, &style, 25.0)?;
     film.push(&frame)?;
     film.finish()?;
     out.line(format_args!("wrote {}", path.display()))

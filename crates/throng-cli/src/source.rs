@@ -6,6 +6,7 @@ use crate::progress::waiting;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use throng::World;
+use throng_record::{Setting, moment};
 use throng_scene::import::plan;
 use throng_scene::{Built, Kind, Scene, gallery};
 
@@ -113,6 +114,17 @@ impl Loaded {
             if self.plan && matches!(error.kind, Kind::NoRoom | Kind::Count) {
                 error.hint = Some("change --people".into());
             }
+            error.file.get_or_insert_with(|| self.path.display().to_string().into());
+            error.into()
+        })
+    }
+
+    /// Returns the place, the names, and the bodies that groups have from files.
+    ///
+    /// # Errors
+    /// Those of [`moment::setting_with_figures`].
+    pub fn setting(&self, world: &World, built: &Built) -> Result<Setting, Failure> {
+        moment::setting_with_figures(world, built, &self.scene, self.title()).map_err(|mut error| {
             error.file.get_or_insert_with(|| self.path.display().to_string().into());
             error.into()
         })

@@ -4,10 +4,11 @@
 //! steps, steps backwards, starts, stops and queues need no cases of their own. [`Walk`] is a person on a recorded
 //! trajectory: its future is known. [`Live`] follows an agent while it moves and extrapolates its motion. Both use the
 //! same laws ([`gait`]). [`Mesh`] is a body for the [`Skeleton`], and [`measure`] says how far feet slide in any
-//! motion.
+//! motion. [`Character`] is a body of a file, with a skeleton of its own, that walks in the same way.
 //!
 //! Coordinates are metres, with z up; angles are radians. The same input gives the same bits on every machine.
 
+mod character;
 mod error;
 pub mod gait;
 mod live;
@@ -20,13 +21,14 @@ mod pose;
 mod steps;
 mod walk;
 
+pub use character::{Character, CharacterError, RestBody};
 pub use error::Error;
 pub use live::Live;
 pub use math::slerp;
 pub use mesh::{LOOKS, Level, Look, Mesh, Region};
 pub use path::Sample;
 pub use person::{Build, Person, Side};
-pub use pose::{JOINTS, Joint, Placed, Pose, Skeleton};
+pub use pose::{JOINTS, Joint, Legs, Placed, Pose, Skeleton};
 pub use steps::Plant;
 pub use walk::Walk;
 

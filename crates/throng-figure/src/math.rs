@@ -115,6 +115,18 @@ pub(crate) fn from_axes(x: DVec3, y: DVec3, z: DVec3) -> DQuat {
     DQuat::from_mat3(&glam::DMat3::from_cols(x, y, z)).normalize()
 }
 
+/// Returns the least rotation from one unit vector to another. Opposite vectors are apart by half a turn about the x axis,
+/// or about the y axis where they are along x.
+pub(crate) fn arc(from: DVec3, to: DVec3) -> DQuat {
+    let (axis, dot) = (from.cross(to), from.dot(to));
+    if dot < -0.999_999_999 {
+        let across = if from.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
+        let axis = (across - from * from.dot(across)).normalize();
+        return DQuat::from_xyzw(axis.x, axis.y, axis.z, 0.0);
+    }
+    DQuat::from_xyzw(axis.x, axis.y, axis.z, 1.0 + dot).normalize()
+}
+
 /// Returns the rotation a share of the way from `a` to `b`, along the shorter arc, at constant angular speed.
 pub fn slerp(a: DQuat, b: DQuat, share: f64) -> DQuat {
     let dot = a.dot(b);
@@ -129,7 +141,20 @@ pub fn slerp(a: DQuat, b: DQuat, share: f64) -> DQuat {
 
 #[cfg(test)]
 mod tests {
-    use super::floor;
+    use super::{arc, floor};
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn an_arc_turns_one_vector_to_the_other(a in -1.0..1.0f64, b in -1.0..1.0f64, c in -3.0..3.0f64, d in -1.0..1.0f64) {
+            let from = DVec3::new(a, b, c + 0.01).normalize();
+            for to in [DVec3::new(d, c, a + 0.01).normalize(), from, -from, DVec3::Z, -DVec3::X] {
+                prop_assert!((arc(from, to) * from).distance(to) < 1e-4);
+                prop_assert!((arc(from, to).length() - 1.0).abs() < 1e-9);
+            }
+        }
+    }
 
     #[test]
     fn floor_is_that_of_libm() {

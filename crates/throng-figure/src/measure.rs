@@ -1,7 +1,7 @@
 //! How well feet stand: measured in any motion, ours or that of a file that was read back.
 
 use crate::person::{Person, Side};
-use crate::pose::{JOINTS, Joint, Placed, Proportions};
+use crate::pose::{JOINTS, Joint, Legs, Placed};
 use glam::DVec3;
 
 /// A foot touches the ground where its heel or its ball is lower than this, m.
@@ -39,7 +39,7 @@ const SKATING_WINDOW: f64 = 0.1;
 /// ```
 #[derive(Debug, Clone)]
 pub struct FeetMeasure {
-    body: Proportions,
+    body: Legs,
     height: f64,
     moments: Vec<Moment>,
 }
@@ -99,7 +99,7 @@ pub struct FeetReport {
 impl FeetMeasure {
     /// Returns the measure of a person, without moments.
     pub fn new(person: &Person) -> FeetMeasure {
-        FeetMeasure { body: Proportions::of(person.build), height: person.height, moments: Vec::new() }
+        FeetMeasure { body: person.legs, height: person.height, moments: Vec::new() }
     }
 
     /// Adds a moment: its time (s, after that of the last) and where the joints are, in the order of [`Joint::ALL`].

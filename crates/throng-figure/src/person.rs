@@ -1,7 +1,7 @@
 //! The person that walks a trajectory: build, height and manner of walking.
 
 use crate::math::{normal, uniform};
-use crate::pose::Proportions;
+use crate::pose::Legs;
 
 /// The largest radius of an agent that is a person, m.
 const LARGEST: f32 = 0.5;
@@ -97,6 +97,8 @@ impl Side {
 pub struct Person {
     /// Proportions of the body.
     pub build: Build,
+    /// Lengths of the legs and feet: those of the build, or of a [`Character`](crate::Character).
+    pub legs: Legs,
     /// Height, m, greater than 0.
     pub height: f64,
     /// Factor of the length of steps, about 1.
@@ -134,6 +136,7 @@ impl Person {
         };
         Person {
             build,
+            legs: Legs::of(build),
             height: mean + deviation * normal(seed, number, 2),
             stride: 0.94 + 0.12 * draw(3),
             width: 0.85 + 0.3 * draw(4),
@@ -175,12 +178,11 @@ impl Person {
 
     /// Returns the person with the proportions of `build`.
     pub fn with_build(self, build: Build) -> Person {
-        Person { build, ..self }
+        Person { build, legs: Legs::of(build), ..self }
     }
 
     /// Returns the length of the leg from the hip joint to the ankle, m.
     pub fn leg(&self) -> f64 {
-        let body = Proportions::of(self.build);
-        (body.thigh + body.shank) * self.height
+        self.legs.leg() * self.height
     }
 }

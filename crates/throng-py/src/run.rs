@@ -1,7 +1,7 @@
 //! Runs: recorded frames, and what can be made from them.
 
 use crate::arrow;
-use crate::error::FileError;
+use crate::error::{FileError, scene_error};
 use crate::inner::Inner;
 use crate::place::{Corners, rings};
 use crate::track::State;
@@ -50,8 +50,9 @@ impl Recording {
         let inner = world.lock(py)?;
         let step = inner.world.settings().step;
         let every = (1.0 / rate / step).round().max(1.0);
+        let setting = moment::setting_with_figures(&inner.world, &inner.built, &inner.scene, &inner.scene.title);
         Ok(Self {
-            setting: moment::setting(&inner.world, &inner.built, &inner.scene.title),
+            setting: setting.map_err(|error| scene_error(py, &error))?,
             frames: Mutex::new(vec![capture(&inner.world)]),
             scene: inner.scene.clone(),
             bounds: inner.built.bounds,

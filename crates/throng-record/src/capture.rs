@@ -25,6 +25,7 @@ impl Setting {
             paths: Vec::new(),
             flows: Flow::all(world),
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
+            characters: Vec::new(),
             goals: world.goals().to_vec(),
             in_space: world.in_space(),
             origin: world.settings().origin,

@@ -32,3 +32,11 @@ pub(crate) fn light(part: u8) -> f32 {
     let part = f32::from(part) / 255.0;
     if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
 }
+
+/// Returns the part of a colour (sRGB) of linear light, 0 to 1.
+#[cfg(feature = "glb")]
+pub(crate) fn part(light: f32) -> u8 {
+    let light = light.clamp(0.0, 1.0);
+    let part = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * libm::powf(light, 1.0 / 2.4) - 0.055 };
+    (part * 255.0).round() as u8
+}

@@ -9,6 +9,7 @@ use throng::motion::Basis;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Bounds, SeenFrom, Surface};
 use throng::{Goal, Obstacle, Status, Trace, Walkable};
+use throng_figure::Character;
 
 /// The constant part of a recording: the place and the names.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +28,8 @@ pub struct Setting {
     pub flows: Vec<Flow>,
     /// Names of the groups; [`Body::group`] indexes them.
     pub groups: Vec<String>,
+    /// The bodies that people of a group have, by group; groups beyond the end and `None`: throng's own.
+    pub characters: Vec<Option<Arc<Character>>>,
     /// The goals; [`Body::goal`] indexes them.
     pub goals: Vec<Goal>,
     /// Whether some agents fly, now or later.
@@ -42,6 +45,11 @@ impl Setting {
             Some(name) if !name.is_empty() => name.into(),
             _ => group.to_string().into(),
         }
+    }
+
+    /// Returns the body that people of a group have; `None`: throng's own.
+    pub fn character(&self, group: u32) -> Option<&Arc<Character>> {
+        self.characters.get(group as usize)?.as_ref()
     }
 }
 

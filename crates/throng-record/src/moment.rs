@@ -5,7 +5,8 @@ use glam::DVec2;
 use std::sync::Arc;
 use throng::World;
 use throng::space::surface::{Barrier, Bounds, Surface};
-use throng_scene::Built;
+use throng_figure::Character;
+use throng_scene::{Built, Error, Scene};
 
 /// Returns the place and the names. The group that every world has from the start is left out: no scene puts agents
 /// into it.
@@ -17,6 +18,41 @@ pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     setting.shells = built.surfaces.iter().map(|(_, surface)| Shell::of(surface, &shown(surface, &room))).collect();
     setting.paths = built.paths.iter().map(|(_, path)| path.clone()).collect();
     setting
+}
+
+/// Returns the place and the names, and the bodies of groups ([`throng_scene::Group::figure`]), which it reads from their
+/// files. Without the feature `glb` no files are read, and all people are throng's.
+///
+/// # Errors
+/// A file does not exist, or its body cannot walk ([`people::character`](crate::people::character)).
+pub fn setting_with_figures(world: &World, built: &Built, scene: &Scene, title: &str) -> Result<Setting, Error> {
+    Ok(Setting { characters: characters(scene)?, ..setting(world, built, title) })
+}
+
+/// Reads the bodies of groups. A file that several groups name is read once.
+#[cfg(feature = "glb")]
+fn characters(scene: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
+    let mut all: Vec<Option<Arc<Character>>> = Vec::new();
+    for (at, group) in scene.groups.iter().enumerate() {
+        let Some(name) = &group.figure else { continue };
+        let same = scene.groups[..at].iter().position(|other| other.figure.as_ref() == Some(name));
+        let character = match same {
+            Some(same) => all[same].clone(),
+            None => {
+                let bytes = scene.figure(at)?.unwrap_or_default();
+                let read = crate::people::character(&bytes);
+                Some(Arc::new(read.map_err(|flaw| scene.wrong_figure(at, &format!("{name}: {flaw}"), flaw.hint))?))
+            }
+        };
+        all.resize(at, None);
+        all.push(character);
+    }
+    Ok(all)
+}
+
+#[cfg(not(feature = "glb"))]
+fn characters(_: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
+    Ok(Vec::new())
 }
 
 /// Returns the fields that govern groups, with their anchors. If no group is governed, returns the fields of the scene,

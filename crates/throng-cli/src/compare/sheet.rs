@@ -4,15 +4,18 @@ use super::race::{ComparePlan, ModelRun};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
 use throng_draw::{Sheet, Style};
-use throng_record::moment;
+use throng_record::Setting;
 
 /// Returns the sheet, with one panel per model, and its style.
 ///
 /// # Errors
 /// There are more models than panels fit, or the camera's view is empty.
 pub fn sheet(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<(Sheet, Style), Failure> {
-    let panel = |run: &ModelRun| moment::setting(&run.world, &run.built, plan.models[run.model].label());
-    let panels = runs.iter().map(panel).collect();
+    let panel = |run: &ModelRun| {
+        let setting = plan.loaded.setting(&run.world, &run.built)?;
+        Ok(Setting { title: plan.models[run.model].label().into(), ..setting })
+    };
+    let panels = runs.iter().map(panel).collect::<Result<_, Failure>>()?;
     let title = match plan.seeds.len() {
         1 => plan.loaded.title().to_owned(),
         _ => format!("{}, seed {}", plan.loaded.title(), plan.seeds[0]),

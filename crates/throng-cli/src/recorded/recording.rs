@@ -8,7 +8,7 @@ use crate::source::Changes;
 use glam::DVec2;
 use std::path::PathBuf;
 use throng_draw::WorldBox;
-use throng_record::{Moments, Setting, Trajectories, moment};
+use throng_record::{Moments, Setting, Trajectories};
 use throng_scene::Scene;
 use throng_scene::import::plan::is_plan;
 
@@ -70,7 +70,7 @@ impl Recording {
 fn place(map: &std::path::Path, offset: DVec2, quiet: bool) -> Result<(Scene, Setting), Failure> {
     let loaded = Changes::default().load(map)?;
     let (world, built) = loaded.build(quiet)?;
-    let mut setting = moment::setting(&world, &built, loaded.title());
+    let mut setting = loaded.setting(&world, &built)?;
     let mut map = Map { walkable: setting.walkable, obstacles: setting.obstacles, ..Map::default() };
     map.shift(offset);
     (setting.walkable, setting.obstacles) = (map.walkable, map.obstacles);

@@ -37,7 +37,7 @@ pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> 
     let style = Style { legend: false, ..style(scene, look).style(scene, built.bounds)? };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
-    let mut painter = Painter::new(&moment::setting(&world, &built, loaded.title()), &style, &frame)?;
+    let mut painter = Painter::new(&loaded.setting(&world, &built)?, &style, &frame)?;
     let end = look.at.unwrap_or_else(|| scene.moment());
     while world.time() + 0.5 * scene.time.step < end && !scene.time.over(&world) {
         if interrupt::asked() {

@@ -6,6 +6,7 @@ mod compare;
 #[cfg(target_os = "linux")]
 mod errors;
 mod explain;
+mod figures;
 #[cfg(unix)]
 mod interrupt;
 mod measure;

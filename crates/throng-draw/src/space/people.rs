@@ -1,11 +1,12 @@
-//! Agents that are people: figures that walk with planted feet.
+//! Agents that are people: figures that walk with planted feet, with throng's bodies or those of files.
 
 use super::light::light_of;
 use crate::look::Look;
 use crate::{AgentShape, Color, ColorBy, Shape, Style};
 use glam::{DVec2, Vec2, Vec3};
 use std::collections::BTreeMap;
-use throng_figure::{Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
+use std::sync::Arc;
+use throng_figure::{Character, Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Mesh, linear};
 
@@ -16,6 +17,8 @@ pub(crate) struct People {
     any: bool,
     /// Whether clothes have the colours of agents; otherwise those of people.
     colored: bool,
+    /// The bodies of groups, from files.
+    characters: Vec<Option<Arc<Character>>>,
     figures: BTreeMap<u32, (Live, Skeleton)>,
     bodies: BTreeMap<(u8, Level), Figure>,
 }
@@ -28,7 +31,7 @@ impl People {
         let one = setting.groups.len() < 2 && first.bodies.iter().all(|body| body.group == group);
         let named = style.groups.iter().any(Option::is_some);
         let colored = !one || named || style.color_by != ColorBy::Group;
-        Self { any: !setting.in_space, colored, ..Self::default() }
+        Self { any: !setting.in_space, colored, characters: setting.characters.clone(), ..Self::default() }
     }
 
     /// Whether an agent is a person: a disc on the ground of the size of people, or an agent with the shape of one.
@@ -48,7 +51,7 @@ impl People {
                 let known = live.sample() == sample || live.step(sample).is_ok();
                 known.then_some((live, skeleton))
             });
-            if let Some(figure) = known.or_else(|| arrived(body, sample)) {
+            if let Some(figure) = known.or_else(|| arrived(body, self.character(body), sample)) {
                 now.insert(body.number, figure);
             }
         }
@@ -61,10 +64,18 @@ impl People {
         }
     }
 
+    /// Returns the body that the people of an agent's group have; `None`: throng's.
+    fn character(&self, body: &Body) -> Option<&Character> {
+        self.characters.get(body.group as usize)?.as_deref()
+    }
+
     /// Returns the figure of an agent about its position, at a scale in pixels per metre; `None` if it is not a person.
     pub fn mesh(&self, body: &Body, look: &Look, scale: f32) -> Option<Mesh<'static>> {
         let (live, skeleton) = self.figures.get(&body.number)?;
         let person = live.person();
+        if let Some(character) = self.character(body) {
+            return shaped(character, live, skeleton, body);
+        }
         let level = Level::for_height(f64::from(scale) * person.height);
         let figure = self.bodies.get(&(person.build as u8, level))?;
         let joints = skeleton.world(&live.pose());
@@ -86,10 +97,23 @@ impl People {
 
 /// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
 /// position.
-fn arrived(body: &Body, sample: Sample) -> Option<(Live, Skeleton)> {
+fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option<(Live, Skeleton)> {
     let person = Person::of_agent(body.number, body.radius)?;
+    let person = character.map_or(person, |character| character.person(person));
     let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
     let live = Live::moving(person, sample, velocity).ok()?;
-    let skeleton = Skeleton::new(live.person());
+    let skeleton = match character {
+        Some(character) => character.skeleton(person.height),
+        None => Skeleton::new(live.person()),
+    };
     Some((live, skeleton))
+}
+
+/// Returns the body of a file about the position of an agent.
+fn shaped(character: &Character, live: &Live, skeleton: &Skeleton, body: &Body) -> Option<Mesh<'static>> {
+    let (mesh, joints) = (character.mesh(), skeleton.world(&live.pose()));
+    let (positions, normals) = mesh.skinned(skeleton, live.person().height, &joints, body.center());
+    let light = |[r, g, b]: &[u8; 3]| linear(u32::from_be_bytes([0, *r, *g, *b]));
+    let colors: Vec<Vec3> = character.colours().iter().map(light).collect();
+    Mesh::new(positions, normals, colors, mesh.triangles.clone()).ok()
 }

@@ -1,7 +1,9 @@
 //! People in pictures in perspective.
 
 use glam::{DVec2, DVec3, Vec2};
+use std::sync::Arc;
 use throng_draw::{Color, Image, Motion, Painter, Projection, Style, Viewpoint, palette};
+use throng_figure::{Build, Character, Level, Mesh, RestBody, Skeleton};
 use throng_record::{Body, Frame, Setting};
 
 fn style() -> Style {
@@ -66,6 +68,47 @@ fn agents_are_as_tall_as_people_and_stand_where_they_are() {
         let middle = cells.iter().map(|at| at.0 as f32).sum::<f32>() / cells.len() as f32;
         assert!((middle - pixel(0.0).x).abs() < 0.25 * scale as f32);
     }
+}
+
+/// Returns a body of a file: throng's man, larger, and green from head to foot.
+fn green_giant(height: f64) -> Character {
+    let (mesh, skeleton) = (Mesh::new(Build::Man, Level::Medium), Skeleton::scaled(Build::Man, height));
+    let count = mesh.positions.len();
+    let body = RestBody {
+        joints: skeleton.world(&skeleton.rest()).map(|joint| Some(joint.position)),
+        positions: mesh.positions.iter().map(|position| position.as_dvec3() * height).collect(),
+        normals: Vec::new(),
+        numbers: mesh.joints,
+        weights: mesh.weights,
+        colours: vec![[20, 200, 20]; count],
+        triangles: mesh.triangles,
+    };
+    Character::new(&body).unwrap()
+}
+
+#[test]
+fn groups_with_bodies_of_files_are_drawn_with_them() {
+    let bodies = [body(7, 0, DVec2::new(-1.2, 0.0)), body(8, 1, DVec2::new(1.2, 0.0))];
+    let groups = vec!["giants".to_owned(), "people".to_owned()];
+    let setting = Setting { groups, characters: vec![Some(Arc::new(green_giant(2.3)))], ..setting() };
+    let mut painter = Painter::new(&setting, &style(), &frame(&bodies)).unwrap();
+    let image = painter.paint(&frame(&bodies)).clone();
+    let empty = painter.paint(&Frame::default()).clone();
+    let scale = f64::from(painter.pixel(DVec3::ZERO).unwrap().y - painter.pixel(DVec3::Z).unwrap().y);
+    let cells = changed(&image, &empty);
+    let of = |left: bool| cells.iter().copied().filter(move |&(x, _)| (x < 160) == left);
+    let tall = |left: bool| {
+        let rows = || of(left).map(|(_, y)| y);
+        f64::from(rows().max().unwrap() - rows().min().unwrap()) / scale
+    };
+    assert!((2.1..2.4).contains(&tall(true)), "{} m", tall(true));
+    assert!((1.4..2.0).contains(&tall(false)), "{} m", tall(false));
+    let green = |(x, y): (u32, u32)| {
+        let color = image.pixel(x, y);
+        color.g > color.r.max(color.b)
+    };
+    let share = |left: bool| of(left).filter(|&at| green(at)).count() as f64 / of(left).count() as f64;
+    assert!(share(true) > 0.9 && share(false) < 0.5, "{} {}", share(true), share(false));
 }
 
 #[test]

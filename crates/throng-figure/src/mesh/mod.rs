@@ -67,7 +67,7 @@ pub struct Mesh {
     pub joints: Vec<[u8; 4]>,
     /// The weights of these joints. Their sum is 1.
     pub weights: Vec<[f32; 4]>,
-    /// The region of each vertex.
+    /// The region of each vertex; empty for the mesh of a [`Character`](crate::Character), which has colours of its own.
     pub regions: Vec<Region>,
     /// Triangles, counterclockwise from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -91,14 +91,14 @@ impl Mesh {
     ///
     /// `skeleton` and `joints` are those of a person of `height` (m).
     pub fn posed(&self, skeleton: &Skeleton, height: f64, joints: &[Placed; JOINTS]) -> Vec<DVec3> {
-        let rest = skeleton.rest_positions();
+        let binds = skeleton.binds();
         let vertices = self.positions.iter().zip(self.joints.iter().zip(&self.weights));
         vertices
             .map(|(position, (numbers, weights))| {
                 let position = position.as_dvec3() * height;
                 let moved = numbers.iter().zip(weights).map(|(&number, &weight)| {
-                    let joint = &joints[usize::from(number)];
-                    let own = position - rest[usize::from(number)];
+                    let (joint, bind) = (&joints[usize::from(number)], &binds[usize::from(number)]);
+                    let own = bind.turn * (position - bind.position);
                     (joint.position + joint.rotation * own) * f64::from(weight)
                 });
                 moved.sum()
@@ -129,7 +129,7 @@ impl Mesh {
             .unzip()
     }
 
-    fn find_normals(&mut self) {
+    pub(crate) fn find_normals(&mut self) {
         let mut normals = vec![Vec3::ZERO; self.positions.len()];
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|vertex| self.positions[vertex as usize]);

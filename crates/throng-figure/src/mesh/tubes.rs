@@ -24,7 +24,7 @@ type Detail = u8;
 pub(super) fn add_body(mesh: &mut Mesh, build: Build, level: Level) {
     let body = Body {
         proportions: Proportions::of(build),
-        skeleton: Skeleton::scaled(build, 1.0).rest_positions(),
+        skeleton: Skeleton::scaled(build, 1.0).binds().map(|bind| bind.position),
         build,
         level,
     };
@@ -214,7 +214,7 @@ impl Body {
             Side::Right => [Joint::RightUpLeg, Joint::RightLeg, Joint::RightFoot],
         };
         let start = self.joint(up_leg);
-        let (thigh, shank) = (self.proportions.thigh, self.proportions.shank);
+        let (thigh, shank) = (self.proportions.legs.thigh, self.proportions.legs.shank);
         // distance below the hip, half width, half depth, offset forward, outward
         let table: [(f64, f64, f64, f64, f64, Detail); 13] = [
             (-0.035, 0.032, 0.046, -0.004, 0.000, 2),
@@ -252,9 +252,9 @@ impl Body {
             Side::Right => [Joint::RightFoot, Joint::RightToeBase],
         };
         let ankle = self.joint(foot);
-        let (heel, ball) = (self.proportions.heel, self.proportions.ball);
-        let tip = self.proportions.foot - heel;
-        let high = self.proportions.ankle / 0.039;
+        let (heel, ball) = (self.proportions.legs.heel, self.proportions.legs.ball);
+        let tip = self.proportions.legs.foot - heel;
+        let high = self.proportions.legs.ankle / 0.039;
         // distance ahead of the ankle, half width, height of the instep
         let table: [(f64, f64, f64, Detail); 9] = [
             (-heel, 0.010, 0.026, 1),

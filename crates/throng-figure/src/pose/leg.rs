@@ -1,6 +1,5 @@
 //! The leg between the hip and the ankle.
 
-use super::Proportions;
 use crate::math::{about_y, about_z, direction, from_axes};
 use crate::person::{Person, Side};
 use crate::steps::FootPose;
@@ -11,7 +10,7 @@ const STRAIGHT: f64 = 0.9985;
 
 /// Returns the hip joints of a pelvis, left first, m.
 pub(crate) fn hip_joints(person: &Person, pelvis: DVec3, rotation: DQuat) -> [DVec3; 2] {
-    let across = rotation * DVec3::Y * (Proportions::of(person.build).hip * person.height);
+    let across = rotation * DVec3::Y * (person.legs.hip * person.height);
     [pelvis + across, pelvis - across]
 }
 
@@ -19,7 +18,7 @@ pub(crate) fn hip_joints(person: &Person, pelvis: DVec3, rotation: DQuat) -> [DV
 ///
 /// `pelvis` is the rotation of the pelvis, `facing` its direction (rad).
 pub(crate) fn leg(person: &Person, side: Side, hip: DVec3, pelvis: DQuat, facing: f64, foot: &FootPose) -> [DQuat; 4] {
-    let body = Proportions::of(person.build);
+    let body = person.legs;
     let (thigh, shank) = (body.thigh * person.height, body.shank * person.height);
     let way = foot.ankle - hip;
     let distance = way.length().clamp(0.2 * thigh, STRAIGHT * (thigh + shank));

@@ -3,11 +3,14 @@
 mod body;
 mod idle;
 mod leg;
+mod proportions;
 mod skeleton;
 
 pub(crate) use body::{BodyState, pose};
 pub(crate) use leg::hip_joints;
-pub(crate) use skeleton::Proportions;
+pub use proportions::Legs;
+pub(crate) use proportions::{ARM_AT_REST, Proportions};
+pub(crate) use skeleton::Bind;
 pub use skeleton::{JOINTS, Joint, Placed, Skeleton};
 
 use glam::{DQuat, DVec3};

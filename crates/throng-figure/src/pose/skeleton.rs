@@ -1,6 +1,7 @@
 //! The skeleton: joints, lengths, the pose at rest.
 
 use super::Pose;
+use super::proportions::{ARM_AT_REST, Proportions};
 use crate::person::{Build, Person};
 use glam::{DMat4, DQuat, DVec3, Mat4};
 
@@ -113,75 +114,6 @@ impl Joint {
     }
 }
 
-/// Lengths of a body as fractions of its height.
-///
-/// Source: Boulic 1990; ankles and hands: Winter, "Biomechanics and Motor Control of Human Movement"; children of about
-/// six years: own estimate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Proportions {
-    pub head: f64,
-    pub neck: f64,
-    pub torso: f64,
-    pub thigh: f64,
-    pub shank: f64,
-    /// Height of the ankle.
-    pub ankle: f64,
-    /// Length of the foot.
-    pub foot: f64,
-    /// From the heel to below the ankle.
-    pub heel: f64,
-    /// From below the ankle to the joint of the toes.
-    pub ball: f64,
-    /// Height of the joint of the toes.
-    pub toe_height: f64,
-    /// Half the distance of the hip joints.
-    pub hip: f64,
-    /// Half the distance of the shoulder joints.
-    pub shoulder: f64,
-    pub upper_arm: f64,
-    pub forearm: f64,
-}
-
-/// The angle of the arms to the vertical at rest is 45°: its sine and cosine.
-pub(crate) const ARM_AT_REST: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
-impl Proportions {
-    pub const fn of(build: Build) -> Proportions {
-        const MAN: Proportions = Proportions {
-            head: 0.130,
-            neck: 0.052,
-            torso: 0.288,
-            thigh: 0.245,
-            shank: 0.246,
-            ankle: 0.039,
-            foot: 0.150,
-            heel: 0.030,
-            ball: 0.072,
-            toe_height: 0.012,
-            hip: 0.0535,
-            shoulder: 0.108,
-            upper_arm: 0.176,
-            forearm: 0.148,
-        };
-        match build {
-            Build::Man => MAN,
-            Build::Woman => Proportions { hip: 0.0545, shoulder: 0.098, ..MAN },
-            Build::Child => Proportions {
-                head: 0.170,
-                neck: 0.045,
-                torso: 0.300,
-                thigh: 0.220,
-                shank: 0.222,
-                ankle: 0.043,
-                shoulder: 0.105,
-                upper_arm: 0.165,
-                forearm: 0.138,
-                ..MAN
-            },
-        }
-    }
-}
-
 /// Where a joint is in the world, and how it is turned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
@@ -207,6 +139,14 @@ pub struct Placed {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skeleton {
     offsets: [DVec3; JOINTS],
+    binds: [Bind; JOINTS],
+}
+
+/// Where a joint is in the body as it was modelled, and the turn from there to the pose at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bind {
+    pub position: DVec3,
+    pub turn: DQuat,
 }
 
 impl Skeleton {
@@ -219,26 +159,36 @@ impl Skeleton {
     pub fn scaled(build: Build, height: f64) -> Skeleton {
         let body = Proportions::of(build);
         let mut offsets = [DVec3::ZERO; JOINTS];
-        let mut put = |joint: Joint, x: f64, y: f64, z: f64| offsets[joint.index()] = DVec3::new(x, y, z) * height;
-        put(Hips, 0.0, 0.0, body.thigh + body.shank + body.ankle);
+        body.legs.put(&mut offsets);
+        let mut put = |joint: Joint, x: f64, y: f64, z: f64| offsets[joint.index()] = DVec3::new(x, y, z);
         put(Spine, -0.006, 0.0, 0.058);
         put(Spine1, -0.006, 0.0, 0.100);
         put(Neck, -0.004, 0.0, body.torso - 0.158);
         put(Head, 0.016, 0.0, body.neck);
         let down = ARM_AT_REST;
-        for (sign, [arm, forearm, hand, up_leg, leg, foot, toes]) in [
-            (1.0, [LeftArm, LeftForeArm, LeftHand, LeftUpLeg, LeftLeg, LeftFoot, LeftToeBase]),
-            (-1.0, [RightArm, RightForeArm, RightHand, RightUpLeg, RightLeg, RightFoot, RightToeBase]),
-        ] {
+        for (sign, [arm, forearm, hand]) in
+            [(1.0, [LeftArm, LeftForeArm, LeftHand]), (-1.0, [RightArm, RightForeArm, RightHand])]
+        {
             put(arm, -0.002, sign * body.shoulder, body.torso - 0.158 - 0.022);
             put(forearm, 0.0, sign * body.upper_arm * down, -body.upper_arm * down);
             put(hand, 0.0, sign * body.forearm * down, -body.forearm * down);
-            put(up_leg, 0.0, sign * body.hip, 0.0);
-            put(leg, 0.0, 0.0, -body.thigh);
-            put(foot, 0.0, 0.0, -body.shank);
-            put(toes, body.ball, 0.0, body.toe_height - body.ankle);
         }
-        Skeleton { offsets }
+        let offsets = offsets.map(|offset| offset * height);
+        let binds = positions(&offsets).map(|position| Bind { position, turn: DQuat::IDENTITY });
+        Skeleton { offsets, binds }
+    }
+
+    /// Returns the skeleton of a body that was modelled with its joints at `binds`.
+    pub(crate) fn bound(offsets: [DVec3; JOINTS], binds: [Bind; JOINTS]) -> Skeleton {
+        Skeleton { offsets, binds }
+    }
+
+    /// Returns the skeleton, larger by a factor.
+    pub(crate) fn times(&self, factor: f64) -> Skeleton {
+        Skeleton {
+            offsets: self.offsets.map(|offset| offset * factor),
+            binds: self.binds.map(|bind| Bind { position: bind.position * factor, ..bind }),
+        }
     }
 
     /// Returns the position of a joint against its parent at rest, m: of the hips, against the ground.
@@ -265,24 +215,35 @@ impl Skeleton {
         placed
     }
 
-    /// Returns where each joint is at rest, m.
-    pub(crate) fn rest_positions(&self) -> [DVec3; JOINTS] {
-        self.world(&self.rest()).map(|joint| joint.position)
+    /// Returns where each joint is in the body as it was modelled, m.
+    pub(crate) fn binds(&self) -> &[Bind; JOINTS] {
+        &self.binds
     }
 
-    /// Returns the matrix of each joint at rest, as files of skins need it (its inverse is the inverse bind matrix).
-    pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
-        self.rest_positions().map(DMat4::from_translation)
+    /// Returns the inverse bind matrix of each joint, as files of skins need it: it moves a body as it was modelled (m) to the
+    /// axes of the joint.
+    pub fn inverse_bind_matrices(&self) -> [DMat4; JOINTS] {
+        self.binds.map(|bind| DMat4::from_rotation_translation(bind.turn, -(bind.turn * bind.position)))
     }
 
-    /// Returns the matrix of each joint that moves a body at rest (m) to where it is relative to `origin`, as pictures
-    /// need it.
+    /// Returns the matrix of each joint that moves a body as it was modelled (m) to where it is relative to `origin`, as
+    /// pictures need it.
     pub fn skin_matrices(&self, joints: &[Placed; JOINTS], origin: DVec3) -> [Mat4; JOINTS] {
-        let rest = self.rest_positions();
         std::array::from_fn(|joint| {
             let Placed { position, rotation } = joints[joint];
-            let shift = position - origin - rotation * rest[joint];
+            let bind = self.binds[joint];
+            let rotation = rotation * bind.turn;
+            let shift = position - origin - rotation * bind.position;
             Mat4::from_translation(shift.as_vec3()) * Mat4::from_quat(rotation.as_quat())
         })
     }
+}
+
+/// Returns where joints with these offsets are at rest.
+fn positions(offsets: &[DVec3; JOINTS]) -> [DVec3; JOINTS] {
+    let mut positions = *offsets;
+    for joint in &Joint::ALL[1..] {
+        positions[joint.index()] += positions[joint.parent().map_or(0, Joint::index)];
+    }
+    positions
 }

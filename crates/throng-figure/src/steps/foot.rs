@@ -3,7 +3,6 @@
 use super::Plant;
 use crate::math::{Quintic, bump, direction, mix, smooth, smooth_max, wrapped};
 use crate::person::{Person, Side};
-use crate::pose::Proportions;
 use glam::{DVec2, DVec3};
 
 /// The share of the length of the leg to which a leg on the ground is stretched.
@@ -60,7 +59,7 @@ pub(crate) fn allowed_roll(plant: &Plant, time: f64) -> f64 {
 /// Returns the pose of a foot with this pitch that touches the ground: with the heel if the pitch is positive, else
 /// with the ball.
 pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> FootPose {
-    let body = Proportions::of(person.build);
+    let body = person.legs;
     let h = person.height;
     let (sin, cos) = libm::sincos(pitch);
     // from the point about which the foot turns to the ankle: forward and up
@@ -78,7 +77,7 @@ pub(crate) fn foot_at(person: &Person, flat: DVec2, yaw: f64, pitch: f64) -> Foo
 /// Returns the least angle by which the heel is to be raised for the leg to reach from the hip; negative, if there is
 /// leg to spare.
 fn needed_roll(person: &Person, plant: &Plant, hip: DVec3) -> f64 {
-    let body = Proportions::of(person.build);
+    let body = person.legs;
     let h = person.height;
     let ahead = direction(plant.yaw);
     let toes = (plant.ankle + ahead * (body.ball * h)).extend(body.toe_height * h);
@@ -166,7 +165,7 @@ impl Swing {
         }
         swing.aside = left * aside.min(0.25);
         // heel and toes clear the ground
-        let body = Proportions::of(person.build);
+        let body = person.legs;
         let h = person.height;
         for part in 1..10 {
             let u = f64::from(part) / 10.0;

@@ -5,7 +5,6 @@ use crate::gait::{self, Cycle, RUN_FROM, RUN_TO};
 use crate::math::{direction, smooth, wrapped};
 use crate::path::{Ahead, Motion};
 use crate::person::{Person, Side};
-use crate::pose::Proportions;
 use glam::DVec2;
 
 /// A standing person steps where a foot will be farther than this from its place, m or rad.
@@ -188,14 +187,13 @@ impl Planner {
     /// Returns until when the body stays in reach of the foot on the ground, at most until `end`.
     fn reached_until(&self, body: &impl Ahead, side: Side, from: f64, end: f64) -> f64 {
         let person = &self.person;
-        let proportions = Proportions::of(person.build);
+        let legs = person.legs;
         let plant = &self.plants[side.index()];
-        let toes = plant.ankle + direction(plant.yaw) * (proportions.ball * person.height);
+        let toes = plant.ankle + direction(plant.yaw) * (legs.ball * person.height);
         let mut time = from.max(plant.strike);
         while time < end {
             let motion = body.at(time);
-            let hip =
-                motion.position + direction(motion.heading).perp() * (side.sign() * proportions.hip * person.height);
+            let hip = motion.position + direction(motion.heading).perp() * (side.sign() * legs.hip * person.height);
             let away = hip - toes;
             // moving towards the foot is no reason to lift it
             if away.length() > REACH * person.leg() && away.dot(motion.velocity) > 0.0 {

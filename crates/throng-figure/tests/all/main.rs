@@ -1,5 +1,6 @@
 //! Tests of people on trajectories.
 
+mod character;
 mod damaged;
 mod feet;
 mod forward;

@@ -75,6 +75,7 @@ pub const TARGETS: &[Target] = &[
     plain("binary", "sqlite", "sqlite", "trajectories: JuPedSim's", |bytes| tracks::read("sqlite", bytes)),
     plain("binary", "glb", "glb", "trajectories: binary glTF", |bytes| tracks::read("glb", bytes)),
     plain("binary", "glb-people", "glb", "people: binary glTF", |bytes| tracks::people("glb", bytes)),
+    plain("binary", "figure", "glb", "bodies of people: binary glTF with a skin", tracks::figure),
     plain("binary", "hdf5", "h5", "trajectories: HDF5 of the Pedestrian Dynamics Data Archive", |bytes| {
         tracks::read("h5", bytes)
     }),

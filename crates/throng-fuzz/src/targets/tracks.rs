@@ -48,6 +48,11 @@ pub(super) fn people(ending: &str, bytes: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
+/// Reads a body of a file.
+pub(super) fn figure(bytes: &[u8]) -> Result<(), String> {
+    throng_record::people::character(bytes).map(|body| _ = std::hint::black_box(body)).map_err(|flaw| flaw.to_string())
+}
+
 /// Reads a `.rec` whole and in parts, and appends to it.
 pub(super) fn rec(bytes: &[u8]) -> Result<(), String> {
     let contents = Contents::of(bytes).map_err(|flaw| flaw.to_string())?;

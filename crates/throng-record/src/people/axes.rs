@@ -2,6 +2,8 @@
 //!
 //! "glTF" stands for both formats below.
 
+#[cfg(feature = "glb")]
+use glam::{DMat4, DVec4, Mat4};
 use glam::{DQuat, DVec3, Quat, Vec3};
 use std::f32::consts::FRAC_1_SQRT_2;
 
@@ -31,6 +33,14 @@ pub(crate) fn place(point: DVec3) -> DVec3 {
 /// Converts a point or a size in a body's own space to glTF.
 pub(crate) fn own(place: Vec3) -> Vec3 {
     Vec3::new(place.y, place.z, place.x)
+}
+
+/// Converts a transform within a body to glTF.
+#[cfg(feature = "glb")]
+pub(crate) fn own_matrix(matrix: DMat4) -> Mat4 {
+    let column = |column: DVec4| own(column.truncate().as_vec3()).extend(column.w as f32);
+    // the axes are left, up and ahead
+    Mat4::from_cols(column(matrix.y_axis), column(matrix.z_axis), column(matrix.x_axis), column(matrix.w_axis))
 }
 
 /// Converts a rotation of the scene (a body faces +x) to glTF (a body faces +z).

@@ -5,7 +5,8 @@ use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
 use crate::{Output, Setting};
 use glam::Vec3;
 use std::io;
-use throng_figure::{Person, Sample, Walk};
+use std::sync::Arc;
+use throng_figure::{Character, Person, Sample, Walk};
 
 /// The longest recording with figures, seconds.
 const LONGEST: f64 = 14_400.0;
@@ -16,6 +17,8 @@ pub(crate) struct People {
     /// How they are written: never [`FigureStyle::Auto`].
     pub(crate) style: FigureStyle,
     times: Vec<f64>,
+    /// The bodies of groups, from files.
+    characters: Vec<Option<Arc<Character>>>,
 }
 
 impl People {
@@ -35,7 +38,19 @@ impl People {
         if style != FigureStyle::None && spill.agents.iter().any(walks) {
             spill.refine(output)?;
         }
-        Ok(Self { style, times: spill.moments.iter().map(|&(time, _)| time).collect() })
+        let times = spill.moments.iter().map(|&(time, _)| time).collect();
+        Ok(Self { style, times, characters: Vec::new() })
+    }
+
+    /// Returns the people with the bodies that their groups have from files: they walk on the legs of these bodies.
+    #[cfg(feature = "glb")]
+    pub(crate) fn with_characters(self, setting: &Setting) -> Self {
+        Self { characters: setting.characters.clone(), ..self }
+    }
+
+    /// Returns the body that an agent has from a file.
+    pub(crate) fn character(&self, agent: &SpilledAgent) -> Option<&Arc<Character>> {
+        self.characters.get(agent.group as usize)?.as_ref()
     }
 
     /// Whether an agent is a person.
@@ -45,7 +60,8 @@ impl People {
 
     /// Returns the person that an agent is; `None` if it is none.
     pub(crate) fn person(&self, agent: &SpilledAgent) -> Option<Person> {
-        Person::of_agent(agent.number, agent.radius).filter(|_| self.style != FigureStyle::None)
+        let person = Person::of_agent(agent.number, agent.radius).filter(|_| self.style != FigureStyle::None)?;
+        Some(self.character(agent).map_or(person, |character| character.person(person)))
     }
 
     /// Returns the walk of an agent; `None` if it is not a person.

@@ -8,6 +8,8 @@
 pub(crate) mod axes;
 #[cfg(feature = "bvh")]
 mod build;
+#[cfg(feature = "glb")]
+mod character;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 mod choose;
 mod figure;
@@ -17,6 +19,8 @@ mod style;
 
 #[cfg(feature = "bvh")]
 pub(crate) use build::fitted;
+#[cfg(feature = "glb")]
+pub use character::character;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
 pub(crate) use choose::People;
 pub use figure::{Figure, Figures};

@@ -5,6 +5,7 @@ mod annulus;
 mod check;
 mod count;
 mod expect;
+mod figure;
 mod flow;
 mod goals;
 mod ground;

@@ -136,6 +136,10 @@ pub struct Group {
     /// Symbol of the agents in pictures. Without it, the shape of their bodies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mark: Option<AgentShape>,
+    /// A file with the body of the agents, if they are people: a `.glb` file with a skin and the joints of a human.
+    /// A relative name refers to the scene file's folder. Without it, throng's own people.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub figure: Option<String>,
 }
 
 impl Default for Group {
@@ -176,6 +180,7 @@ impl Default for Group {
             guard: None,
             colour: None,
             mark: None,
+            figure: None,
         }
     }
 }

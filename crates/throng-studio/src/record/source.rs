@@ -105,7 +105,8 @@ impl SceneRun {
         let built = guarded(|| scene.build()).map_err(|trouble| trouble.to_string())?;
         let (mut world, built) = built.map_err(|error| error.to_string())?;
         world.request_traces(annotations.asked());
-        Ok(Self { setting: moment::setting(&world, &built, title(&scene, name)), world, scene })
+        let setting = moment::setting_with_figures(&world, &built, &scene, title(&scene, name));
+        Ok(Self { setting: setting.map_err(|error| error.to_string())?, world, scene })
     }
 }
 

@@ -10,8 +10,8 @@ use super::table::{ComparisonRow, caption, rows};
 use crate::failure::Failure;
 use crate::options::FilmArgs;
 use throng_draw::page::{Player, Scenery, document, escape, fill, swatch};
+use throng_record::Frame;
 use throng_record::series::Series;
-use throng_record::{Frame, moment};
 
 const PAGE: &str = include_str!("page.html");
 
@@ -28,7 +28,7 @@ impl ComparePage {
     /// The camera's view is empty.
     pub fn new(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<Self, Failure> {
         let style = args.look.style(&plan.loaded.scene, runs[0].built.bounds)?;
-        let setting = moment::setting(&runs[0].world, &runs[0].built, plan.loaded.title());
+        let setting = plan.loaded.setting(&runs[0].world, &runs[0].built)?;
         let agents = runs[0].built.agents;
         // Scripted bodies have numbers too, beyond those of the agents.
         let present = runs.iter().flat_map(|run| &run.frame.bodies).map(|body| body.number as usize + 1);

@@ -77,6 +77,8 @@ fn figure(data: &Data, channels: &Channels, first: f64, agent: usize, joints: &[
     let skin =
         Skin { agent: sampled(agent)?, joints: joints.iter().map(|&at| sampled(at)).collect::<Result<_, _>>()?, scale };
     let person = Person::new(0, u64::from(known.number)).with_build(build).with_height(scale);
+    let legs = known.legs.as_ref().map_or(person.legs, Into::into);
+    let person = Person { legs, ..person };
     Ok(Figure::new((known.number, person, [from - first, to - first]), move |second| skin.joints(second as f32)))
 }
 

@@ -32,6 +32,10 @@ pub struct Root {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub materials: Vec<Value>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub textures: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub images: Vec<Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub skins: Vec<Value>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub accessors: Vec<Accessor>,
@@ -39,6 +43,11 @@ pub struct Root {
     pub buffer_views: Vec<BufferView>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub buffers: Vec<Buffer>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub extensions_required: Vec<String>,
+    /// Data of extensions, which other programs may write.
+    #[serde(skip_serializing_if = "Value::is_null")]
+    pub extensions: Value,
 }
 
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -100,6 +109,36 @@ pub struct Person {
     /// The build of the figure, if it has one: `woman`, `man` or `child`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub build: Option<String>,
+    /// The legs of the figure, if they are not those of its build: in heights.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub legs: Option<BodyLegs>,
+}
+
+/// Lengths of legs and feet in heights ([`throng_figure::Legs`]).
+#[derive(Debug, Serialize, Deserialize)]
+pub struct BodyLegs {
+    pub thigh: f64,
+    pub shank: f64,
+    pub ankle: f64,
+    pub foot: f64,
+    pub heel: f64,
+    pub ball: f64,
+    pub toe_height: f64,
+    pub hip: f64,
+}
+
+impl From<throng_figure::Legs> for BodyLegs {
+    fn from(legs: throng_figure::Legs) -> Self {
+        let throng_figure::Legs { thigh, shank, ankle, foot, heel, ball, toe_height, hip } = legs;
+        Self { thigh, shank, ankle, foot, heel, ball, toe_height, hip }
+    }
+}
+
+impl From<&BodyLegs> for throng_figure::Legs {
+    fn from(legs: &BodyLegs) -> Self {
+        let &BodyLegs { thigh, shank, ankle, foot, heel, ball, toe_height, hip } = legs;
+        Self { thigh, shank, ankle, foot, heel, ball, toe_height, hip }
+    }
 }
 
 #[derive(Debug, Default, Serialize, Deserialize)]

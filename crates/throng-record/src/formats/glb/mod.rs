@@ -9,7 +9,7 @@
 //! | `World` | stands at the origin of the scene |
 //! | `Ground`, `Obstacles` | meshes; obstacles are 1 m high |
 //! | `Agents/Agent_7` and so on | an agent by its number: the mesh of its group, scaled by its radius; `extras` hold its `number`, `group` (its name), `radius` (metres), and `from` and `to` (seconds): the times of its first and last sample |
-//! | `Agents/Agent_7/Hips` and so on | the joints of a person: an agent on the ground with a radius of at most 0.5 m, in a file of at most 300 agents. Its node has no mesh, and its size is 1; `extras.build` is `woman`, `man` or `child` |
+//! | `Agents/Agent_7/Hips` and so on | the joints of a person: an agent on the ground with a radius of at most 0.5 m, in a file of at most 300 agents. Its node has no mesh, and its size is 1; `extras.build` is `woman`, `man` or `child`; with the body of a file, `extras.legs` holds the lengths of legs and feet in heights |
 //! | `Body_7` | the mesh that the joints bend, in the root of the scene |
 //!
 //! The only animation moves and turns the agents. Its seconds count from the first frame. An agent has the scale 0
@@ -29,6 +29,7 @@
 mod baked;
 mod baked_read;
 mod bin;
+pub(crate) mod character;
 mod data;
 mod figures;
 mod json;

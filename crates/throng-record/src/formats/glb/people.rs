@@ -6,12 +6,14 @@ use super::motion::{GlbMotion, Visit};
 use super::write::{POINTS, TRIANGLES};
 use crate::color::light;
 use crate::people::axes;
-use glam::{Mat4, Quat, Vec3};
+use glam::{Quat, Vec3};
 use serde_json::json;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::io;
-use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Skeleton, Walk};
+use std::sync::Arc;
+use throng_figure::{Build, Character, Joint, Level, Look, Mesh, Pose, Skeleton, Walk};
 
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
@@ -22,10 +24,12 @@ const TURN: f64 = 3.5e-3;
 /// The skins of a file.
 #[derive(Default)]
 pub struct Skins {
-    /// The shapes of the builds: accessors of the attributes, of the triangles, and of the inverse bind matrices.
-    shapes: BTreeMap<u8, Shape>,
-    /// The meshes, by build and look.
-    meshes: BTreeMap<(u8, u8), usize>,
+    /// The shapes of the bodies: accessors of the attributes, of the triangles, and of the inverse bind matrices.
+    shapes: BTreeMap<usize, Shape>,
+    /// The meshes, by body and look.
+    meshes: BTreeMap<(usize, u8), usize>,
+    /// The bodies from files; their numbers follow those of the builds.
+    characters: Vec<Arc<Character>>,
     material: Option<usize>,
 }
 
@@ -36,6 +40,53 @@ struct Shape {
     mesh: Mesh,
 }
 
+/// The body of a person: throng's of a build with a look, or that of a file.
+#[derive(Clone, Copy)]
+enum Figure<'a> {
+    Build(Build, u8),
+    Character(usize, &'a Character),
+}
+
+impl<'a> Figure<'a> {
+    /// Returns the number of the body, and of its look.
+    fn key(self) -> (usize, u8) {
+        match self {
+            Self::Build(build, look) => (build as usize, look),
+            Self::Character(number, _) => (Build::ALL.len() + number, 0),
+        }
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Build(build, look) => format!("{} {look}", build.name()),
+            Self::Character(number, _) => format!("figure {}", number + 1),
+        }
+    }
+
+    /// Returns the skeleton for a height of 1 m.
+    fn skeleton(self) -> Skeleton {
+        match self {
+            Self::Build(build, _) => Skeleton::scaled(build, 1.0),
+            Self::Character(_, character) => character.skeleton(1.0),
+        }
+    }
+
+    fn mesh(self) -> Mesh {
+        match self {
+            Self::Build(build, _) => Mesh::new(build, Level::Fine),
+            Self::Character(_, character) => character.mesh().clone(),
+        }
+    }
+
+    /// Returns the colours of the vertices of a mesh of this body.
+    fn colours(self, mesh: &Mesh) -> Cow<'a, [[u8; 3]]> {
+        match self {
+            Self::Build(_, look) => mesh.colours(&Look::new(look)).into(),
+            Self::Character(_, character) => character.colours().into(),
+        }
+    }
+}
+
 impl Skins {
     /// Adds the figure of an agent: joints below its node, their motion, a skin, and a mesh.
     ///
@@ -44,13 +95,17 @@ impl Skins {
     pub fn add(
         &mut self,
         (root, bin, motion): (&mut Root, &mut Bin, &mut GlbMotion<'_>),
-        (node, walk): (usize, &Walk),
+        (node, walk, character): (usize, &Walk, Option<&Arc<Character>>),
         (visit, times): (&Visit, &[f64]),
         (places, turns): (Vec<Vec3>, Vec<Quat>),
     ) -> io::Result<()> {
         let person = walk.person();
         let poses: Vec<Pose> = visit.moments.iter().map(|&moment| walk.pose(times[moment])).collect();
-        let skeleton = Skeleton::scaled(person.build, 1.0);
+        let figure = match character {
+            Some(character) => Figure::Character(self.number(character), character),
+            None => Figure::Build(person.build, person.look),
+        };
+        let skeleton = figure.skeleton();
         let first = root.nodes.len();
         let at = |joint: Joint| first + joint.index();
         for joint in Joint::ALL {
@@ -79,7 +134,7 @@ impl Skins {
         }
         root.nodes[node].children.push(first);
         let joints: Vec<usize> = (first..root.nodes.len()).collect();
-        let (mesh, binds) = self.body(root, bin, person)?;
+        let (mesh, binds) = self.body(root, bin, figure)?;
         root.skins.push(json!({ "inverseBindMatrices": binds, "joints": joints, "skeleton": first }));
         // a skin moves its mesh, and no other node does
         let name = root.nodes[node].name.replace("Agent", "Body");
@@ -90,14 +145,23 @@ impl Skins {
         Ok(())
     }
 
+    /// Returns the number of a body from a file.
+    fn number(&mut self, character: &Arc<Character>) -> usize {
+        let known = self.characters.iter().position(|known| Arc::ptr_eq(known, character));
+        known.unwrap_or_else(|| {
+            self.characters.push(character.clone());
+            self.characters.len() - 1
+        })
+    }
+
     /// Returns the mesh of a person, and the inverse bind matrices of its skeleton.
-    fn body(&mut self, root: &mut Root, bin: &mut Bin, person: &Person) -> io::Result<(usize, usize)> {
-        let build = person.build as u8;
-        let shape = match self.shapes.entry(build) {
+    fn body(&mut self, root: &mut Root, bin: &mut Bin, figure: Figure) -> io::Result<(usize, usize)> {
+        let (body, look) = figure.key();
+        let shape = match self.shapes.entry(body) {
             Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(new) => new.insert(Shape::new(bin, person.build)?),
+            Entry::Vacant(new) => new.insert(Shape::new(bin, figure)?),
         };
-        if let Some(&mesh) = self.meshes.get(&(build, person.look)) {
+        if let Some(&mesh) = self.meshes.get(&(body, look)) {
             return Ok((mesh, shape.binds));
         }
         let material = *self.material.get_or_insert_with(|| {
@@ -107,7 +171,7 @@ impl Skins {
             }));
             root.materials.len() - 1
         });
-        let colors: Vec<[u8; 4]> = shape.mesh.colours(&Look::new(person.look)).into_iter().map(linear).collect();
+        let colors: Vec<[u8; 4]> = figure.colours(&shape.mesh).iter().copied().map(linear).collect();
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
@@ -115,24 +179,20 @@ impl Skins {
         bin.view(None)?;
         let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
         let mesh = root.meshes.len();
-        root.meshes
-            .push(json!({ "name": format!("{} {}", person.build.name(), person.look), "primitives": [primitive] }));
-        self.meshes.insert((build, person.look), mesh);
+        root.meshes.push(json!({ "name": figure.name(), "primitives": [primitive] }));
+        self.meshes.insert((body, look), mesh);
         Ok((mesh, shape.binds))
     }
 }
 
 impl Shape {
-    fn new(bin: &mut Bin, build: Build) -> io::Result<Self> {
-        let mesh = Mesh::new(build, Level::Fine);
+    fn new(bin: &mut Bin, figure: Figure) -> io::Result<Self> {
+        let mesh = figure.mesh();
         let attributes = vertices(bin, &mesh)?;
         bin.view(Some(TRIANGLES))?;
         let triangles = bin.triangles(&mesh.triangles)?;
         bin.view(None)?;
-        let skeleton = Skeleton::scaled(build, 1.0);
-        let rest = skeleton.world(&skeleton.rest());
-        let binds = rest.map(|joint| Mat4::from_translation(-axes::own(joint.position.as_vec3())));
-        let binds = bin.matrices(&binds)?;
+        let binds = bin.matrices(&figure.skeleton().inverse_bind_matrices().map(axes::own_matrix))?;
         Ok(Self { attributes, triangles, binds, mesh })
     }
 }

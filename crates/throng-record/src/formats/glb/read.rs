@@ -81,12 +81,7 @@ pub(super) fn moments(data: &Data) -> Result<Vec<f64>, String> {
 /// extras say so or the animation moves it, unless it is a part of an agent or the animation changes a node above it.
 fn agents(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, String> {
     let nodes = &data.root.nodes;
-    let mut parents = vec![None; nodes.len()];
-    for (at, node) in nodes.iter().enumerate() {
-        for &child in &node.children {
-            *parents.get_mut(child).ok_or_else(|| format!("there is no node {child}"))? = Some(at);
-        }
-    }
+    let parents = parents(nodes)?;
     let mut agents = Vec::new();
     for (at, node) in nodes.iter().enumerate() {
         if !(matches!(node.extras, Some(Extras::Person(_))) || channels.moves(at)) {
@@ -108,8 +103,19 @@ fn agents(data: &Data, channels: &Channels) -> Result<Vec<(usize, DMat4)>, Strin
     Ok(agents)
 }
 
+/// Returns the parent of each node.
+pub(super) fn parents(nodes: &[Node]) -> Result<Vec<Option<usize>>, String> {
+    let mut parents = vec![None; nodes.len()];
+    for (at, node) in nodes.iter().enumerate() {
+        for &child in &node.children {
+            *parents.get_mut(child).ok_or_else(|| format!("there is no node {child}"))? = Some(at);
+        }
+    }
+    Ok(parents)
+}
+
 /// Returns the transform of a node within its parent.
-fn local(node: &Node) -> DMat4 {
+pub(super) fn local(node: &Node) -> DMat4 {
     if let Some(matrix) = &node.matrix {
         return DMat4::from_cols_array(matrix);
     }

@@ -71,6 +71,8 @@ impl GlbWriter {
         let agents_of = &self.spill.agents;
         let mut skins = Skins::default();
         let baked = people.style == FigureStyle::Baked;
+        // baked poses are of throng's bodies
+        let people = if baked { people } else { people.with_characters(&self.setting) };
         let plain = baked || agents_of.iter().any(|agent| !people.has(agent));
         let meshes = if plain { scene.bodies(&self.setting, agents_of)? } else { 0 };
         let (mut motion, flies) = (GlbMotion::new(&seconds), self.setting.in_space);
@@ -91,12 +93,14 @@ impl GlbWriter {
                 scene.root.nodes.push(node);
                 return Ok(());
             };
+            let character = people.character(agent);
             if let Some(Extras::Person(known)) = &mut node.extras {
                 known.build = Some(walk.person().build.name().to_owned());
+                known.legs = character.map(|_| walk.person().legs.into());
             }
             let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
             scene.root.nodes.push(node);
-            skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk), (&visit, &times), moved)
+            skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk, character), (&visit, &times), moved)
         })?;
         scene.root.animations = vec![motion.finish(&mut scene.bin)?];
         poses.finish(&mut scene.root, &mut scene.bin)?;
@@ -246,6 +250,7 @@ fn named(agent: &SpilledAgent, track: &[(u32, SpilledState)], setting: &Setting,
         from: time(track.first()),
         to: time(track.last()),
         build: None,
+        legs: None,
     };
     Node { name: format!("Agent_{}", agent.number), extras: Some(Extras::Person(person)), ..Node::default() }
 }
