@@ -6,10 +6,6 @@ use crate::out::Out;
 use crate::sheet::pick;
 use throng_scene::{Scene, gallery};
 
-/// The heading of each text of a scene, by its key.
-const HEADINGS: [(&str, &str); 5] =
-    [("see", "see"), ("look_for", "look for"), ("why", "why"), ("try", "try"), ("source", "source")];
-
 /// Writes the titles and names of scenes, group by group, to standard output.
 ///
 /// # Errors
@@ -49,8 +45,7 @@ fn long(args: &ListArgs, out: &mut Out) -> Result<(), Failure> {
 
 fn about(scene: &Scene, out: &mut Out) -> Result<(), Failure> {
     for (key, text) in scene.about.texts() {
-        let heading = HEADINGS.iter().find(|(known, _)| *known == key).map_or(key, |(_, heading)| heading);
-        out.line(format_args!("  {heading:8}  {text}"))?;
+        out.line(format_args!("  {:8}  {text}", key.replace('_', " ")))?;
     }
     for slider in &scene.about.sliders {
         let unit = slider.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
