@@ -33,8 +33,12 @@ pub fn edit_paths(scene: &Scene, path: &str) -> Vec<String> {
         _ => return (0..scene.groups.len()).map(|k| format!("group.{k}.{}", keys.join("."))).collect(),
     };
     let [_, which, below @ ..] = &keys[..] else { return vec![keys.join(".")] };
-    let position = names.iter().position(|name| name == which).map_or_else(|| (*which).to_owned(), |k| k.to_string());
-    vec![[&[list, &position], below].concat().join(".")]
+    // sliders of groups name them by their positions
+    let named = which.parse::<usize>().is_err().then(|| names.iter().position(|name| name == which)).flatten();
+    let position = named.map_or_else(|| (*which).to_owned(), |position| position.to_string());
+    let mut path = vec![list, position.as_str()];
+    path.extend(below);
+    vec![path.join(".")]
 }
 
 /// Makes the changes of a preset.
@@ -43,7 +47,7 @@ pub fn edit_paths(scene: &Scene, path: &str) -> Vec<String> {
 /// A path does not fit the text.
 pub fn apply_preset(edit: &mut Edit, scene: &Scene, preset: &AboutPreset) -> Result<(), String> {
     for (path, value) in &preset.with {
-        let value: Value = value.to_string().parse().map_err(|error| format!("{path}: {error}"))?;
+        let value = value.to_string().parse::<Value>().map_err(|error| format!("{path}: {error}"))?;
         for path in edit_paths(scene, path) {
             // a value replaces a table only after that is gone
             if edit.has(&path) && edit.value(&path).is_none() {
