@@ -69,7 +69,8 @@ pub enum Command {
     /// Measures how long steps take, stage by stage, in reference works and scenes
     #[command(after_help = bench::SHORT, after_long_help = bench::LONG)]
     Bench(Box<BenchArgs>),
-    /// Lists the scenes of the gallery, group by group
+    /// Lists the scenes of the gallery, group by group: their titles and the names to type
+    #[command(after_help = LIST)]
     List(ListArgs),
     /// Validates a scene and reports what it would do
     ///
@@ -214,6 +215,15 @@ Examples:
   throng check plan.toml --set count=5000
   throng check station.wkt --exit 10,0,2,4 --people 500";
 
+const LIST: &str = "\
+A slider is a number to change with --set PATH=VALUE, a preset a change to make with --preset NAME.
+
+Examples:
+  throng list
+  throng list arrival
+  throng list fields my-scene.toml
+  throng run arrival --preset 'too late'";
+
 const SHOW: &str = "\
 Examples:
   throng show doorway
@@ -266,8 +276,17 @@ pub struct RunArgs {
 /// The arguments of `throng list`.
 #[derive(Args, Debug)]
 pub struct ListArgs {
+    /// Groups of the gallery, names of scenes, and scene files: writes what they say to viewers [default: the list of
+    /// all scenes]
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+
+    /// Writes what each scene says to viewers: what to see, why, its sliders and presets
+    #[arg(short, long, conflicts_with = "names")]
+    pub long: bool,
+
     /// Writes only the names, for programs
-    #[arg(long)]
+    #[arg(long, conflicts_with = "scenes")]
     pub names: bool,
 }
 

@@ -61,6 +61,10 @@ pub struct Changes {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub seed: Option<u64>,
 
+    /// Applies a preset of the scene, before --set; `throng list SCENE` lists them
+    #[arg(long, value_name = "NAME")]
+    pub preset: Option<String>,
+
     /// Changes one value of the scene; can be given several times
     ///
     /// KEY is the path of the value in the scene file. A key of a group changes all groups; `group.NAME.` before it
@@ -87,7 +91,7 @@ pub struct Changes {
 pub struct Loaded {
     /// The stem for the names of output files.
     pub name: String,
-    /// The scene, with `--seed` and `--set` applied.
+    /// The scene, with `--preset`, `--set` and `--seed` applied.
     pub scene: Scene,
     /// What the importer left out or changed, one sentence each.
     pub notes: Vec<String>,
@@ -142,12 +146,15 @@ impl SceneArgs {
 }
 
 impl Changes {
-    /// Reads a scene and applies `--seed` and `--set`.
+    /// Reads a scene and applies `--preset`, `--set` and `--seed`.
     ///
     /// # Errors
     /// The scene does not exist, the file is not a scene, or a change cannot be applied.
     pub fn load(&self, path: &Path) -> Result<Loaded, Failure> {
         let (mut scene, notes) = self.read(path)?;
+        if let Some(name) = &self.preset {
+            scene = scene.with_preset(name)?;
+        }
         for (key, value) in &self.set {
             scene.set(key, value)?;
         }

@@ -86,5 +86,7 @@ pub fn scene(name: &str) -> Result<Scene, Error> {
             None => error.hint(format!("the gallery has: {all}; other scenes are files")),
         });
     };
-    Scene::parse(&format!("scenes/{name}.toml"), text)
+    let scene = Scene::parse(&format!("scenes/{name}.toml"), text)?;
+    scene.check_about()?;
+    Ok(scene)
 }

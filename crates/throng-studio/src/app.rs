@@ -241,7 +241,11 @@ impl App {
             Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
                 ui,
                 |ui| {
-                    if let Some(name) = self.gallery.ui(ui, self.document.plugins(), &self.document.name) {
+                    let about = self
+                        .document
+                        .scene()
+                        .map_or_else(|_| throng_scene::About::default(), |scene| scene.about.clone());
+                    if let Some(name) = self.gallery.ui(ui, self.document.plugins(), &self.document.name, &about) {
                         self.leave(Leaving::Open(name));
                     }
                 },

@@ -1,7 +1,7 @@
 //! `throng sheet`: a contact sheet with a still of each of many scenes.
 
 pub mod args;
-mod pick;
+pub mod pick;
 mod still;
 
 use crate::failure::Failure;

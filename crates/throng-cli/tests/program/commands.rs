@@ -15,6 +15,47 @@ fn every_scene_of_the_list_is_valid() {
 }
 
 #[test]
+fn list_prints_titles_before_names() {
+    let list = stdout(&call(folder().path(), "list").success());
+    let rows: Vec<(&str, &str)> = list.lines().filter_map(|line| line.strip_prefix("  ")?.rsplit_once("  ")).collect();
+    let expected = throng_scene::gallery::names().map(|name| (throng_scene::gallery::title(name).unwrap(), name));
+    assert!(rows.iter().map(|(title, name)| (title.trim(), *name)).eq(expected), "{list}");
+}
+
+#[test]
+fn list_of_a_scene_prints_its_words() {
+    let folder = folder();
+    let list = |arguments: &str| stdout(&call(folder.path(), &format!("list {arguments}")).success());
+    let words = list("arrival");
+    for line in [
+        "Arrival  (arrival)\n",
+        "\n  see       Ten actors walk to their marks and stop on them.",
+        "\n  look for  The ten slow down",
+        "\n  slider    slowing distance (group.actors.steer.arrive.slowing_distance): 4 m, from 0.1 to 10 m\n",
+        "\n  preset    too late: group.actors.steer.arrive.slowing_distance=0.1, group.actors.vehicle.max_force=2.0\n",
+    ] {
+        assert!(words.contains(line), "{line:?} is not in {words}");
+    }
+    assert_eq!(list("--long").matches("\n  why ").count(), throng_scene::gallery::names().count());
+    assert_eq!(list("air").matches("\n  why ").count(), 2);
+    std::fs::write(folder.path().join("walk.toml"), crate::shared::WALK).unwrap();
+    assert_eq!(list("walk.toml"), "walk  (walk)\n");
+    assert!(stderr(&call(folder.path(), "list nowhere").code(2)).contains("there is no scene `nowhere`"));
+}
+
+#[test]
+fn a_preset_changes_the_scene_before_set_does() {
+    let folder = folder();
+    let run = |options: &[&str]| {
+        let mut command = throng(folder.path());
+        let run = command.args(["run", "circle-lab", "--no-files", "--json", "--limit", "0.1"]).args(options).assert();
+        serde_json::from_str::<serde_json::Value>(&stdout(&run.code(1))).unwrap()["agents"].as_u64().unwrap()
+    };
+    assert_eq!([run(&[]), run(&["--preset", "72 people"])], [36, 72]);
+    assert_eq!(run(&["--set", "count=9", "--preset", "72 people"]), 9);
+}
+
+#[test]
 fn show_draws_the_start() {
     let folder = folder();
     call(folder.path(), "show circle").success();

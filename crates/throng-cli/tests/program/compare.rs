@@ -176,7 +176,7 @@ fn a_page_holds_the_positions_of_all_agents_in_every_frame() {
 #[test]
 fn a_page_is_made_of_any_text() {
     let folder = folder();
-    let scene = format!("title = \"</script><b>{{{{data}}}} & 'co'\"\ndescription = \"1 < 2\"\n{WALK}");
+    let scene = format!("title = \"</script><b>{{{{data}}}} & 'co'\"\nabout.see = \"1 < 2\"\n{WALK}");
     std::fs::write(folder.path().join("walk.toml"), scene.replace("\"a\"", "\"<i>\"")).unwrap();
     call(folder.path(), "compare walk.toml -m none,orca -o a.html -o a.svg -q").success();
     let page = read(folder.path(), "a.html");

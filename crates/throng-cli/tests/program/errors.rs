@@ -97,6 +97,21 @@ const CASES: &[Case] = &[
         code: 2,
     },
     Case {
+        what: "A preset that the scene does not have",
+        files: &[],
+        command: "throng run arrival --preset late",
+        code: 2,
+    },
+    Case {
+        what: "A slider of a number that the scene does not have",
+        files: &[(
+            "scene.toml",
+            "[[group]]\nplace.point = [0, 0]\nbody.radius = 0.2\n\n[[about.slider]]\nname = \"size\"\npath = \"body.raduis\"\nmin = 0.1\nmax = 0.5\n",
+        )],
+        command: "throng run scene.toml",
+        code: 2,
+    },
+    Case {
         what: "A plan with a key that its scene does not have",
         files: &[("plan.toml", "scenes = \"headon\"\nseeds = \"1..10\"\n\n[[vary]]\nbody.raduis = [0.2, 0.25, 0.3]\n")],
         command: "throng sweep plan.toml",

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
-use throng_scene::Scene;
+use throng_scene::{About, Scene};
 
 /// The fingerprint of all that the result of a run depends on: the version of throng, the scene with its parameters, its
 /// seed and its limit, the contents of the files that the scene names, and what is recorded. The numbering of the plan
@@ -24,7 +24,8 @@ impl Fingerprint {
         let mut hash = Hash::default();
         hash.part(env!("CARGO_PKG_VERSION").as_bytes());
         hash.part(format!("{:?}", run.plan.recorded.file).as_bytes());
-        match run.scene().and_then(|scene| Ok((scene.to_toml()?, scene))) {
+        let scene = run.scene().map(|scene| Scene { about: About::default(), ..scene });
+        match scene.and_then(|scene| Ok((scene.to_toml()?, scene))) {
             Ok((text, scene)) => {
                 hash.part(text.as_bytes());
                 for (name, file) in files.of(&scene) {

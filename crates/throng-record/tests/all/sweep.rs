@@ -67,6 +67,8 @@ fn a_fingerprint_is_of_all_that_a_result_depends_on() {
     let same = format!("title = 'x'\n{}", text.replace("[[vary]]\nbody.radius = [0.2]", "[set]\nbody.radius = 0.2"));
     assert_eq!(fingerprints(&plan(&same)), own);
     assert_eq!(fingerprints(&plan(&text.replace("[0.2]", "[0.25, 0.2]")))[1..], own);
+    let words = text.replace("[[vary]]", "[set]\nabout.see = 'Two people.'\n[[vary]]");
+    assert_eq!(fingerprints(&plan(&words)), own, "words do not change a run");
 }
 
 #[test]

@@ -71,7 +71,7 @@ impl Scene {
         Self {
             groups: groups.collect(),
             title: other.title.clone(),
-            description: other.description.clone(),
+            about: other.about.clone(),
             fields: other.fields.clone(),
             view: other.view.clone(),
             expect: other.expect.clone(),

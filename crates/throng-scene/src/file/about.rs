@@ -23,13 +23,29 @@ pub(super) fn about(path: &Path) -> Option<String> {
     found
 }
 
+/// Whether the schema has a value at a path that is written as for `--set`.
+pub(super) fn is_known(written: &str) -> bool {
+    let keys: Vec<&str> = written.split('.').map(str::trim).collect();
+    let (list, below) = match keys[..] {
+        [list @ ("group" | "obstacle" | "mover"), _, ref below @ ..] => (list, below),
+        [first, ..] if crate::schema()["properties"].get(first).is_none() => ("group", &keys[..]),
+        _ => ("", &keys[..]),
+    };
+    let start = if list.is_empty() { Path::default() } else { Path::of(list).index(0) };
+    let step = |path: Path, key: &&str| key.parse().map_or_else(|_| path.name(key), |index| path.index(index));
+    about(&below.iter().fold(start, step)).is_some()
+}
+
 /// Returns the schema one step below a schema, and its description.
 fn child<'s>(root: &'s Value, schema: &'s Value, step: &TomlStep) -> Option<(&'s Value, Option<&'s str>)> {
     if let Some(name) = schema["$ref"].as_str() {
         return child(root, &root["$defs"][name.rsplit('/').next()?], step);
     }
     let next = match step {
-        TomlStep::Key(key) => schema["properties"].get(key),
+        TomlStep::Key(key) => {
+            let named = || schema.get("additionalProperties").filter(|schema| schema.is_object());
+            schema["properties"].get(key).or_else(named)
+        }
         TomlStep::Index(_) => schema.get("items"),
     };
     let Some(next) = next else {
@@ -63,6 +79,24 @@ mod tests {
         }
         for path in [Path::default(), Path::of("no.such.key"), group.key("steer.own.gain")] {
             assert_eq!(about(&path), None);
+        }
+    }
+
+    #[test]
+    fn paths_of_set_are_known_whether_a_file_has_them_or_not() {
+        for path in [
+            "time.step",
+            "body.radius",
+            "group.walkers.steer.weighted_sum.2.of.flocking.cohesion.distance",
+            "steer.switch.states.forth.of.wander.rate",
+            "obstacle.3.shape.circle.radius",
+            "field.0.flow.sketch.anchors.1.velocity.0",
+            "path.0.radius",
+        ] {
+            assert!(is_known(path), "{path}");
+        }
+        for path in ["", "radius", "group.walkers.raduis", "steer.wander.speed", "obstacle.3.body.radius", "time.0"] {
+            assert!(!is_known(path), "{path}");
         }
     }
 }

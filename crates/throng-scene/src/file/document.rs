@@ -86,6 +86,23 @@ impl Document {
         })
     }
 
+    /// Returns the number at a path, as for `--set`; `None` if the document leaves it out. A path into all groups needs a
+    /// number in each; the first counts.
+    pub fn number(&self, path: &str) -> Result<Option<f64>, Error> {
+        let mut tree = self.tree()?;
+        let (tables, keys) = set::places(tree.get_mut(), path)?;
+        let number = |value: &DeValue<'_>| {
+            f64::deserialize(Value(Spanned::new(0..0, value.clone()))).map_err(|misread| {
+                let found = serde_message::explain(&misread.message);
+                Error::new(Kind::WrongType, format!("`{path}` is no number: {}", found.message))
+                    .hint("write the path of a number as for --set: group.walkers.body.radius")
+            })
+        };
+        let values = tables.iter().map(|table| set::value_at(table, &keys).map(number).transpose());
+        let numbers: Vec<Option<f64>> = values.collect::<Result<_, _>>()?;
+        Ok(numbers.into_iter().collect::<Option<Vec<f64>>>().and_then(|numbers| numbers.first().copied()))
+    }
+
     /// Turns a problem with a value into an error with the value's position.
     pub fn explain(&self, problem: Problem) -> Error {
         let mut error = Error::new(problem.kind, problem.message);

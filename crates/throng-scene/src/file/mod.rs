@@ -1,8 +1,10 @@
 //! Scene files: reads and writes TOML, and finds the position of a value in a file.
 
 mod about;
+mod check_about;
 mod document;
 mod path;
+mod presets;
 mod read;
 mod serde_message;
 mod set;

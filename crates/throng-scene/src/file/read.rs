@@ -14,12 +14,13 @@ impl Scene {
     ///
     /// # Errors
     /// The file cannot be read, is not TOML, or has keys or values that scenes do not have. The error has file, line,
-    /// column and a hint. [`Scene::plan`] and [`Scene::build`] check whether the values fit together, and what the scene
+    /// column and a hint. So are sliders and presets that do not fit the scene. [`Scene::plan`] and [`Scene::build`] check whether the values fit together, and what the scene
     /// says of behaviours, fields and models of plug-ins.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let text = text(path, read_at_most(path, LARGEST_SCENE)?)?;
         let mut scene = Self::parse(&path.display().to_string(), text)?;
+        scene.check_about()?;
         scene.origin.folder = path.parent().unwrap_or(Path::new("")).to_owned();
         Ok(scene)
     }

@@ -49,13 +49,19 @@ pub(crate) fn unknown_variant(wrong: &str, choices: &[String]) -> Error {
 const REPLACED: [(&str, &str); 2] = [("queue", "look_ahead"), ("detour", "look_ahead")];
 
 /// Renamed keys: the old name and the new one.
-const RENAMED: [(&str, &str); 4] =
-    [("who", "groups"), ("what", "obstacles"), ("way", "direction"), ("says", "encoding")];
+const RENAMED: [(&str, &str); 5] = [
+    ("who", "groups"),
+    ("what", "obstacles"),
+    ("way", "direction"),
+    ("says", "encoding"),
+    ("description", "about.see"),
+];
 
 /// Returns the error for an unknown key, with the keys that exist.
 pub(crate) fn unknown_key(wrong: &str, keys: &[String]) -> Error {
     let error = Error::new(Kind::UnknownKey, format!("there is no key `{wrong}` here"));
-    if let Some((_, new)) = RENAMED.iter().find(|(old, new)| *old == wrong && keys.iter().any(|key| key == new)) {
+    let is_here = |new: &str| keys.iter().any(|key| new.split('.').next() == Some(key));
+    if let Some((_, new)) = RENAMED.iter().find(|(old, new)| *old == wrong && is_here(new)) {
         return error.hint(format!("its name is `{new}` now"));
     }
     match REPLACED.iter().find(|(old, new)| *old == wrong && keys.iter().any(|key| key == new)) {

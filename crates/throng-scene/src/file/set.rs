@@ -39,11 +39,7 @@ impl Scene {
     /// The key, group or obstacle does not exist, or the value has the wrong type. Building the scene checks whether
     /// the value is within its limits.
     pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
-        let document = match &self.origin.document {
-            Some(document) if document.read::<Self>().as_ref() == Ok(self) => Document::clone(document),
-            _ => Document::new(None, self.to_toml()?),
-        };
-        let document = document.with(Override { written: path.trim().to_owned(), value: quoted(value.trim()) });
+        let document = self.document()?.with(Override::new(path, &quoted(value.trim())));
         let mut changed: Self = document.read()?;
         changed.origin.folder.clone_from(&self.origin.folder);
         changed.plugins.clone_from(&self.plugins);
@@ -51,6 +47,21 @@ impl Scene {
         changed.check_keys()?;
         *self = changed;
         Ok(())
+    }
+
+    /// Returns the file of the scene, or a new one if the scene has none or was changed in code.
+    pub(super) fn document(&self) -> Result<Cow<'_, Document>, Error> {
+        match &self.origin.document {
+            Some(document) if document.read::<Self>().as_ref() == Ok(self) => Ok(Cow::Borrowed(document)),
+            _ => Ok(Cow::Owned(Document::new(None, self.to_toml()?))),
+        }
+    }
+}
+
+impl Override {
+    /// Returns the override of the value at a path by a TOML text.
+    pub fn new(path: &str, value: &str) -> Self {
+        Self { written: path.trim().to_owned(), value: value.to_owned() }
     }
 }
 
@@ -61,15 +72,29 @@ pub(crate) fn quoted(value: &str) -> String {
 
 /// Changes a tree. Positions in the value are counted from byte `start`.
 pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usize) -> Result<(), Error> {
-    let mut path: Vec<&str> = change.written.split('.').map(str::trim).collect();
     let here = |error: Error| error.file(format!("--set {}={}", change.written, change.value));
+    let value = DeValue::parse(&change.value).map_err(|error| {
+        here(Error::new(Kind::Syntax, format!("{} is not a TOML value: {}", change.value, error.message())))
+    })?;
+    let value = shifted(value, start);
+    let (tables, path) = places(tree, &change.written).map_err(here)?;
+    tables.into_iter().try_for_each(|table| insert(table, &path, value.clone()).map_err(here))
+}
+
+/// Returns the tables in which a path begins, and its keys from there on: the scene, one of its groups, obstacles or
+/// movers, or all of its groups.
+pub(super) fn places<'t, 'i, 'p>(
+    tree: &'t mut DeTable<'i>,
+    written: &'p str,
+) -> Result<(Vec<&'t mut DeTable<'i>>, Vec<&'p str>), Error> {
+    let mut path: Vec<&str> = written.split('.').map(str::trim).collect();
     if path.iter().any(|key| key.is_empty()) {
-        let error = Error::new(Kind::UnknownKey, format!("`{}` is not a path to a value", change.written));
-        return Err(here(error.hint("write the keys with dots between them, as in avoid.orca.time_horizon=3")));
+        let error = Error::new(Kind::UnknownKey, format!("`{written}` is not a path to a value"));
+        return Err(error.hint("write the keys with dots between them, as in avoid.orca.time_horizon=3"));
     }
     if path.len() > MOST_KEYS {
         let message = format!("this path has {} keys, but may have at most {MOST_KEYS}", path.len());
-        return Err(here(Error::new(Kind::UnknownKey, message)));
+        return Err(Error::new(Kind::UnknownKey, message));
     }
     match path[0] {
         "groups" => path[0] = "group",
@@ -77,48 +102,43 @@ pub(super) fn apply<'i>(tree: &mut DeTable<'i>, change: &'i Override, start: usi
         "movers" => path[0] = "mover",
         _ => {}
     }
-    let value = DeValue::parse(&change.value).map_err(|error| {
-        here(Error::new(Kind::Syntax, format!("{} is not a TOML value: {}", change.value, error.message())))
-    })?;
-    let value = shifted(value, start);
     let scene_keys = keys_of::<Scene>();
     let group_keys = keys_of::<Group>();
     match path[..] {
-        ["group" | "obstacle" | "mover"] => Err(here(
-            Error::new(Kind::UnknownKey, format!("`{}` is a list", path[0]))
-                .hint("name one of them and a key: group.walkers.body.radius"),
-        )),
+        ["group" | "obstacle" | "mover"] => Err(Error::new(Kind::UnknownKey, format!("`{}` is a list", path[0]))
+            .hint("name one of them and a key: group.walkers.body.radius")),
         [list @ ("group" | "obstacle" | "mover"), which, ref rest @ ..] => {
             let keys = match list {
                 "group" => group_keys,
                 "obstacle" => keys_of::<Obstacle>(),
                 _ => keys_of::<Mover>(),
             };
-            let entry = find(tree, list, which).map_err(here)?;
+            let entry = find(tree, list, which)?;
             match rest {
-                [] => Err(here(
-                    Error::new(Kind::UnknownKey, format!("`{}` names all of a {list}", change.written))
-                        .hint(format!("add one of its keys: {}", keys.join(", "))),
-                )),
-                [first, ..] if !keys.contains(&(*first).to_owned()) => {
-                    Err(here(serde_message::unknown_key(first, &keys)))
-                }
-                rest => insert(entry, rest, value).map_err(here),
+                [] => Err(Error::new(Kind::UnknownKey, format!("`{written}` names all of a {list}"))
+                    .hint(format!("add one of its keys: {}", keys.join(", ")))),
+                [first, ..] if !keys.contains(&(*first).to_owned()) => Err(serde_message::unknown_key(first, &keys)),
+                rest => Ok((vec![entry], rest.to_vec())),
             }
         }
-        [first, ..] if scene_keys.iter().any(|key| key == first) => insert(tree, &path, value).map_err(here),
-        [first, ..] if group_keys.iter().any(|key| key == first) => {
-            for entry in entries(tree, "group") {
-                insert(entry, &path, value.clone()).map_err(here)?;
-            }
-            Ok(())
-        }
+        [first, ..] if scene_keys.iter().any(|key| key == first) => Ok((vec![tree], path)),
+        [first, ..] if group_keys.iter().any(|key| key == first) => Ok((entries(tree, "group"), path)),
         [first, ..] => {
             let all: Vec<String> = scene_keys.into_iter().chain(group_keys).collect();
-            Err(here(serde_message::unknown_key(first, &all)))
+            Err(serde_message::unknown_key(first, &all))
         }
-        [] => Ok(()),
+        [] => Ok((vec![], path)),
     }
+}
+
+/// Returns the value at a path below a table.
+pub(super) fn value_at<'t, 'i>(table: &'t DeTable<'i>, path: &[&str]) -> Option<&'t DeValue<'i>> {
+    let (first, rest) = path.split_first()?;
+    rest.iter().try_fold(table.get(*first)?.get_ref(), |value, key| match value {
+        DeValue::Table(items) => items.get(*key).map(Spanned::get_ref),
+        DeValue::Array(items) => <[Spanned<DeValue>]>::get(items, key.parse::<usize>().ok()?).map(Spanned::get_ref),
+        _ => None,
+    })
 }
 
 /// Returns the tables of a list.
@@ -166,16 +186,7 @@ fn insert<'i>(table: &mut DeTable<'i>, path: &[&'i str], value: Spanned<DeValue<
     }
     let Some(child) = table.get_mut(*first) else { return Ok(()) };
     if let DeValue::Array(items) = child.get_mut() {
-        let length = items.len();
-        let index = rest[0].parse::<usize>().ok().filter(|i| *i < length);
-        let (Some(index), [_, deeper @ ..]) = (index, rest) else { return Ok(()) };
-        let Some(item) = items.get_mut(index) else { return Ok(()) };
-        match (item.get_mut(), deeper) {
-            (_, []) => *item = value,
-            (DeValue::Table(table), deeper) => return insert(table, deeper, value),
-            _ => {}
-        }
-        return Ok(());
+        return insert_in_list(items, rest, value);
     }
     let other_choice = |table: &DeTable| CHOICES.contains(first) && !table.contains_key(rest[0]);
     let fits = matches!(child.get_ref(), DeValue::Table(table) if !other_choice(table));
@@ -186,6 +197,27 @@ fn insert<'i>(table: &mut DeTable<'i>, path: &[&'i str], value: Spanned<DeValue<
         DeValue::Table(table) => insert(table, rest, value),
         _ => Ok(()),
     }
+}
+
+/// Puts a value at a path below an entry of a list.
+fn insert_in_list<'i>(list: &mut DeArray<'i>, path: &[&'i str], value: Spanned<DeValue<'i>>) -> Result<(), Error> {
+    let length = list.len();
+    let Some((first, rest)) = path.split_first() else { return Ok(()) };
+    let entry = first.parse::<usize>().ok().and_then(|index| <[Spanned<DeValue>]>::get_mut(list, index));
+    let Some(entry) = entry else {
+        let error = Error::new(Kind::UnknownKey, format!("`{first}` is no entry of the list here"));
+        return Err(match length {
+            0 => error.hint("the list is empty"),
+            _ => error.hint(format!("its entries are 0 to {}", length - 1)),
+        });
+    };
+    match (entry.get_mut(), rest) {
+        (_, []) => *entry = value,
+        (DeValue::Table(table), _) => return insert(table, rest, value),
+        (DeValue::Array(list), _) => return insert_in_list(list, rest, value),
+        _ => return Err(Error::new(Kind::UnknownKey, format!("the entry `{first}` of the list here has no keys"))),
+    }
+    Ok(())
 }
 
 fn empty<'i>(span: &std::ops::Range<usize>) -> Spanned<DeValue<'i>> {

@@ -1,5 +1,6 @@
 //! The contents of a scene, as plain data: one concept a file.
 
+mod about;
 mod annotate;
 mod annulus;
 mod body;
@@ -23,6 +24,8 @@ mod time;
 mod view;
 mod wrap_around;
 
+pub(crate) use about::LONGEST;
+pub use about::{About, AboutPreset, AboutSlider};
 pub use annotate::{Annotate, Annotation};
 pub use annulus::{Annulus, Lap};
 pub use body::{Body, Sides};
@@ -70,9 +73,9 @@ pub struct Scene {
     /// A title of one line.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub title: String,
-    /// A longer description.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub description: String,
+    /// What viewers read about it, and what they can try.
+    #[serde(default, skip_serializing_if = "About::is_empty")]
+    pub about: About,
     /// Seed of all random numbers. Limit: 0 to 9223372036854775807, the largest whole number of a TOML file.
     #[serde(default = "default_seed")]
     pub seed: u64,
@@ -138,7 +141,7 @@ impl Default for Scene {
     fn default() -> Self {
         Self {
             title: String::new(),
-            description: String::new(),
+            about: About::default(),
             seed: default_seed(),
             time: Time::default(),
             walkable: None,

@@ -1,5 +1,6 @@
 //! Tests of the library as its users call it.
 
+mod about;
 mod damaged;
 mod data;
 mod docs;

@@ -53,6 +53,20 @@ fn an_obstacle_by_name() {
 }
 
 #[test]
+fn an_entry_of_a_list_of_lists() {
+    let mut scene = gallery::scene("bottleneck").unwrap();
+    scene.set("walkable.polygon.outer.2.1", "-0.9").unwrap();
+    assert_eq!(scene.plan().unwrap().walkable[0].outer[2].y, -0.9);
+    let mut message = |path: &str| scene.set(path, "1").unwrap_err().to_string();
+    assert_eq!(
+        message("walkable.polygon.outer.12.1"),
+        "--set walkable.polygon.outer.12.1=1: `12` is no entry of the list here\n  hint: its entries are 0 to 11"
+    );
+    assert!(message("walkable.polygon.outer.2.1.x").contains("the entry `1` of the list here has no keys"));
+    assert!(message("walkable.polygon.outer.first").contains("`first` is no entry of the list here"));
+}
+
+#[test]
 fn changes_add_up_with_changes_in_code() {
     let mut scene = corridor();
     scene.set("seed", "9").unwrap();

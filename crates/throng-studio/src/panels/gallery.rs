@@ -1,12 +1,15 @@
-//! The gallery: the scenes of the project and of plug-ins, in groups. The search covers names, titles and texts.
+//! The gallery: the scenes of the project and of plug-ins, in groups, and what the open scene says to viewers. The search
+//! covers names, titles and texts.
 
 use super::thumbnails::Thumbnails;
+use super::words;
+use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{
-    Align2, CollapsingHeader, CornerRadius, FontId, Key, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
-    StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    CollapsingHeader, CornerRadius, FontId, Key, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
+    TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 use std::sync::Arc;
-use throng_scene::Plugins;
+use throng_scene::{About, Plugins};
 
 /// The width of a tile, points of the screen, and the aspect ratio (width over height) of its picture.
 const TILE: f32 = 99.0;
@@ -21,14 +24,23 @@ pub struct Gallery {
 }
 
 impl Gallery {
-    /// Shows the gallery. `open` is the name of the open scene. Returns the name of the scene to open.
-    pub fn ui(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, open: &str) -> Option<String> {
+    /// Shows the gallery. `open` is the name of the open scene, `about` what it says to viewers. Returns the name of the
+    /// scene to open.
+    pub fn ui(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, open: &str, about: &About) -> Option<String> {
         let mut asked = None;
         let search = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(f32::INFINITY));
         search.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "search"));
         let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         ui.add_space(4.0);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            if about.texts().next().is_some() {
+                let title = RichText::new(plugins.title(open).unwrap_or(open)).strong();
+                let header =
+                    CollapsingHeader::new(title).id_salt("about").default_open(true).show_unindented(ui, |ui| {
+                        words(ui, about, &["see", "look_for", "try"]);
+                    });
+                header.header_response.on_hover_text("what the open scene shows");
+            }
             for (group, names) in plugins.groups() {
                 let found: Vec<&str> = names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect();
                 if found.is_empty() {
@@ -53,9 +65,10 @@ impl Gallery {
     }
 
     fn tile(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, name: &str, open: bool) -> Response {
+        let title = plugins.title(name).unwrap_or(name);
         let picture = vec2(TILE, TILE / ASPECT);
         let (rect, response) = ui.allocate_exact_size(picture + vec2(0.0, 17.0), Sense::click());
-        response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, name));
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, title));
         if ui.is_rect_visible(rect) {
             let (visuals, painter) = (ui.visuals(), ui.painter());
             let frame = Rect::from_min_size(rect.min, picture);
@@ -72,15 +85,11 @@ impl Gallery {
             painter.rect_stroke(frame, CornerRadius::same(4), edge, StrokeKind::Outside);
             let color = if open { visuals.text_color() } else { visuals.weak_text_color() };
             let at = frame.left_bottom() + vec2(1.0, 3.0);
-            painter.with_clip_rect(rect.intersect(ui.clip_rect())).text(
-                at,
-                Align2::LEFT_TOP,
-                name,
-                FontId::proportional(11.0),
-                color,
-            );
+            let mut line = LayoutJob::simple_singleline(title.to_owned(), FontId::proportional(11.0), color);
+            line.wrap = TextWrapping::truncate_at_width(TILE);
+            painter.galley(at, painter.layout_job(line), color);
         }
-        response.on_hover_text(plugins.title(name).unwrap_or(name))
+        response.on_hover_text(format!("{title} ({name})"))
     }
 }
 

@@ -20,6 +20,7 @@ mod text;
 mod thumbnails;
 mod tools;
 mod tuning;
+mod words;
 
 pub use bar::bar;
 pub use chosen::Chosen;
@@ -39,3 +40,4 @@ pub use summary::summary;
 pub use text::{TextRequest, text};
 pub use tools::{tool_options, tools};
 pub use tuning::{Tuned, Tuning};
+pub use words::words;

@@ -1,5 +1,6 @@
 //! The summary of a run: counts, statistics, and the cost of steps.
 
+use super::words;
 use crate::play::RunMoment;
 use eframe::egui::{Grid, ProgressBar, RichText, Ui};
 use throng::Stage;
@@ -7,9 +8,7 @@ use throng::Stage;
 /// Shows the summary of the run.
 pub fn summary(ui: &mut Ui, shown: &RunMoment) {
     ui.label(RichText::new(&shown.setting.title).heading());
-    if !shown.scene.description.is_empty() {
-        ui.label(RichText::new(&shown.scene.description).weak());
-    }
+    words(ui, &shown.scene.about, &["see", "look_for", "why", "try", "source"]);
     ui.add_space(6.0);
     let summary = &shown.summary;
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);

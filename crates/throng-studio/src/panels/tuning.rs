@@ -2,10 +2,10 @@
 
 use super::bar::named;
 use crate::document::{Document, Edit};
-use crate::tune::{Parameter, ParameterKind, Section, Tunable};
+use crate::tune::{Parameter, ParameterKind, Section, Tunable, apply_preset, edit_paths};
 use eframe::egui::{CollapsingHeader, ComboBox, RichText, Role, ScrollArea, Slider, SliderClamping, Ui};
 use std::sync::Arc;
-use throng_scene::Scene;
+use throng_scene::{AboutPreset, Scene};
 
 /// The panel of parameters.
 #[derive(Default)]
@@ -29,6 +29,7 @@ pub enum Tuned {
 }
 
 /// A requested change.
+#[derive(Clone)]
 enum TuningRequest {
     Number(f64, bool),
     Switch(bool),
@@ -46,18 +47,30 @@ impl Tuning {
         };
         let tunable = self.tunable.get_or_insert_with(|| Tunable::new(document.plugins()));
         let known = self.sections.take().filter(|(of, _)| Arc::ptr_eq(of, &scene));
-        let (of, sections) = known.unwrap_or_else(|| (scene.clone(), tunable.groups(document)));
+        let (of, sections) = known.unwrap_or_else(|| (scene.clone(), tunable.sections(document)));
         if let Some(says) = &self.refused {
             ui.colored_label(ui.visuals().error_fg_color, says);
         }
-        let mut wish = None;
+        let (mut wish, mut chosen) = (None, None);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| {
+                for preset in &scene.about.presets {
+                    if ui.button(&preset.name).on_hover_text(changes(preset)).clicked() {
+                        chosen = Some(preset);
+                    }
+                }
+            });
             for section in &sections {
                 let header = CollapsingHeader::new(RichText::new(&section.name).strong()).default_open(true);
                 header.show(ui, |ui| self.section(ui, section, &mut wish));
             }
         });
         self.sections = Some((of, sections));
+        if let Some(preset) = chosen {
+            let done = document.change(|edit| apply_preset(edit, &scene, preset));
+            self.refused = done.as_ref().err().cloned();
+            return done.ok().map(|()| Tuned::Changed);
+        }
         let (path, wish, last) = wish?;
         let done = if last { self.make(document, &path, wish) } else { self.preview(document, &path, wish) };
         self.refused = done.as_ref().err().cloned();
@@ -153,18 +166,30 @@ impl Tuning {
     }
 
     fn make(&mut self, document: &mut Document, path: &str, wish: TuningRequest) -> Result<Tuned, String> {
-        document.change(|edit| apply(edit, path, wish))?;
+        let scene = document.scene().map_err(ToString::to_string)?.clone();
+        document.change(|edit| apply(edit, &scene, path, &wish))?;
         Ok(Tuned::Changed)
     }
 
     fn preview(&self, document: &Document, path: &str, wish: TuningRequest) -> Result<Tuned, String> {
         let mut preview = document.clone();
-        preview.change(|edit| apply(edit, path, wish))?;
+        let scene = document.scene().map_err(ToString::to_string)?;
+        preview.change(|edit| apply(edit, scene, path, &wish))?;
         preview.scene().map(|scene| Tuned::Dragged(scene.clone())).map_err(ToString::to_string)
     }
 }
 
-fn apply(edit: &mut Edit, path: &str, wish: TuningRequest) -> Result<(), String> {
+/// Returns the changes of a preset, one in a line.
+fn changes(preset: &AboutPreset) -> String {
+    let lines: Vec<String> = preset.with.iter().map(|(path, value)| format!("{path} = {value}")).collect();
+    lines.join("\n")
+}
+
+fn apply(edit: &mut Edit, scene: &Scene, path: &str, wish: &TuningRequest) -> Result<(), String> {
+    edit_paths(scene, path).iter().try_for_each(|path| apply_to(edit, path, wish.clone()))
+}
+
+fn apply_to(edit: &mut Edit, path: &str, wish: TuningRequest) -> Result<(), String> {
     match wish {
         TuningRequest::Number(value, true) => edit.set(path, value.round() as i64),
         // rounds to five decimals, because further digits of a slider are noise

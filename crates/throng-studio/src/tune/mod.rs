@@ -4,9 +4,11 @@
 //! schema is tunable, without a separate list.
 
 mod about;
+mod named;
 mod section;
 
 pub use about::About;
+pub use named::{apply_preset, edit_paths};
 pub use section::{Parameter, ParameterKind, Section};
 
 use crate::document::{Document, Edit};
@@ -41,6 +43,14 @@ impl Tunable {
     /// Reads the schema with these plug-ins.
     pub fn new(plugins: &Plugins) -> Self {
         Self { schema: plugins.schema() }
+    }
+
+    /// Returns the section of the sliders that the scene names, if it names any, and then a section for each group. Returns
+    /// none if the text is invalid.
+    pub fn sections(&self, document: &Document) -> Vec<Section> {
+        let (Ok(scene), Ok(text)) = (document.scene(), Edit::new(document.text())) else { return Vec::new() };
+        let named = Some(named::named(scene, &text)).filter(|section| !section.is_empty());
+        named.into_iter().chain(self.groups(document)).collect()
     }
 
     /// Returns a section for each group of the scene. Returns none if the text is invalid.

@@ -60,12 +60,12 @@ fn what_was_not_saved_is_there_again_and_is_asked_about() {
     harness.run_steps(4);
     assert!(harness.query_by_label_contains("restored: the changes of circle").is_some());
     assert!(draft(&mut harness).is_some());
-    click(&mut harness, "box");
+    click(&mut harness, "Ring of 36 among boxes");
     assert!(harness.query_by_label("circle has changes that are not saved.").is_some());
     click(&mut harness, "Keep editing");
     assert!(harness.query_by_label("Keep editing").is_none());
     assert!(draft(&mut harness).is_some(), "the changes are kept");
-    click(&mut harness, "box");
+    click(&mut harness, "Ring of 36 among boxes");
     click(&mut harness, "Discard");
     assert!(harness.query_by_label("Discard").is_none());
     assert_eq!(draft(&mut harness), None);
@@ -86,7 +86,7 @@ fn after_it_has_stopped_the_text_is_shown_and_nothing_plays() {
     assert!(harness.query_by_label_contains("the studio stopped while circle played").is_some());
     assert!(harness.query_by_label("text of the scene").is_some() && draft(&mut harness).is_some());
     assert!(harness.query_by_label("run (Space)").is_none(), "no run exists");
-    click(&mut harness, "box");
+    click(&mut harness, "Ring of 36 among boxes");
     click(&mut harness, "Discard");
     for _ in 0..200 {
         std::thread::sleep(std::time::Duration::from_millis(10));
@@ -164,11 +164,11 @@ fn a_recording_is_finished_or_goes_on_when_something_else_is_opened() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("flock.mp4");
     let (mut harness, _) = recording(&path);
-    click(&mut harness, "box");
+    click(&mut harness, "Ring of 36 among boxes");
     assert!(harness.query_by_label_contains("flock.mp4 is still being recorded.").is_some());
     click(&mut harness, "Go on recording");
     assert!(harness.query_by_label("Finish now").is_some() && !path.exists());
-    click(&mut harness, "circle");
+    click(&mut harness, "Ring of 36");
     click(&mut harness, "Finish and keep");
     for _ in 0..400 {
         if path.exists() {

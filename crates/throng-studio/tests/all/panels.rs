@@ -33,10 +33,12 @@ fn shown(step: u64) -> Arc<RunMoment> {
 fn the_gallery_finds_and_opens() {
     let mut gallery = Gallery::default();
     gallery.search.push_str("ring 36");
+    let about = gallery::scene("box").unwrap().about;
     let mut asked: Option<String> = None;
-    let mut harness = Harness::new_ui(|ui| asked = asked.take().or(gallery.ui(ui, &Arc::default(), "box")));
-    assert!(harness.query_by_label("boids").is_none(), "the search excludes it");
-    harness.get_by_label("circle").click();
+    let mut harness = Harness::new_ui(|ui| asked = asked.take().or(gallery.ui(ui, &Arc::default(), "box", &about)));
+    assert!(harness.query_by_label("Boids of 1987").is_none(), "the search excludes it");
+    assert!(harness.query_by_label(about.look_for.as_deref().unwrap()).is_some());
+    harness.get_by_label("Ring of 36").click();
     harness.run();
     drop(harness);
     assert_eq!(asked.as_deref(), Some("circle"));
@@ -115,7 +117,8 @@ fn sliders_change_the_text() {
                 last = Some(tuned);
             }
         });
-        assert!(harness.query_by_label("time horizon").is_some());
+        // the slider that the scene names, and that of the model
+        assert_eq!(harness.query_all_by_label("time horizon").count(), 2);
         harness.get_by_role_and_label(eframe::egui::Role::ComboBox, "avoid").click();
         harness.run();
         harness.get_by_label("hrvo").click();

@@ -9,7 +9,7 @@ use std::time::Duration;
 use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{Behaviour, SteeringInput, TraceRecorder};
-use throng_scene::{AgentJourney, AgentStart, GoalRule, Placement, Random};
+use throng_scene::{About, AgentJourney, AgentStart, GoalRule, Placement, Random};
 use throng_studio::Plugins;
 use throng_studio::document::Document;
 use throng_studio::panels::{self, Gallery, Tuned, Tuning};
@@ -87,9 +87,9 @@ fn altitude(shown: &RunMoment) -> f32 {
 fn its_scenes_are_in_the_gallery() {
     let (mut gallery, plugins) = (Gallery::default(), plugins());
     let mut asked = None;
-    let mut harness = Harness::new_ui(|ui| asked = asked.take().or(gallery.ui(ui, &plugins, "box")));
+    let mut harness = Harness::new_ui(|ui| asked = asked.take().or(gallery.ui(ui, &plugins, "box", &About::default())));
     assert!(harness.query_by_label("plug-ins").is_some());
-    harness.get_by_label("lift").click();
+    harness.get_by_label("A lift").click();
     harness.run();
     drop(harness);
     assert_eq!(asked.as_deref(), Some("lift"));
@@ -229,6 +229,6 @@ fn a_panic_while_it_is_made_leaves_the_scene_before() {
     assert!(error.message.contains("behaviour `still`: not this one"), "{error}");
     // the window's own thread renders the thumbnail
     let mut gallery = Gallery::default();
-    let harness = Harness::new_ui(|ui| _ = gallery.ui(ui, &plugins, "circle"));
-    assert!(harness.query_by_label("still").is_some());
+    let harness = Harness::new_ui(|ui| _ = gallery.ui(ui, &plugins, "circle", &About::default()));
+    assert!(harness.query_by_label("A lift").is_some());
 }

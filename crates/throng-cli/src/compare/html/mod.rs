@@ -60,7 +60,7 @@ impl ComparePage {
         let note = format!("{seed}. A run that has ended keeps its last moment.");
         let parts = [
             ("title", escape(plan.loaded.title())),
-            ("description", scene.description.lines().map(escape).collect::<Vec<_>>().join("<br>")),
+            ("description", scene.about.see.as_deref().map_or_else(String::new, escape)),
             ("facts", self.facts(plan)),
             ("table", table(results, all)),
             ("caption", notes(plan, results)),

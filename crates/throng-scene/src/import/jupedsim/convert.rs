@@ -7,7 +7,7 @@ use crate::error::{Error, Kind};
 use crate::geometry::{DVec2, Solid, points};
 use crate::registry::Goal;
 use crate::scene::{
-    Area, AreaGoal, Arrived, ChoiceGoal, ExitGoal, Expect, Group, JourneyGoal, NearestGoal, Number, Point,
+    About, Area, AreaGoal, Arrived, ChoiceGoal, ExitGoal, Expect, Group, JourneyGoal, NearestGoal, Number, Point,
     PolygonPlace, Region, Scene, Stop, Time, Until, Walkable, Weighted,
 };
 use serde_json::{Map, Value};
@@ -56,7 +56,7 @@ pub(super) fn convert(config: &Value, mut areas: Vec<Area>) -> Result<Imported, 
     let expected = &config["_expectations"];
     let all = expected["all_agents_evacuated"].as_bool() == Some(true);
     let scene = Scene {
-        description: config["_description"].as_str().unwrap_or_default().to_owned(),
+        about: About::imported(config["_description"].as_str().unwrap_or_default()),
         seed: seed.min(i64::MAX as u64),
         time: Time { until: Until::Arrived, limit, ..Time::default() },
         walkable: Some(if areas.len() == 1 { Walkable::Polygon(areas.remove(0)) } else { Walkable::Polygons(areas) }),

@@ -1,5 +1,6 @@
 //! Every mistake has a message with its position and a hint.
 
+mod about;
 mod numbers;
 mod places;
 mod steering;
@@ -15,7 +16,8 @@ fn group(line: &str) -> String {
 
 /// Returns the message of a scene that must fail.
 fn message(text: &str) -> (Kind, String) {
-    let error = match Scene::parse("a.toml", text) {
+    let read = Scene::parse("a.toml", text).and_then(|scene| scene.check_about().map(|()| scene));
+    let error = match read {
         Err(error) => error,
         Ok(scene) => scene.build().map(|_| ()).unwrap_err(),
     };
