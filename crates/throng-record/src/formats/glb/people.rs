@@ -11,7 +11,7 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::io;
-use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Skeleton, Walk};
+use throng_figure::{Build, Joint, Level, Look, Mesh, Person, Pose, Region, Skeleton, Walk};
 
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
@@ -22,8 +22,10 @@ const TURN: f64 = 3.5e-3;
 /// The skins of a file.
 #[derive(Default)]
 pub struct Skins {
-    /// The shapes of the builds: accessors of the attributes, of the triangles, and of the inverse bind matrices.
+    /// The shapes of the builds: accessors of the attributes, and of the inverse bind matrices.
     shapes: BTreeMap<u8, Shape>,
+    /// The triangles, by build and by the regions that looks wear.
+    triangles: BTreeMap<(u8, Vec<Region>), usize>,
     /// The meshes, by build and look.
     meshes: BTreeMap<(u8, u8), usize>,
     material: Option<usize>,
@@ -31,7 +33,6 @@ pub struct Skins {
 
 struct Shape {
     attributes: serde_json::Value,
-    triangles: usize,
     binds: usize,
     mesh: Mesh,
 }
@@ -107,13 +108,21 @@ impl Skins {
             }));
             root.materials.len() - 1
         });
-        let colors: Vec<[u8; 4]> = shape.mesh.colours(&Look::new(person.look)).into_iter().map(linear).collect();
+        let look = Look::new(person.look);
+        let triangles = match self.triangles.entry((build, look.worn())) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                bin.view(Some(TRIANGLES))?;
+                *new.insert(bin.triangles(&shape.mesh.triangles_of(&look))?)
+            }
+        };
+        let colors: Vec<[u8; 4]> = shape.mesh.colours(&look).into_iter().map(linear).collect();
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
         // what follows is no data of vertices
         bin.view(None)?;
-        let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
+        let primitive = json!({ "attributes": attributes, "indices": triangles, "material": material });
         let mesh = root.meshes.len();
         root.meshes
             .push(json!({ "name": format!("{} {}", person.build.name(), person.look), "primitives": [primitive] }));
@@ -126,14 +135,12 @@ impl Shape {
     fn new(bin: &mut Bin, build: Build) -> io::Result<Self> {
         let mesh = Mesh::new(build, Level::Fine);
         let attributes = vertices(bin, &mesh)?;
-        bin.view(Some(TRIANGLES))?;
-        let triangles = bin.triangles(&mesh.triangles)?;
         bin.view(None)?;
         let skeleton = Skeleton::scaled(build, 1.0);
         let rest = skeleton.world(&skeleton.rest());
         let binds = rest.map(|joint| Mat4::from_translation(-axes::own(joint.position.as_vec3())));
         let binds = bin.matrices(&binds)?;
-        Ok(Self { attributes, triangles, binds, mesh })
+        Ok(Self { attributes, binds, mesh })
     }
 }
 
