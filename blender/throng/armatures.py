@@ -43,7 +43,8 @@ class Cast:
     def mesh(self, build: str, look: int) -> bpy.types.Mesh:
         """Returns the mesh of a build with a look."""
         if (build, look) not in self._meshes:
-            body, cut = figure.mesh(build, self.level), (build, tuple(figure.worn(look)))
+            body = figure.mesh(build, self.level)
+            cut = build, tuple(region for region in figure.worn(look) if region in body.regions)
             made = self._skins[cut].copy() if cut in self._skins else _skin(build, body, body.triangles_of(look))
             self._skins.setdefault(cut, made)
             made.name = f"{build.capitalize()} {look}"

@@ -89,6 +89,12 @@ impl Mesh {
         self.regions.iter().map(|&region| look.colour(region).unwrap_or_default()).collect()
     }
 
+    /// Returns the regions of the mesh that a look wears: looks that wear the same have the same triangles.
+    pub fn worn(&self, look: &Look) -> Vec<Region> {
+        let worn = |region: &Region| look.wears(*region) && self.regions.contains(region);
+        Region::ALL.into_iter().filter(worn).collect()
+    }
+
     /// Returns the triangles of what a look wears, which are closed surfaces.
     pub fn triangles_of(&self, look: &Look) -> Vec<[u32; 3]> {
         let worn = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| look.wears(self.regions[vertex as usize]));

@@ -109,7 +109,7 @@ impl Skins {
             root.materials.len() - 1
         });
         let look = Look::new(person.look);
-        let triangles = match self.triangles.entry((build, look.worn())) {
+        let triangles = match self.triangles.entry((build, shape.mesh.worn(&look))) {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(new) => {
                 bin.view(Some(TRIANGLES))?;

@@ -40,8 +40,9 @@ pub fn bodies(people: &[Person]) -> String {
         let mut cuts: Vec<Vec<Region>> = Vec::new();
         for number in looks {
             let look = Look::new(number);
-            let cut = cuts.iter().position(|worn| *worn == look.worn()).unwrap_or_else(|| {
-                cuts.push(look.worn());
+            let worn = mesh.worn(&look);
+            let cut = cuts.iter().position(|known| *known == worn).unwrap_or_else(|| {
+                cuts.push(worn);
                 text.push_str(&indented(&faces(build, cuts.len() - 1, &mesh.triangles_of(&look)), "        "));
                 cuts.len() - 1
             });
