@@ -30,6 +30,7 @@ class Cast:
         self.level = level
         self._rigs: dict[str, tuple[bpy.types.Armature, np.ndarray]] = {}
         self._meshes: dict[tuple[str, int], bpy.types.Mesh] = {}
+        self._skins: dict[tuple[str, tuple[int, ...]], bpy.types.Mesh] = {}
 
     def rig(self, build: str) -> tuple[bpy.types.Armature, np.ndarray]:
         """Returns the armature of a build of height 1 m, and how its bones are turned at rest: (19, 4)."""
@@ -43,8 +44,9 @@ class Cast:
         """Returns the mesh of a build with a look."""
         if (build, look) not in self._meshes:
             body = figure.mesh(build, self.level)
-            same = next((mesh for (known, _), mesh in self._meshes.items() if known == build), None)
-            made = same.copy() if same else _skin(build, body)
+            cut = build, tuple(region for region in figure.worn(look) if region in body.regions)
+            made = self._skins[cut].copy() if cut in self._skins else _skin(build, body, body.triangles_of(look))
+            self._skins.setdefault(cut, made)
             made.name = f"{build.capitalize()} {look}"
             bodies.paint(made, bodies.colors(body, look))
             self._meshes[build, look] = made
@@ -145,9 +147,9 @@ def _armature(build: str) -> bpy.types.Armature:
     return made
 
 
-def _skin(build: str, body: figure.Mesh) -> bpy.types.Mesh:
-    """Returns the mesh of a build with the weights of the joints."""
-    mesh = bodies.shape(build, body.positions, body.triangles)
+def _skin(build: str, body: figure.Mesh, triangles: np.ndarray) -> bpy.types.Mesh:
+    """Returns the mesh of some triangles of a build with the weights of the joints."""
+    mesh = bodies.shape(build, body.positions, triangles)
     mesh.materials.append(bodies.material("People"))
     holder = bpy.data.objects.new(build, mesh)
     for joint, name in enumerate(figure.JOINTS):

@@ -54,7 +54,7 @@ def _mesh(clip: Clip, rows: list[int], level: str) -> bpy.types.Mesh:
         order = np.argsort(-body.weights, axis=1, kind="stable")[:, :2]
         first, second = np.take_along_axis(body.joints, order, axis=1).T.astype(np.int64)
         points.append(body.positions * height)
-        triangles.append(body.triangles + np.uint32(vertices))
+        triangles.append(body.triangles_of(int(crowd.looks[row])) + np.uint32(vertices))
         colors.append(bodies.colors(body, int(crowd.looks[row])))
         for name, values in (
             ("person", np.full(count, column)),

@@ -41,7 +41,8 @@ vLook = looks[int(person.y) * REGIONS + int(_region)];
 `;
 const PLACE = `
 vec3 transformed = (placed(movers.x) + rotated(first, position - rests[movers.x]) * person.x) * skinWeight.x;
-if (skinWeight.y > 0.0) transformed += (placed(movers.y) + rotated(second, position - rests[movers.y]) * person.x) * skinWeight.y;
+if (vLook.r < 0.0) transformed = placed(0);
+else if (skinWeight.y > 0.0) transformed += (placed(movers.y) + rotated(second, position - rests[movers.y]) * person.x) * skinWeight.y;
 `;
 
 /** The baked people of a file. Put the crowd into the node `World`. */
@@ -76,7 +77,8 @@ export class BakedCrowd extends THREE.Group {
     const ofTurns = texture(turns, 4, Int16Array, THREE.RGBAIntegerFormat, THREE.ShortType);
     ofTurns.internalFormat = 'RGBA16I';
     const ofHips = texture(hips, 3, Float32Array, THREE.RGBAFormat, THREE.FloatType);
-    const looks = baked.looks.flat().map((rgb) => new THREE.Vector3(...rgb));
+    // a colour below 0 stands for a region that a look does not wear
+    const looks = baked.looks.flat().map((rgb) => new THREE.Vector3(...(rgb ?? [-1, -1, -1])));
     const regions = baked.looks[0].length;
     this.parts = baked.bodies.map(({ offsets }, body) => {
       const own = offsets.map((offset) => new THREE.Vector3(...offset)), rests = [];

@@ -129,14 +129,18 @@ def test_meshes() -> None:
     for build in figure.BUILDS:
         for level, count in zip(figure.LEVELS, (1104, 704, 352, 128), strict=True):
             mesh = figure.mesh(build, level)
-            assert mesh.positions.shape == mesh.normals.shape == (count, 3)
+            assert (mesh.regions < figure.REGIONS.index("skirt")).sum() == count
+            assert mesh.positions.shape == mesh.normals.shape == (len(mesh.regions), 3)
             assert np.allclose(mesh.weights.sum(axis=1), 1, atol=1e-6)
             assert (np.count_nonzero(mesh.weights, axis=1) <= 2).all()
             assert mesh.joints.max() < len(figure.JOINTS) and mesh.regions.max() < len(figure.REGIONS)
-            a, b, c = np.moveaxis(mesh.positions[mesh.triangles].astype(float), 1, 0)
-            volume = (a * np.cross(b, c)).sum() / 6
-            assert 0.01 < volume < 0.017, "a closed body, seen from outside"
-    assert figure.colors(3).shape == (6, 3)
+            for look, limit in ((1, 0.017), (6, 0.024)):
+                a, b, c = np.moveaxis(mesh.positions[mesh.triangles_of(look)].astype(float), 1, 0)
+                volume = (a * np.cross(b, c)).sum() / 6
+                assert 0.01 < volume < limit, "a closed body, seen from outside"
+    assert figure.colors(3).shape == (len(figure.REGIONS), 3)
+    # the fourth look has a rucksack, and trousers
+    assert set(figure.REGIONS) - {figure.REGIONS[region] for region in figure.worn(3)} == {"skirt", "coat", "long hair"}
     with pytest.raises(ValueError, match="`giant` is no build: give woman, man, child"):
         figure.mesh("giant")
     with pytest.raises(ValueError, match="`finest` is no level"):

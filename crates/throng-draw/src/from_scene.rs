@@ -45,6 +45,8 @@ fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
     match said {
         Some(throng_scene::AgentShape::Insect) => AgentShape::Insect,
         Some(throng_scene::AgentShape::Bird) => AgentShape::Shaped(Shape::Bird),
+        Some(throng_scene::AgentShape::Car) => AgentShape::Shaped(Shape::Car),
+        Some(throng_scene::AgentShape::Robot) => AgentShape::Shaped(Shape::Robot),
         Some(throng_scene::AgentShape::Body) | None => AgentShape::Body,
     }
 }

@@ -40,6 +40,7 @@ mod style;
 mod svg;
 mod text;
 mod trail;
+mod vehicle;
 
 pub use annotate::{Annotation, Annotations, Annotator};
 pub use camera::{Camera, WorldBox};

@@ -10,6 +10,7 @@ use crate::shape::Strides;
 use crate::space::{Birds, People, SpaceScene};
 use crate::text::Type;
 use crate::trail::{AgentTrail, Brush, Trail, Trails};
+use crate::vehicle::Vehicles;
 use crate::{
     AgentShape, Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, annotate, place, raster,
 };
@@ -62,6 +63,8 @@ pub struct Painter {
     pub(crate) people: People,
     /// Agents that are birds, in perspective.
     pub(crate) birds: Birds,
+    /// Agents on wheels.
+    pub(crate) vehicles: Vehicles,
     /// The trails of annotated agents.
     pub(crate) ways: Trails,
     /// The annotations that have been visible so far.
@@ -129,6 +132,7 @@ impl Painter {
             strides: Strides::default(),
             people: People::new(setting, style, first),
             birds: Birds::default(),
+            vehicles: Vehicles::default(),
             ways: Trails::default(),
             seen: BTreeSet::new(),
             origin: setting.origin,
@@ -180,6 +184,7 @@ impl Painter {
         }
         if look.has_shapes() {
             self.strides.follow(frame);
+            self.vehicles.follow(frame, look);
         }
         if matches!(self.view, Perspective::Space(_)) {
             self.people.follow(frame, look);

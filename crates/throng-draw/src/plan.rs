@@ -34,6 +34,9 @@ impl Painter {
         match self.look.form(body) {
             AgentShape::Body => out.push(Primitive::Agent(self.rounded(body, camera))),
             AgentShape::Shaped(shape) => {
+                if let Some(symbol) = self.vehicles.symbol(body, &self.look, &self.projector()) {
+                    return out.extend(symbol);
+                }
                 let strides = (&self.strides, time);
                 out.extend(shape::marks(shape, body, strides, self.look.coat(body), &self.projector()));
             }

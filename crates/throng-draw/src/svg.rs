@@ -1,6 +1,6 @@
 //! Moments as vector pictures.
 
-use crate::insect::Insect;
+use crate::insect::{Insect, Wing};
 use crate::primitive::{Anchor, Primitive, Stroke};
 use crate::rounded::{NOTCH_FROM, NOTCH_HALF_WIDTH, NOTCH_TO, Rounded};
 use crate::sink::png_bytes;
@@ -137,12 +137,12 @@ fn write_body(out: &mut String, body: &Rounded) -> fmt::Result {
 
 fn write_insect(out: &mut String, insect: &Insect) -> fmt::Result {
     let root = insect.root;
-    for (tip, chord) in insect.tips.into_iter().zip(insect.chords) {
+    for Wing { tip, chord, color } in insect.wings.iter().copied() {
         // A leaf: two curves from root to tip.
         let (middle, side) = (root.lerp(tip, 0.7), (tip - root).perp().normalize_or_zero() * (1.7 * chord));
         let (a, b) = (middle + side, middle - side);
         write!(out, r#"<path d="M{} {}Q{} {} {} {}"#, n(root.x), n(root.y), n(a.x), n(a.y), n(tip.x), n(tip.y))?;
-        writeln!(out, r#"Q{} {} {} {}Z" {}/>"#, n(b.x), n(b.y), n(root.x), n(root.y), fill(insect.wings))?;
+        writeln!(out, r#"Q{} {} {} {}Z" {}/>"#, n(b.x), n(b.y), n(root.x), n(root.y), fill(color))?;
     }
     let body = stroke(Stroke::plain(2.0 * insect.waist.max(0.55), insect.body));
     let (head, tail) = (insect.head, insect.tail);

@@ -79,7 +79,7 @@ fn body(
         DVec3::new(p.x * cos + p.y * sin, p.z, p.x * sin - p.y * cos)
     };
     let mut faces: Vec<(f64, String)> = Vec::new();
-    for triangle in &mesh.triangles {
+    for triangle in &mesh.triangles_of(look) {
         let [a, b, c] = triangle.map(|vertex| view(positions[vertex as usize]));
         let normal = (b - a).cross(c - a).normalize_or_zero();
         if normal.z <= 0.0 {

@@ -4,7 +4,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use throng_figure::{Build, Joint, Level, Look, Mesh, Skeleton};
+use throng_figure::{Build, Joint, Level, Look, Mesh, Region, Skeleton};
 
 const LEVELS: [(&str, Level); 4] =
     [("fine", Level::Fine), ("medium", Level::Medium), ("coarse", Level::Coarse), ("blocks", Level::Blocks)];
@@ -44,11 +44,23 @@ pub fn mesh<'py>(py: Python<'py>, build: &str, level: &str) -> PyResult<Bound<'p
     Ok(out)
 }
 
-/// Returns the colours of a look, a row for each region: skin, hair, top, sleeves, trousers, shoes (sRGB, 0 to 255).
+/// Returns the names of the regions.
+#[pyfunction]
+pub fn regions() -> Vec<&'static str> {
+    Region::ALL.map(Region::name).to_vec()
+}
+
+/// Returns the numbers of the regions that a look wears.
+#[pyfunction]
+pub fn look_worn(look: u8) -> Vec<u8> {
+    Look::new(look).worn().into_iter().map(|region| region as u8).collect()
+}
+
+/// Returns the colours of a look, a row for each region (sRGB, 0 to 255); black for what it does not wear.
 #[pyfunction]
 pub fn look_colors<'py>(py: Python<'py>, look: u8) -> PyResult<Bound<'py, PyArray2<u8>>> {
     let look = Look::new(look);
-    table(py, throng_figure::Region::ALL.iter().flat_map(|&region| look.colour(region)), 3)
+    table(py, Region::ALL.iter().flat_map(|&region| look.colour(region).unwrap_or_default()), 3)
 }
 
 /// Returns an array with `columns` columns.

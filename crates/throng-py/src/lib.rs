@@ -27,7 +27,7 @@ mod _throng {
     #[pymodule_export]
     use crate::error::{FileError, SceneError, WorldError};
     #[pymodule_export]
-    use crate::figure::{builds, joints, look_colors, mesh, skeleton};
+    use crate::figure::{builds, joints, look_colors, look_worn, mesh, regions, skeleton};
     #[pymodule_export]
     use crate::measure::figures;
     #[pymodule_export]

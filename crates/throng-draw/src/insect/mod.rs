@@ -1,4 +1,5 @@
-//! Insects: a thin body between two translucent, beating wings, in any projection.
+//! Insects: a thin body between two translucent, beating wings, in any projection. The wings of large insects are blurred
+//! fans, as eyes and cameras see them.
 
 mod streak;
 
@@ -10,7 +11,7 @@ use crate::image::{Image, blend};
 use crate::look::Coat;
 use crate::projector::Projector;
 use glam::{DVec2, Vec2, Vec3};
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 use throng::motion::Basis;
 use throng_record::Body;
 
@@ -26,6 +27,16 @@ const WAIST: f32 = 0.17;
 const BEAT: f32 = 0.95;
 const RATE: f32 = 9.0;
 const OWN: f32 = 0.3;
+/// The angle above level about which wings beat, radians.
+const RAISED: f32 = 0.15;
+/// The opacity of a wing; of the parts of a blurred wing together; and of the place of a blurred wing at the moment.
+const OPACITY: f32 = 0.5;
+const BLURRED: f32 = 0.75;
+const GLINT: f32 = 0.14;
+/// The parts of a blurred wing, at equal times from the lowest to the highest angle.
+const PARTS: usize = 7;
+/// The radii between which wings blur in perspective, pixels.
+const BLUR: [f32; 2] = [5.0, 8.0];
 /// The least radius of insects, in units of the layout.
 const LEAST_RADIUS: f32 = 2.4;
 /// With more insects than this, each is drawn smaller and paler.
@@ -49,20 +60,26 @@ impl Crowd {
 }
 
 /// An insect, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Insect {
     pub head: Vec2,
     pub tail: Vec2,
-    /// The root of the wings, and the tip of each.
+    /// The root of the wings.
     pub root: Vec2,
-    pub tips: [Vec2; 2],
-    /// Half the width of each wing.
-    pub chords: [f32; 2],
+    pub wings: Vec<Wing>,
     /// Half the width of the body.
     pub waist: f32,
     pub body: Color,
-    /// The colour of the wings, with their opacity.
-    pub wings: Color,
+}
+
+/// A wing at a moment of its beat, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wing {
+    pub tip: Vec2,
+    /// Half the width.
+    pub chord: f32,
+    /// The colour, with its opacity.
+    pub color: Color,
 }
 
 /// Returns the angle of an insect's wings above level at a time, radians. Frequencies differ between insects.
@@ -70,7 +87,7 @@ fn beat(number: u32, time: f64) -> f32 {
     let rate = RATE * (1.0 + OWN * (lot(number, 1) - 0.5));
     // Only the fraction of a turn is kept, so that long times keep their precision.
     let turns = (time * f64::from(rate) + f64::from(lot(number, 2))).fract() as f32;
-    0.15 + BEAT * (TAU * turns).sin()
+    RAISED + BEAT * (TAU * turns).sin()
 }
 
 impl Insect {
@@ -83,33 +100,48 @@ impl Insect {
             let offset = basis.forward * local.x + basis.side * local.y + basis.up * local.z;
             projector.pixel(center + (offset * size).as_dvec3()).filter(|pixel| pixel.is_finite())
         };
-        let (sin, cos) = beat(body.number, time).sin_cos();
-        let tip = |aside: f32| pixel(Vec3::new(TIP.x, aside * TIP.y * cos, TIP.y * sin));
         let scale = size * projector.scale(center) as f32;
-        // A wing seen edge-on is thin.
         let sight = projector.sight(center).as_vec3();
-        let chord = |aside: f32| {
+        let color = coat.fill.mix(coat.rim, 0.12);
+        let wing = |aside: f32, angle: f32, opacity: f32| {
+            let (sin, cos) = angle.sin_cos();
+            let tip = pixel(Vec3::new(TIP.x, aside * TIP.y * cos, TIP.y * sin))?;
+            // A wing seen edge-on is thin.
             let normal = basis.up * cos - basis.side * (aside * sin);
-            CHORD * scale * (0.3 + 0.7 * normal.dot(sight).abs())
+            let chord = CHORD * scale * (0.3 + 0.7 * normal.dot(sight).abs());
+            Some(Wing { tip, chord, color: color.alpha(opacity) })
         };
+        let now = beat(body.number, time);
+        // a plan is a diagram, in which wings beat visibly
+        let space = matches!(projector, Projector::Perspective(_));
+        let blur = if space { ((scale - BLUR[0]) / (BLUR[1] - BLUR[0])).clamp(0.0, 1.0) } else { 0.0 };
+        let sides = |angle: f32, opacity: f32| [1.0, -1.0].map(|aside| wing(aside, angle, opacity));
+        let mut wings: Vec<Option<Wing>> = Vec::new();
+        if blur > 0.0 {
+            // several thin parts cover as much as one of this opacity
+            let thin = 1.0 - libm::powf(1.0 - BLURRED * blur, 1.0 / PARTS as f32);
+            for part in 0..PARTS {
+                let share = part as f32 / (PARTS - 1) as f32 - 0.5;
+                wings.extend(sides(RAISED + BEAT * libm::sinf(PI * share), thin));
+            }
+        }
+        wings.extend(sides(now, OPACITY + (GLINT - OPACITY) * blur));
         Some(Self {
             head: pixel(Vec3::X * HEAD)?,
             tail: pixel(Vec3::X * TAIL)?,
             root: pixel(Vec3::X * ROOT)?,
-            tips: [tip(1.0)?, tip(-1.0)?],
-            chords: [1.0, -1.0].map(chord),
+            wings: wings.into_iter().collect::<Option<_>>()?,
             waist: WAIST * scale,
             body: coat.fill.mix(coat.rim, 0.55),
-            wings: coat.fill.mix(coat.rim, 0.12).alpha(0.5),
         })
     }
 
     /// Draws the insect on a picture.
     pub fn draw(&self, image: &mut Image) {
-        let points = [self.head, self.tail, self.root, self.tips[0], self.tips[1]];
-        let reach = self.chords[0].max(self.chords[1]).max(self.waist) + 1.0;
-        let low = points.into_iter().fold(Vec2::INFINITY, Vec2::min) - reach;
-        let high = points.into_iter().fold(Vec2::NEG_INFINITY, Vec2::max) + reach;
+        let points = || [self.head, self.tail, self.root].into_iter().chain(self.wings.iter().map(|wing| wing.tip));
+        let reach = self.wings.iter().map(|wing| wing.chord).fold(self.waist, f32::max) + 1.0;
+        let low = points().fold(Vec2::INFINITY, Vec2::min) - reach;
+        let high = points().fold(Vec2::NEG_INFINITY, Vec2::max) + reach;
         let (width, height) = (image.width() as usize, image.height() as usize);
         // `as` maps negative numbers to 0.
         let (columns, rows) =
@@ -117,17 +149,20 @@ impl Insect {
         if !(low.is_finite() && high.is_finite()) || columns.is_empty() || rows.is_empty() {
             return;
         }
-        let wings = [0, 1].map(|side| Blade::new(self.root, self.tips[side], self.chords[side]));
-        let (body, wing) = ([self.body.r, self.body.g, self.body.b], [self.wings.r, self.wings.g, self.wings.b]);
+        let blade = |wing: &Wing| (Blade::new(self.root, wing.tip, wing.chord), wing.color);
+        let wings: Vec<(Blade, Color)> = self.wings.iter().map(blade).collect();
+        let body = [self.body.r, self.body.g, self.body.b];
         let trunk = Blade::new(self.tail, self.head, self.waist);
         for y in rows {
             let first = (y * width + columns.start) * 4;
             let row = &mut image.data_mut()[first..first + columns.len() * 4];
             for (x, pixel) in columns.clone().zip(row.chunks_exact_mut(4)) {
                 let at = Vec2::new(x as f32, y as f32) + 0.5;
-                for cover in wings.map(|blade| blade.leaf(at)) {
+                for (blade, color) in &wings {
+                    let cover = blade.leaf(at);
                     if cover > 0.0 {
-                        blend(&mut pixel[..3], wing, (cover * f32::from(self.wings.a) + 0.5) as u32);
+                        let wing = [color.r, color.g, color.b];
+                        blend(&mut pixel[..3], wing, (cover * f32::from(color.a) + 0.5) as u32);
                     }
                 }
                 let cover = trunk.rod(at);

@@ -5,7 +5,8 @@ mod posed;
 
 pub(crate) use posed::{Strides, marks, mesh};
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
+use throng_record::Body;
 
 /// A shape of agents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +22,14 @@ pub enum Shape {
     Insect,
     /// A walking figure; its steps follow the walked distance.
     Walker,
+    /// A car of the length of the body. In pictures its wheels roll and steer, and it is as wide as the body.
+    Car,
+    /// A robot on two wheels. In pictures its wheels roll.
+    Robot,
 }
+
+/// Half the length of a car in a disc of radius 1: its corners are on the disc.
+pub(crate) const CAR: f32 = 0.91;
 
 /// A corner of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +44,8 @@ pub struct Vertex {
 
 impl Shape {
     /// All shapes.
-    pub const ALL: [Self; 5] = [Self::Arrow, Self::Vehicle, Self::Bird, Self::Insect, Self::Walker];
+    pub const ALL: [Self; 7] =
+        [Self::Arrow, Self::Vehicle, Self::Bird, Self::Insect, Self::Walker, Self::Car, Self::Robot];
 
     /// Returns the plural name.
     pub fn label(self) -> &'static str {
@@ -46,13 +55,23 @@ impl Shape {
             Self::Bird => "birds",
             Self::Insect => "insects",
             Self::Walker => "figures",
+            Self::Car => "cars",
+            Self::Robot => "robots",
+        }
+    }
+
+    /// Returns the length that the shape of an agent has as its unit, metres.
+    pub fn unit(self, body: &Body) -> f32 {
+        match self {
+            Self::Car if body.core != Vec2::ZERO => (body.core.x + body.radius) / CAR,
+            _ => body.radius,
         }
     }
 
     /// Returns the phase of the motion after `seconds` and `way` metres, radians.
     pub fn phase(self, seconds: f32, way: f32, radius: f32) -> f32 {
         match self {
-            Self::Arrow | Self::Vehicle => 0.0,
+            Self::Arrow | Self::Vehicle | Self::Car | Self::Robot => 0.0,
             Self::Bird => 16.0 * seconds,
             Self::Insect => 70.0 * seconds,
             // Two steps are one period.
@@ -62,7 +81,7 @@ impl Shape {
 
     /// Whether all faces are visible only from outside: the shape consists of closed bodies without wings.
     pub(crate) fn is_closed(self) -> bool {
-        self == Self::Walker
+        matches!(self, Self::Walker | Self::Car | Self::Robot)
     }
 
     /// Returns the faces, three corners each.
@@ -103,6 +122,20 @@ impl Shape {
                 }
                 mesh.block(Vec3::new(0.0, 0.0, 4.3), Vec3::new(0.34, 0.66, 1.2), Vec3::ZERO);
                 mesh.block(Vec3::new(0.05, 0.0, 6.1), Vec3::new(0.4, 0.36, 0.48), Vec3::ZERO);
+            }
+            Self::Car => {
+                for (x, y) in [(0.56, 0.34), (0.56, -0.34), (-0.56, 0.34), (-0.56, -0.34)] {
+                    mesh.block(Vec3::new(x, y, 0.13), Vec3::new(0.14, 0.06, 0.13), Vec3::ZERO);
+                }
+                mesh.block(Vec3::new(0.0, 0.0, 0.23), Vec3::new(CAR, 0.39, 0.14), Vec3::ZERO);
+                mesh.block(Vec3::new(-0.18, 0.0, 0.49), Vec3::new(0.44, 0.31, 0.12), Vec3::ZERO);
+            }
+            Self::Robot => {
+                for side in [1.0, -1.0] {
+                    mesh.block(Vec3::new(0.0, 0.82 * side, 0.4), Vec3::new(0.4, 0.085, 0.4), Vec3::ZERO);
+                }
+                mesh.block(Vec3::new(0.0, 0.0, 0.75), Vec3::new(0.56, 0.62, 0.55), Vec3::ZERO);
+                mesh.block(Vec3::new(0.6, 0.0, 1.0), Vec3::new(0.08, 0.42, 0.14), Vec3::ZERO);
             }
         }
         mesh.0

@@ -52,7 +52,7 @@ pub(crate) fn marks(
 ) -> Vec<Primitive> {
     let center = body.center();
     let sight = projector.sight(center).as_vec3();
-    let radius = body.radius.max(LEAST / projector.scale(center) as f32);
+    let radius = shape.unit(body).max(LEAST / projector.scale(center) as f32);
     let turn = turn(body);
     let phase = strides.phase(shape, body, time);
     let mut faces: Vec<(f32, Vec<Primitive>)> = Vec::new();
@@ -86,7 +86,7 @@ fn turn(body: &Body) -> Mat3 {
 
 /// Returns a body as a mesh about its position, at a scale in pixels per metre.
 pub(crate) fn mesh(shape: Shape, body: &Body, (strides, time): (&Strides, f64), scale: f32) -> Mesh<'static> {
-    let turn = turn(body) * body.radius.max(LEAST / scale);
+    let turn = turn(body) * shape.unit(body).max(LEAST / scale);
     let phase = strides.phase(shape, body, time);
     let mut mesh = Mesh::default();
     for face in outlines(&shape.mesh()) {

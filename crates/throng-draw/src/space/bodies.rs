@@ -1,12 +1,10 @@
 //! The bodies of agents as meshes.
 
-use super::birds::Birds;
 use super::light::light_of;
-use super::people::People;
 use super::{SpaceScene, footprint};
 use crate::look::Look;
 use crate::plan::{LEAST_RADIUS, middle};
-use crate::shape::{self, Strides};
+use crate::{Painter, shape};
 use glam::{DVec3, Mat3, Vec3};
 use throng::motion::Basis;
 use throng_record::Body;
@@ -52,37 +50,43 @@ fn ball(around: u32, headings: bool) -> Mesh<'static> {
 /// How an agent is drawn.
 enum Form {
     /// A mesh of its own, in the axes of the world about the middle of the agent; `plain`: it has the colour of the agent.
-    Own { mesh: Mesh<'static>, place: DVec3, thin: bool, plain: bool },
+    Own { mesh: Mesh<'static>, place: DVec3, thin: bool, plain: bool, gloss: f32 },
     /// A ball.
     Ball(usize),
     /// A dart.
     Dart(Basis),
 }
 
-/// The agents of a moment.
+/// The agents of a moment, with one or several forms each.
 pub(super) struct Agents<'a> {
     all: Vec<(&'a Body, Form)>,
 }
 
 impl<'a> Agents<'a> {
     /// Creates the meshes of `bodies` at a time.
-    pub fn new(
-        bodies: impl Iterator<Item = &'a Body>,
-        stage: &SpaceScene,
-        (look, people, (birds, strides)): (&Look, &People, (&Birds, &Strides)),
-        time: f64,
-    ) -> Self {
-        let form = |body: &'a Body| {
+    pub fn new(bodies: impl Iterator<Item = &'a Body>, stage: &SpaceScene, painter: &Painter, time: f64) -> Self {
+        let Painter { look, people, birds, vehicles, strides, .. } = painter;
+        let mut all = Vec::new();
+        for body in bodies {
             let scale = stage.lens.scale(body.center()) as f32;
-            let own = |mesh, thin| Form::Own { mesh, place: body.center(), thin, plain: true };
+            let own = |mesh, thin| Form::Own { mesh, place: body.center(), thin, plain: true, gloss: 0.0 };
+            let tinted = |mesh, gloss| Form::Own { mesh, place: body.center(), thin: false, plain: false, gloss };
+            let parts = vehicles.parts(body, look, scale);
+            if !parts.is_empty() {
+                all.extend(parts.into_iter().map(|part| (body, tinted(part.mesh, part.gloss))));
+                continue;
+            }
             if let Some(mesh) = people.mesh(body, look, scale) {
-                return (body, Form::Own { mesh, place: body.center(), thin: false, plain: false });
+                all.push((body, tinted(mesh, 0.0)));
+                continue;
             }
             if let Some(mesh) = birds.mesh(body, stage.growth) {
-                return (body, own(mesh, true));
+                all.push((body, own(mesh, true)));
+                continue;
             }
             if let Some(shape) = look.shape(body) {
-                return (body, own(shape::mesh(shape, body, (strides, time), scale), true));
+                all.push((body, own(shape::mesh(shape, body, (strides, time), scale), true)));
+                continue;
             }
             let form = match body.basis {
                 Some(basis) => Form::Dart(basis),
@@ -93,9 +97,9 @@ impl<'a> Agents<'a> {
                 }
                 None => Form::Ball(BALLS.iter().rposition(|(_, least)| body.radius * scale >= *least).unwrap_or(0)),
             };
-            (body, form)
-        };
-        Self { all: bodies.map(form).collect() }
+            all.push((body, form));
+        }
+        Self { all }
     }
 
     /// Returns the agents as parts of a scene.
@@ -103,8 +107,9 @@ impl<'a> Agents<'a> {
         self.all.iter().map(move |(body, form)| {
             let color = light_of(look.coat(body).fill);
             match form {
-                Form::Own { mesh, place, thin, plain } => {
-                    let material = Material::plain(if *plain { color } else { Vec3::ONE });
+                Form::Own { mesh, place, thin, plain, gloss } => {
+                    let material =
+                        Material { gloss: *gloss, ..Material::plain(if *plain { color } else { Vec3::ONE }) };
                     Placed { mesh, place: *place, turn: Mat3::IDENTITY, material, thin: *thin }
                 }
                 Form::Ball(level) => {

@@ -130,12 +130,7 @@ impl Painter {
         bodies.retain(|body| stage.lens.pixel(body.center()).is_some_and(|pixel| pixel.is_finite()));
         let (insects, others): (Vec<&Body>, Vec<&Body>) =
             bodies.into_iter().partition(|body| self.look.form(body) == AgentShape::Insect);
-        let agents = Agents::new(
-            others.into_iter(),
-            stage,
-            (&self.look, &self.people, (&self.birds, &self.strides)),
-            frame.time,
-        );
+        let agents = Agents::new(others.into_iter(), stage, self, frame.time);
         let trails = self.trail_lines(&stage.lens, frame.time);
         let scene = Scene {
             ground: stage.ground.plane,

@@ -84,14 +84,13 @@ impl People {
         let coat = look.coat(body).fill;
         let color = |region: &Region| self.color(*region, &clothes, coat);
         let colors: Vec<Vec3> = figure.regions.iter().map(color).collect();
-        Mesh::new(positions, normals, colors, figure.triangles.clone()).ok()
+        Mesh::new(positions, normals, colors, figure.triangles_of(&clothes)).ok()
     }
 
     fn color(&self, region: Region, clothes: &Clothes, coat: Color) -> Vec3 {
-        let [r, g, b] = clothes.colour(region);
-        let covered = region == Region::Top
-            || region == Region::Sleeves && clothes.colour(Region::Sleeves) == clothes.colour(Region::Top);
-        if self.colored && covered { light_of(coat) } else { linear(u32::from_be_bytes([0, r, g, b])) }
+        let [r, g, b] = clothes.colour(region).unwrap_or_default();
+        let colored = self.colored && clothes.is_top(region);
+        if colored { light_of(coat) } else { linear(u32::from_be_bytes([0, r, g, b])) }
     }
 }
 

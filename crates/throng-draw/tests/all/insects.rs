@@ -82,6 +82,30 @@ fn wings_are_on_both_sides_and_beat_with_time() {
 }
 
 #[test]
+fn near_wings_are_blurred_fans_that_appear_gradually() {
+    let style = Style { shutter: 0.0, projection: Some(Projection::Perspective), legend: false, ..swarming() };
+    let bare = Frame { bodies: Vec::new(), ..alone(0.0, 0.1) };
+    // the share of the ink that differs between moments of a beat
+    let flutter = |radius: f32| {
+        let first = alone(0.0, radius);
+        let mut painter = Painter::new(&place(), &style, &first).unwrap();
+        let paper = painter.paint(&bare).clone();
+        let ink = |a: &Image, b: &Image| -> f32 {
+            a.data().iter().zip(b.data()).map(|(a, b)| f32::from(a.abs_diff(*b))).sum()
+        };
+        let pictures: Vec<Image> =
+            (0..8).map(|k| painter.paint(&Frame { time: f64::from(k) * 0.016, ..first.clone() }).clone()).collect();
+        let changes: f32 = pictures.windows(2).map(|pair| ink(&pair[0], &pair[1])).sum();
+        let whole: f32 = pictures.iter().map(|picture| ink(picture, &paper)).sum();
+        changes / whole
+    };
+    let [far, near] = [0.3, 2.0].map(flutter);
+    assert!(near < 0.5 * far && near > 0.0, "{near} near, {far} far");
+    let steps: Vec<f32> = (0..24).map(|k| flutter(0.6 + 0.05 * k as f32)).collect();
+    assert!(steps.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.35 * far), "{steps:?} of {far}");
+}
+
+#[test]
 fn the_length_of_a_streak_is_the_way_during_the_exposure() {
     let frames: Vec<Frame> = (0..20).map(|k| alone(f64::from(k) * 0.04, 0.05)).collect();
     for shutter in [0.2f32, 0.5] {

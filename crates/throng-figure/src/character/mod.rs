@@ -31,7 +31,7 @@ use crate::pose::{Legs, Skeleton};
 ///     numbers: mesh.joints.clone(),
 ///     weights: mesh.weights.clone(),
 ///     colours: mesh.colours(&Look::new(0)),
-///     triangles: mesh.triangles.clone(),
+///     triangles: mesh.triangles_of(&Look::new(0)),
 /// };
 /// let character = Character::new(&body)?;
 /// let person = character.person(Person::new(1, 7));

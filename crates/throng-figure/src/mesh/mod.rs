@@ -1,5 +1,6 @@
 //! The body: a mesh with weights for the joints of a skeleton.
 
+mod clothes;
 mod looks;
 mod tubes;
 
@@ -9,16 +10,16 @@ use crate::person::Build;
 use crate::pose::{JOINTS, Placed, Skeleton};
 use glam::{DVec3, Mat4, Vec3};
 
-/// How finely a body is modelled.
+/// How finely a body is modelled. Vertices are those of the body, and of what only some looks wear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Level {
-    /// 1104 vertices: files, and pictures closer than 8 m.
+    /// 1104 + 302 vertices: files, and pictures closer than 8 m.
     Fine,
-    /// 704 vertices: hundreds of people.
+    /// 704 + 218 vertices: hundreds of people.
     Medium,
-    /// 352 vertices: thousands of people.
+    /// 352 + 84 vertices: thousands of people.
     Coarse,
-    /// 128 vertices: people in the distance.
+    /// 128 + 34 vertices: people in the distance.
     Blocks,
 }
 
@@ -47,7 +48,8 @@ impl Level {
 
 /// A body of height 1 m in the pose of the skeleton at rest: scale it by the height of the person.
 ///
-/// All looks share the mesh and differ in the colours of its regions only.
+/// All looks share the mesh. They differ in the colours of its regions, and in which of the regions of clothes they wear:
+/// [`triangles_of`](Self::triangles_of) are the triangles of a look.
 ///
 /// ```
 /// use throng_figure::{Build, Level, Look, Mesh};
@@ -82,9 +84,21 @@ impl Mesh {
         mesh
     }
 
-    /// Returns the colour of each vertex with a look: red, green, blue (sRGB).
+    /// Returns the colour of each vertex with a look: red, green, blue (sRGB). What the look does not wear is black.
     pub fn colours(&self, look: &Look) -> Vec<[u8; 3]> {
-        self.regions.iter().map(|&region| look.colour(region)).collect()
+        self.regions.iter().map(|&region| look.colour(region).unwrap_or_default()).collect()
+    }
+
+    /// Returns the regions of the mesh that a look wears: looks that wear the same have the same triangles.
+    pub fn worn(&self, look: &Look) -> Vec<Region> {
+        let worn = |region: &Region| look.wears(*region) && self.regions.contains(region);
+        Region::ALL.into_iter().filter(worn).collect()
+    }
+
+    /// Returns the triangles of what a look wears, which are closed surfaces.
+    pub fn triangles_of(&self, look: &Look) -> Vec<[u32; 3]> {
+        let worn = |triangle: &&[u32; 3]| triangle.iter().all(|&vertex| look.wears(self.regions[vertex as usize]));
+        self.triangles.iter().filter(worn).copied().collect()
     }
 
     /// Returns the positions of the vertices in the world, m, by linear blend skinning.

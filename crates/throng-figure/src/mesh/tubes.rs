@@ -8,17 +8,26 @@ use glam::DVec3;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 /// An ellipse of a tube. Lengths are in heights of the person.
-struct Ring {
-    centre: DVec3,
+pub(super) struct Ring {
+    pub centre: DVec3,
     /// Half axes of the ellipse: the first to the left of the second, seen against the direction of the tube.
-    axes: [DVec3; 2],
-    region: Region,
-    /// How much of the lower half is left out of a sole: 0 for an ellipse.
-    flat: f64,
+    pub axes: [DVec3; 2],
+    pub region: Region,
+    pub form: Form,
+}
+
+/// The form of a ring.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Form {
+    Ellipse,
+    /// An ellipse without most of its lower half.
+    Sole,
+    /// A rectangle with round corners.
+    Box,
 }
 
 /// The levels at which a ring counts: all, all but blocks, the finest two, the finest.
-type Detail = u8;
+pub(super) type Detail = u8;
 
 /// Adds the body of a build.
 pub(super) fn add_body(mesh: &mut Mesh, build: Build, level: Level) {
@@ -35,26 +44,27 @@ pub(super) fn add_body(mesh: &mut Mesh, build: Build, level: Level) {
         body.leg(mesh, side);
         body.foot(mesh, side);
     }
+    body.clothes(mesh);
 }
 
-struct Body {
-    proportions: Proportions,
+pub(super) struct Body {
+    pub proportions: Proportions,
     skeleton: [DVec3; crate::pose::JOINTS],
-    build: Build,
-    level: Level,
+    pub build: Build,
+    pub level: Level,
 }
 
 impl Body {
-    fn joint(&self, joint: Joint) -> DVec3 {
+    pub fn joint(&self, joint: Joint) -> DVec3 {
         self.skeleton[joint.index()]
     }
 
     /// Whether a ring of this detail counts.
-    fn has(&self, detail: Detail) -> bool {
+    pub fn has(&self, detail: Detail) -> bool {
         self.level as u8 + detail <= 3
     }
 
-    fn sides(&self) -> usize {
+    pub fn sides(&self) -> usize {
         match self.level {
             Level::Fine => 12,
             Level::Medium => 8,
@@ -63,7 +73,8 @@ impl Body {
         }
     }
 
-    fn trunk(&self, mesh: &mut Mesh) {
+    /// Returns the rings of the trunk, from below, with the levels at which each counts.
+    pub fn trunk_rings(&self) -> [(Ring, Detail); 15] {
         use Region::{Skin, Top, Trousers};
         // factors of the widths of hips, waist, chest and shoulders
         let [hips, waist, chest, shoulders] = match self.build {
@@ -92,29 +103,36 @@ impl Body {
             (1.03, 0.031, 0.034, -0.008, Skin, 3),
             (1.20, 0.031, 0.034, 0.006, Skin, 0),
         ];
-        let rings = table
-            .iter()
-            .filter(|row| self.has(row.5))
-            .map(|&(share, width, depth, x, region, _)| Ring {
-                centre: DVec3::new(x, 0.0, base + share * (neck - base)),
-                axes: [DVec3::X * depth, DVec3::Y * width],
-                region,
-                flat: 0.0,
-            })
-            .collect();
+        table.map(|(share, width, depth, x, region, detail)| {
+            let centre = DVec3::new(x, 0.0, base + share * (neck - base));
+            (Ring { centre, axes: [DVec3::X * depth, DVec3::Y * width], region, form: Form::Ellipse }, detail)
+        })
+    }
+
+    /// Returns the joints and weights of the trunk at a height.
+    pub fn trunk_weights(&self, height: f64) -> ([u8; 4], [f32; 4]) {
         let bends = [
             (Joint::Spine, self.joint(Joint::Spine).z, 0.05),
             (Joint::Spine1, self.joint(Joint::Spine1).z, 0.05),
-            (Joint::Neck, neck, 0.025),
+            (Joint::Neck, self.joint(Joint::Neck).z, 0.025),
             (Joint::Head, self.joint(Joint::Head).z, 0.02),
         ];
-        add_tube(mesh, self.sides(), rings, |at| weights(Joint::Hips, &bends, at.z));
+        weights(Joint::Hips, &bends, height)
+    }
+
+    fn trunk(&self, mesh: &mut Mesh) {
+        let rings = self.trunk_rings().into_iter().filter(|(_, detail)| self.has(*detail)).map(|(ring, _)| ring);
+        add_tube(mesh, self.sides(), rings.collect(), |_, centre| self.trunk_weights(centre.z));
+    }
+
+    /// Returns the height of the chin, and that of the head above it.
+    pub fn face(&self) -> (f64, f64) {
+        let height = self.proportions.head * 1.06;
+        (1.0 - height, height)
     }
 
     fn head(&self, mesh: &mut Mesh) {
-        let top = 1.0;
-        let chin = top - self.proportions.head * 1.06;
-        let height = top - chin;
+        let (chin, height) = self.face();
         let size = height / 0.138;
         // share of the height from the chin, half width, half depth, offset forward
         let table: [(f64, f64, f64, f64, Detail); 11] = [
@@ -139,11 +157,11 @@ impl Body {
                 centre: DVec3::new(x + forward * size, 0.0, chin + share * height),
                 axes: [DVec3::X * depth * size, DVec3::Y * width * size],
                 region: Region::Skin,
-                flat: 0.0,
+                form: Form::Ellipse,
             })
             .collect();
         let first = mesh.positions.len();
-        add_tube(mesh, self.sides(), rings, |_| weights(Joint::Head, &[], 0.0));
+        add_tube(mesh, self.sides(), rings, |_, _| weights(Joint::Head, &[], 0.0));
         // hair: above a line that falls from the forehead to the nape
         for vertex in first..mesh.positions.len() {
             let position = mesh.positions[vertex].as_dvec3();
@@ -200,15 +218,14 @@ impl Body {
                 // the direction of the tube is `along`: the axes are ordered so that faces look outward
                 axes: [DVec3::X * (depth * thick), along.cross(DVec3::X) * (width * thick)],
                 region,
-                flat: 0.0,
+                form: Form::Ellipse,
             })
             .collect();
         let bends = [(arm, 0.0, 0.045), (forearm, upper, 0.035), (hand, upper + lower, 0.02)];
-        add_tube(mesh, self.sides().min(10), rings, |at| weights(Joint::Spine1, &bends, (at - start).dot(along)));
+        add_tube(mesh, self.sides().min(10), rings, |_, at| weights(Joint::Spine1, &bends, (at - start).dot(along)));
     }
 
     fn leg(&self, mesh: &mut Mesh, side: Side) {
-        use Region::Trousers;
         let [up_leg, leg, foot] = match side {
             Side::Left => [Joint::LeftUpLeg, Joint::LeftLeg, Joint::LeftFoot],
             Side::Right => [Joint::RightUpLeg, Joint::RightLeg, Joint::RightFoot],
@@ -232,18 +249,19 @@ impl Body {
             (thigh + shank - 0.004, 0.017, 0.020, 0.000, 0.000, 3),
         ];
         let wide = if self.build == Build::Woman { 1.04 } else { 1.0 };
+        let skirts = self.build != Build::Man;
         let rings = table
             .iter()
             .filter(|row| self.has(row.5))
             .map(|&(distance, width, depth, forward, outward, _)| Ring {
                 centre: start + DVec3::new(forward, side.sign() * outward, -distance),
                 axes: [DVec3::X * depth, DVec3::Y * (-width * if distance < thigh { wide } else { 1.0 })],
-                region: Trousers,
-                flat: 0.0,
+                region: if skirts && distance > thigh - 0.03 { Region::Shins } else { Region::Trousers },
+                form: Form::Ellipse,
             })
             .collect();
         let bends = [(up_leg, 0.012, 0.045), (leg, thigh, 0.04), (foot, thigh + shank, 0.015)];
-        add_tube(mesh, self.sides(), rings, |at| weights(Joint::Hips, &bends, start.z - at.z));
+        add_tube(mesh, self.sides(), rings, |_, at| weights(Joint::Hips, &bends, start.z - at.z));
     }
 
     fn foot(&self, mesh: &mut Mesh, side: Side) {
@@ -274,17 +292,17 @@ impl Body {
                 centre: DVec3::new(ankle.x + x, ankle.y, height * high / 2.0),
                 axes: [DVec3::Y * width, DVec3::Z * (height * high / 2.0)],
                 region: Region::Shoes,
-                flat: 0.6,
+                form: Form::Sole,
             })
             .collect();
         let bends = [(toes, ball, 0.014)];
-        add_tube(mesh, self.sides().min(8), rings, |at| weights(foot, &bends, at.x - ankle.x));
+        add_tube(mesh, self.sides().min(8), rings, |_, at| weights(foot, &bends, at.x - ankle.x));
     }
 }
 
 /// Returns the weights at a distance along bones. `bends` holds the joints after `first`: where they are, and over
 /// which distance to both sides the mesh bends.
-fn weights(first: Joint, bends: &[(Joint, f64, f64)], at: f64) -> ([u8; 4], [f32; 4]) {
+pub(super) fn weights(first: Joint, bends: &[(Joint, f64, f64)], at: f64) -> ([u8; 4], [f32; 4]) {
     let (mut before, mut after, mut share) = (first, first, 0.0);
     for &(joint, place, reach) in bends {
         let own = smooth((at - place + reach) / (2.0 * reach));
@@ -302,10 +320,16 @@ fn weights(first: Joint, bends: &[(Joint, f64, f64)], at: f64) -> ([u8; 4], [f32
     (numbers, [1.0 - share, share, 0.0, 0.0])
 }
 
-/// Adds a tube through rings, closed at both ends. `weigh` returns the joints and weights at a place.
-fn add_tube(mesh: &mut Mesh, sides: usize, rings: Vec<Ring>, weigh: impl Fn(DVec3) -> ([u8; 4], [f32; 4])) {
-    let mut add = |position: DVec3, region: Region, of: DVec3| {
-        let (joints, weights) = weigh(of);
+/// Adds a tube through rings, closed at both ends. `weigh` returns the joints and weights of a vertex, by its position and
+/// the centre of its ring.
+pub(super) fn add_tube(
+    mesh: &mut Mesh,
+    sides: usize,
+    rings: Vec<Ring>,
+    weigh: impl Fn(DVec3, DVec3) -> ([u8; 4], [f32; 4]),
+) {
+    let mut add = |position: DVec3, region: Region, centre: DVec3| {
+        let (joints, weights) = weigh(position, centre);
         mesh.positions.push(position.as_vec3());
         mesh.joints.push(joints);
         mesh.weights.push(weights);
@@ -319,8 +343,13 @@ fn add_tube(mesh: &mut Mesh, sides: usize, rings: Vec<Ring>, weigh: impl Fn(DVec
             let (sin, cos) = libm::sincos(angle);
             // a square has the area of the ellipse
             let size = if sides == 4 { 1.25 } else { 1.0 };
-            let up = if ring.flat > 0.0 { (sin * size * (1.0 + ring.flat)).clamp(-1.0, 1.0) } else { sin * size };
-            let index = add(ring.centre + ring.axes[0] * (cos * size) + ring.axes[1] * up, ring.region, ring.centre);
+            let squared = |part: f64| part.abs().sqrt().copysign(part);
+            let (out, up) = match ring.form {
+                Form::Ellipse => (cos * size, sin * size),
+                Form::Sole => (cos * size, (sin * size * 1.6).clamp(-1.0, 1.0)),
+                Form::Box => (squared(cos * size), squared(sin * size)),
+            };
+            let index = add(ring.centre + ring.axes[0] * out + ring.axes[1] * up, ring.region, ring.centre);
             if side == 0 {
                 starts.push(index);
             }

@@ -25,7 +25,7 @@ fn modelled(arms: f64, yaw: f64, at: DVec3) -> RestBody {
         numbers: mesh.joints.clone(),
         weights: mesh.weights.clone(),
         colours: mesh.colours(&Look::new(0)),
-        triangles: mesh.triangles.clone(),
+        triangles: mesh.triangles_of(&Look::new(0)),
     }
 }
 

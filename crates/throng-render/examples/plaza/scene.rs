@@ -93,8 +93,9 @@ fn people(view: &View, count: u64) -> Vec<(Mesh<'static>, DVec3)> {
         let figure = Figure::new(person.build, level);
         let (positions, normals) = figure.skinned(&skeleton, person.height, &skeleton.world(&pose), place);
         let color = |[r, g, b]: [u8; 3]| linear(u32::from_be_bytes([0, r, g, b]));
-        let colors: Vec<Vec3> = figure.colours(&Look::new(person.look)).into_iter().map(color).collect();
-        (Mesh::new(positions, normals, colors, Cow::from(figure.triangles)).expect("figures are whole"), place)
+        let look = Look::new(person.look);
+        let colors: Vec<Vec3> = figure.colours(&look).into_iter().map(color).collect();
+        (Mesh::new(positions, normals, colors, figure.triangles_of(&look)).expect("figures are whole"), place)
     };
     (0..count).map(figure).collect()
 }

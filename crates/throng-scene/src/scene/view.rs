@@ -81,6 +81,10 @@ pub enum AgentShape {
     Insect,
     /// A bird: it beats its wings to climb and to speed up, and glides down.
     Bird,
+    /// A car of the length and width of the body: its wheels roll, and the front wheels steer.
+    Car,
+    /// A robot on two wheels, which roll, with a visor that shows the heading.
+    Robot,
 }
 
 /// The camera of a view in perspective.

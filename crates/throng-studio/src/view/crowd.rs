@@ -4,11 +4,11 @@ use super::colors::Coloring;
 use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
-use super::people;
+use super::people::{self, PersonLook};
 use crate::play::{PosesBetween, RunMoment};
 use crate::settings::Settings;
 use std::sync::Arc;
-use throng_draw::{Color, Look, Trails};
+use throng_draw::{AgentShape, Look, Trails};
 use throng_record::Frame;
 
 /// The spacing of trail points, in radii of a body. It grows in proportion beyond `MANY` agents.
@@ -42,8 +42,8 @@ pub struct Crowd {
     /// The distance that each agent has moved, metres, by number.
     ways: Vec<(u32, f32)>,
     layers: [Arc<Geometry>; 2],
-    /// The colours of the tops of people, in the order of the poses, where they are not those of their looks.
-    tops: Vec<Option<Color>>,
+    /// How people are drawn, in the order of the poses.
+    looks: Vec<PersonLook>,
     key: Vec<Row>,
 }
 
@@ -72,10 +72,9 @@ impl Crowd {
         self.layers.clone()
     }
 
-    /// Returns the colours of the tops of people in a view in space, in the order of the poses. `None` is that of the
-    /// look.
-    pub fn tops(&self) -> &[Option<Color>] {
-        &self.tops
+    /// Returns how people are drawn in a view in space, in the order of the poses.
+    pub fn looks(&self) -> &[PersonLook] {
+        &self.looks
     }
 
     /// Returns the key of the agents' colours.
@@ -111,7 +110,7 @@ impl Crowd {
         let mut people = people::drawn(shown, settings, plan);
         // a single group needs no colour
         let plain = settings.coloring == Coloring::Group && shown.setting.groups.len() < 2;
-        self.tops.clear();
+        self.looks.clear();
         let mut gone = std::mem::take(&mut self.ways).into_iter().peekable();
         for (from, body) in pairs(shown) {
             // both lists are sorted by number
@@ -120,11 +119,18 @@ impl Crowd {
             let coat = look.coat(body);
             if let Some(((_, person), rest)) = people.split_first().filter(|((number, _), _)| *number == body.number) {
                 people = rest;
-                self.tops.push((!plain).then_some(coat.fill));
-                if settings.layers.shadows {
-                    agents.discs.push(Disc::shadow(from, &people::broad(body, person), coat, origin));
+                let own = look.form(body) == AgentShape::Body;
+                self.looks.push(match (own, plain) {
+                    (false, _) => PersonLook::Hidden,
+                    (true, true) => PersonLook::Own,
+                    (true, false) => PersonLook::Top(coat.fill),
+                });
+                if own {
+                    if settings.layers.shadows {
+                        agents.discs.push(Disc::shadow(from, &people::broad(body, person), coat, origin));
+                    }
+                    continue;
                 }
-                continue;
             }
             let Some(shape) = settings.marks.shape(body, look.form(body), plan) else {
                 agents.discs.push(Disc::agent(from, body, coat, origin));
@@ -140,7 +146,7 @@ impl Crowd {
             let own = 2.4 * body.number as f32;
             let phase = |time: f64, way: f32| own + shape.phase(time as f32, way, body.radius);
             let phases = [phase(shown.before.time, way - last), phase(shown.frame.time, way)];
-            agents.figures[shape as usize].push(Figure::new(from, body, phases, coat.fill, origin));
+            agents.figures[shape as usize].push(Figure::new(shape, [from, body], phases, coat.fill, origin));
         }
         if shown.setting.in_space {
             // from above, higher agents cover lower ones

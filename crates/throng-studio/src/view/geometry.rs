@@ -69,14 +69,14 @@ pub struct Figure {
 
 impl Figure {
     /// Creates the figure of an agent between two states. `phases` are the phases of its motion in both states.
-    pub fn new(before: &Body, now: &Body, phases: [f32; 2], fill: Color, origin: DVec2) -> Self {
+    pub fn new(shape: Shape, [before, now]: [&Body; 2], phases: [f32; 2], fill: Color, origin: DVec2) -> Self {
         let ahead =
             |body: &Body| body.basis.map_or_else(|| Vec2::from_angle(body.heading).extend(0.0), |basis| basis.forward);
         let at = |body: &Body, phase: f32| [pose(body, origin)[0], pose(body, origin)[1], body.altitude, phase];
         Self {
             before: at(before, phases[0]),
             now: at(now, phases[1]),
-            body: ahead(now).extend(now.radius).to_array(),
+            body: ahead(now).extend(shape.unit(now)).to_array(),
             look: now.basis.map_or(Vec3::Z, |basis| basis.up).extend(LEAST_FIGURE).to_array(),
             fill: paint(fill),
             turn: ahead(before).extend(0.0).to_array(),

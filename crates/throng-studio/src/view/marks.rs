@@ -18,7 +18,7 @@ pub enum Marks {
 
 impl Marks {
     /// All choices.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::Fitting,
         Self::Discs,
         Self::All(Shape::Arrow),
@@ -26,6 +26,8 @@ impl Marks {
         Self::All(Shape::Bird),
         Self::All(Shape::Insect),
         Self::All(Shape::Walker),
+        Self::All(Shape::Car),
+        Self::All(Shape::Robot),
     ];
 
     /// Returns the label.

@@ -243,7 +243,7 @@ impl ViewOptions {
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
         let marked = Arc::new(self.marked(shown, settings, plan, &theme));
         let unit = ui.ctx().pixels_per_point();
-        let seen = DrawnPeople::seen(shown, self.crowd.tops(), share, (projector, size, unit));
+        let seen = DrawnPeople::seen(shown, self.crowd.looks(), share, (projector, size, unit));
         let people = seen.filter(|_| settings.draws_people(plan));
         let people = Arc::new(Geometry { people, deep: true, ..Geometry::default() });
         let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, people, marked];

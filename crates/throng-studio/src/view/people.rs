@@ -29,6 +29,17 @@ pub struct DrawnPerson {
     pub top: [u8; 4],
 }
 
+/// How a person is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PersonLook {
+    /// In its own clothes.
+    Own,
+    /// With a top of this colour.
+    Top(Color),
+    /// Not at all: the scene gives the agent another shape.
+    Hidden,
+}
+
 /// The people of a view.
 #[derive(Clone, Debug)]
 pub struct DrawnPeople {
@@ -68,11 +79,10 @@ pub fn body(build: Build, level: Level) -> usize {
 }
 
 impl DrawnPeople {
-    /// Returns the people that are seen. `tops` are the colours of their tops, in the order of the poses; without a colour
-    /// a top has that of the look. `unit` is the number of pixels per point of the screen.
+    /// Returns the people that are seen. `looks` says how they are drawn, in the order of the poses. `unit` is the number of pixels per point of the screen.
     pub fn seen(
         shown: &RunMoment,
-        tops: &[Option<Color>],
+        looks: &[PersonLook],
         share: f32,
         (projector, size, unit): (&Projector, Vec2, f32),
     ) -> Option<Self> {
@@ -83,19 +93,22 @@ impl DrawnPeople {
         let mut bodies: [Vec<DrawnPerson>; BODIES] = Default::default();
         let mut before = 0;
         let mut moving = shown.frame.bodies.iter();
-        for (now, ((number, person), top)) in poses[1].people.iter().zip(tops).enumerate() {
+        for (now, ((number, person), look)) in poses[1].people.iter().zip(looks).enumerate() {
             // all lists are sorted by number
             let known = &poses[0].people;
             before += known[before..].iter().take_while(|(other, _)| other < number).count();
             let had = known.get(before).is_some_and(|(other, _)| other == number);
             let Some(agent) = moving.find(|body| body.number == *number) else { break };
             let middle = agent.position.extend(0.5 * person.height);
+            let top = match look {
+                PersonLook::Hidden => continue,
+                PersonLook::Own => [0; 4],
+                PersonLook::Top(color) => paint(*color),
+            };
             let Some(height) = seen(projector, size, middle, person.height) else { continue };
             let before = if had { before as f32 } else { -1.0 };
-            bodies[body(person.build, Level::for_height((height * unit).into()))].push(DrawnPerson {
-                slots: [before, now as f32, person.look.into(), 0.0],
-                top: top.map_or([0; 4], paint),
-            });
+            bodies[body(person.build, Level::for_height((height * unit).into()))]
+                .push(DrawnPerson { slots: [before, now as f32, person.look.into(), 0.0], top });
         }
         Some(Self { poses, share: at - part as f32, bodies })
     }
@@ -167,13 +180,15 @@ mod tests {
         {
             // 10 m away, `focal` / 10 pixels are a metre
             let projector = view(person.position.extend(0.9), 10.0, focal);
-            let tops = vec![Some(Color::rgb(0x123456)); 36];
-            let people = DrawnPeople::seen(&shown, &tops, 0.25, (&projector, SIZE, 1.0)).unwrap();
+            let looks = vec![PersonLook::Top(Color::rgb(0x123456)); 36];
+            let people = DrawnPeople::seen(&shown, &looks, 0.25, (&projector, SIZE, 1.0)).unwrap();
             let drawn: Vec<_> = people.bodies.iter().flatten().filter(|drawn| drawn.slots[1] == 5.0).collect();
             assert_eq!(drawn.len(), 1);
             assert_eq!((drawn[0].slots, drawn[0].top), ([5.0, 5.0, own.look.into(), 0.0], [0x12, 0x34, 0x56, 255]));
             assert!(people.bodies[body(own.build, expected)].contains(drawn[0]), "{focal}");
             assert_eq!(people.share, 0.25);
+            let hidden = DrawnPeople::seen(&shown, &[PersonLook::Hidden; 36], 0.25, (&projector, SIZE, 1.0)).unwrap();
+            assert!(hidden.bodies.iter().all(Vec::is_empty));
         }
     }
 
@@ -181,7 +196,7 @@ mod tests {
     fn people_outside_of_the_view_and_at_the_eye_are_not_drawn() {
         let shown = shown();
         let count = |projector: &Projector| {
-            let people = DrawnPeople::seen(&shown, &[None; 36], 1.0, (projector, SIZE, 1.0)).unwrap();
+            let people = DrawnPeople::seen(&shown, &[PersonLook::Own; 36], 1.0, (projector, SIZE, 1.0)).unwrap();
             people.bodies.iter().flatten().count()
         };
         let all = view(DVec3::ZERO, 60.0, 600.0);
@@ -191,7 +206,7 @@ mod tests {
         // from the head of an agent
         let head = shown.frame.bodies[3].position.extend(1.6);
         let inside = Projector::Perspective(Lens::new(head, head + DVec3::X, 600.0, SIZE * 0.5, 1.0));
-        let people = DrawnPeople::seen(&shown, &[None; 36], 1.0, (&inside, SIZE, 1.0)).unwrap();
+        let people = DrawnPeople::seen(&shown, &[PersonLook::Own; 36], 1.0, (&inside, SIZE, 1.0)).unwrap();
         assert!(people.bodies.iter().flatten().all(|drawn| drawn.slots[1] != 3.0));
     }
 

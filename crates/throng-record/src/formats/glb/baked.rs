@@ -37,8 +37,9 @@ pub struct Baked {
     pub parents: Vec<i32>,
     /// The bodies.
     pub bodies: Vec<BakedBody>,
-    /// The colours of the regions, which the vertex attribute `_REGION` counts, by look: linear red, green, blue.
-    pub looks: Vec<Vec<[f32; 3]>>,
+    /// The colours of the regions, which the vertex attribute `_REGION` counts, by look: linear red, green, blue; none for a
+    /// region that the look does not wear.
+    pub looks: Vec<Vec<Option<[f32; 3]>>>,
     /// The buffer view of the positions of the hips, and that of the rotations of all joints, pose by pose.
     pub hips: usize,
     pub rotations: usize,
@@ -129,7 +130,8 @@ impl Poses {
             return Ok(());
         }
         let bodies = self.bodies.into_iter().map(|build| body(root, bin, build)).collect::<io::Result<_>>()?;
-        let colours = |look| Region::ALL.map(|region| Look::new(look).colour(region).map(light)).to_vec();
+        let colours =
+            |look| Region::ALL.map(|region| Look::new(look).colour(region).map(|rgb| rgb.map(light))).to_vec();
         let baked = Baked {
             joints: Joint::ALL.map(|joint| joint.name().to_owned()).to_vec(),
             parents: Joint::ALL.map(|joint| joint.parent().map_or(-1, |parent| parent.index() as i32)).to_vec(),

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::io;
 use std::sync::Arc;
-use throng_figure::{Build, Character, Joint, Level, Look, Mesh, Pose, Skeleton, Walk};
+use throng_figure::{Build, Character, Joint, Level, Look, Mesh, Pose, Region, Skeleton, Walk};
 
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
@@ -24,8 +24,10 @@ const TURN: f64 = 3.5e-3;
 /// The skins of a file.
 #[derive(Default)]
 pub struct Skins {
-    /// The shapes of the bodies: accessors of the attributes, of the triangles, and of the inverse bind matrices.
+    /// The shapes of the bodies: accessors of the attributes, and of the inverse bind matrices.
     shapes: BTreeMap<usize, Shape>,
+    /// The triangles, by body and by the regions that looks wear.
+    triangles: BTreeMap<(usize, Vec<Region>), usize>,
     /// The meshes, by body and look.
     meshes: BTreeMap<(usize, u8), usize>,
     /// The bodies from files; their numbers follow those of the builds.
@@ -35,7 +37,6 @@ pub struct Skins {
 
 struct Shape {
     attributes: serde_json::Value,
-    triangles: usize,
     binds: usize,
     mesh: Mesh,
 }
@@ -75,6 +76,22 @@ impl<'a> Figure<'a> {
         match self {
             Self::Build(build, _) => Mesh::new(build, Level::Fine),
             Self::Character(_, character) => character.mesh().clone(),
+        }
+    }
+
+    /// Returns the regions of a mesh of this body that are worn.
+    fn worn(self, mesh: &Mesh) -> Vec<Region> {
+        match self {
+            Self::Build(_, look) => mesh.worn(&Look::new(look)),
+            Self::Character(..) => Vec::new(),
+        }
+    }
+
+    /// Returns the triangles of what is worn of a mesh of this body.
+    fn triangles(self, mesh: &Mesh) -> Cow<'_, [[u32; 3]]> {
+        match self {
+            Self::Build(_, look) => mesh.triangles_of(&Look::new(look)).into(),
+            Self::Character(..) => (&mesh.triangles[..]).into(),
         }
     }
 
@@ -171,13 +188,20 @@ impl Skins {
             }));
             root.materials.len() - 1
         });
+        let triangles = match self.triangles.entry((body, figure.worn(&shape.mesh))) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                bin.view(Some(TRIANGLES))?;
+                *new.insert(bin.triangles(&figure.triangles(&shape.mesh))?)
+            }
+        };
         let colors: Vec<[u8; 4]> = figure.colours(&shape.mesh).iter().copied().map(linear).collect();
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
         // what follows is no data of vertices
         bin.view(None)?;
-        let primitive = json!({ "attributes": attributes, "indices": shape.triangles, "material": material });
+        let primitive = json!({ "attributes": attributes, "indices": triangles, "material": material });
         let mesh = root.meshes.len();
         root.meshes.push(json!({ "name": figure.name(), "primitives": [primitive] }));
         self.meshes.insert((body, look), mesh);
@@ -189,11 +213,9 @@ impl Shape {
     fn new(bin: &mut Bin, figure: Figure) -> io::Result<Self> {
         let mesh = figure.mesh();
         let attributes = vertices(bin, &mesh)?;
-        bin.view(Some(TRIANGLES))?;
-        let triangles = bin.triangles(&mesh.triangles)?;
         bin.view(None)?;
         let binds = bin.matrices(&figure.skeleton().inverse_bind_matrices().map(axes::own_matrix))?;
-        Ok(Self { attributes, triangles, binds, mesh })
+        Ok(Self { attributes, binds, mesh })
     }
 }
 

@@ -9,7 +9,7 @@ use crate::formats::spill::SpilledState;
 use glam::{DQuat, DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use throng_figure::{Build, JOINTS, Joint, Level, Look, Mesh, Person, Pose, Skeleton, Walk};
+use throng_figure::{Build, JOINTS, Joint, Level, Look, Mesh, Person, Pose, Region, Skeleton, Walk};
 
 /// The paths of the bodies and of their material.
 const BODIES: &str = "/World/People/Bodies";
@@ -36,13 +36,22 @@ pub fn bodies(people: &[Person]) -> String {
         text.push_str(&indented(&body(build, known, &mesh), "        "));
         looks.sort_unstable();
         looks.dedup();
-        for look in looks {
+        // looks that wear the same share the triangles
+        let mut cuts: Vec<Vec<Region>> = Vec::new();
+        for number in looks {
+            let look = Look::new(number);
+            let worn = mesh.worn(&look);
+            let cut = cuts.iter().position(|known| *known == worn).unwrap_or_else(|| {
+                cuts.push(worn);
+                text.push_str(&indented(&faces(build, cuts.len() - 1, &mesh.triangles_of(&look)), "        "));
+                cuts.len() - 1
+            });
             let color = |out: &mut String, [r, g, b]: [u8; 3]| tuple(out, [r, g, b].map(|c| light(c).into()), SHADE);
-            let colors = list(mesh.colours(&Look::new(look)).into_iter(), color);
+            let colors = list(mesh.colours(&look).into_iter(), color);
             let dressed = format!(
                 "
-def SkelRoot \"{build}_{look}\" (
-    prepend references = <{BODIES}/{build}>
+def SkelRoot \"{build}_{number}\" (
+    prepend references = <{BODIES}/{build}_cut_{cut}>
 )
 {{
     over \"Body\"
@@ -88,7 +97,27 @@ def Material \"Look\"
     )
 }
 
-/// Returns the skeleton and the mesh of a build, in the pose at rest, with the hips at the origin and a height of 1 m.
+/// Returns a body of a build with the triangles of what some looks wear.
+fn faces(build: &str, cut: usize, triangles: &[[u32; 3]]) -> String {
+    let corners = list(triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()));
+    let counts = list(triangles.iter(), |out, _| out.push('3'));
+    format!(
+        "
+def SkelRoot \"{build}_cut_{cut}\" (
+    prepend references = <{BODIES}/{build}>
+)
+{{
+    over \"Body\"
+    {{
+        int[] faceVertexCounts = {counts}
+        int[] faceVertexIndices = {corners}
+    }}
+}}
+"
+    )
+}
+
+/// Returns the skeleton and the vertices of a build, in the pose at rest, with the hips at the origin and a height of 1 m.
 fn body(name: &str, build: Build, mesh: &Mesh) -> String {
     let skeleton = Skeleton::scaled(build, 1.0);
     let rest = skeleton.world(&skeleton.rest()).map(|joint| joint.position);
@@ -104,10 +133,8 @@ fn body(name: &str, build: Build, mesh: &Mesh) -> String {
     let points = || mesh.positions.iter().map(|&point| (point.as_dvec3() - hips).as_vec3());
     let within = |of: fn(Vec3, Vec3) -> Vec3| points().reduce(of).unwrap_or_default();
     let extent = list([within(Vec3::min), within(Vec3::max)].into_iter(), vector(PLACE));
-    let whole = |out: &mut String, at: u32| out.push_str(&at.to_string());
-    let corners = list(mesh.triangles.iter().flatten().copied(), whole);
-    let counts = list(mesh.triangles.iter(), |out, _| out.push('3'));
-    let numbers = list(mesh.joints.iter().flat_map(|of| &of[..JOINTS_OF_VERTEX]), |out, &at| whole(out, at.into()));
+    let whole = |out: &mut String, at: &u8| out.push_str(&at.to_string());
+    let numbers = list(mesh.joints.iter().flat_map(|of| &of[..JOINTS_OF_VERTEX]), whole);
     let parts = |weights: &[f32; 4]| {
         let first = (f64::from(weights[0]) * 1e3).round() / 1e3;
         [first, ((1.0 - first) * 1e3).round() / 1e3]
@@ -131,8 +158,6 @@ def SkelRoot \"{name}\"
     )
     {{
         float3[] extent = {extent}
-        int[] faceVertexCounts = {counts}
-        int[] faceVertexIndices = {corners}
         normal3f[] normals = {normals} (
             interpolation = \"vertex\"
         )

@@ -35,18 +35,13 @@ struct BodyVertex {
 
 impl PeopleCanvas {
     pub fn new(gl: &glow::Context) -> Result<Self, String> {
-        let (top, sleeves) = (Region::Top as i32, Region::Sleeves as i32);
         let sizes = format!(
-            "const int JOINTS = {JOINTS};\nconst int LOOKS = {LOOKS};\nconst int REGIONS = {};\nconst int TOP = {top};\n\
-             const int SLEEVES = {sleeves};\n",
+            "const int JOINTS = {JOINTS};\nconst int LOOKS = {LOOKS};\nconst int REGIONS = {};\n",
             Region::ALL.len()
         );
         let vertex = sizes + include_str!("shaders/person.vert");
         let program = Program::new(gl, &vertex, include_str!("shaders/person.frag"))?;
-        let color =
-            |look: u8| Region::ALL.map(|region| Look::new(look).colour(region).map(|part| f32::from(part) / 255.0));
-        let palette: Vec<f32> = (0..LOOKS).flat_map(color).flatten().collect();
-        program.set_vectors(gl, "palette", &palette);
+        program.set_fours(gl, "palette", palette().as_flattened());
         for (name, value) in [("poses_before", 0), ("poses_now", 1), ("in_row", IN_ROW as i32)] {
             program.set_integer(gl, name, value);
         }
@@ -96,6 +91,16 @@ impl PeopleCanvas {
         self.bodies.iter().for_each(|buffer| buffer.destroy(gl));
         self.poses.iter().for_each(|texture| texture.destroy(gl));
     }
+}
+
+/// Returns the colours of the regions of all looks, with what a region is: 0: not worn, 1: worn, 2: of the colour of the
+/// top.
+fn palette() -> Vec<[f32; 4]> {
+    let entry = |look: Look, region| {
+        let [r, g, b] = look.colour(region).unwrap_or_default().map(|part| f32::from(part) / 255.0);
+        [r, g, b, if look.is_top(region) { 2.0 } else { u8::from(look.wears(region)).into() }]
+    };
+    (0..LOOKS).map(Look::new).flat_map(|look| Region::ALL.map(|region| entry(look, region))).collect()
 }
 
 /// Uploads the vertices and triangles of a body.

@@ -122,12 +122,12 @@ impl Program {
         }
     }
 
-    /// Sets a uniform array of vectors with three numbers each.
-    pub fn set_vectors(&self, gl: &glow::Context, name: &str, values: &[f32]) {
+    /// Sets a uniform array of vectors with four numbers each.
+    pub fn set_fours(&self, gl: &glow::Context, name: &str, values: &[f32]) {
         // SAFETY: as in `light`; the numbers are copied during the call.
         unsafe {
             gl.use_program(Some(self.program));
-            gl.uniform_3_f32_slice(gl.get_uniform_location(self.program, name).as_ref(), values);
+            gl.uniform_4_f32_slice(gl.get_uniform_location(self.program, name).as_ref(), values);
         }
     }
 

@@ -10,8 +10,8 @@ uniform highp sampler2D poses_before;
 uniform highp sampler2D poses_now;
 // People in a row of the pictures.
 uniform int in_row;
-// Colours of the regions of each look.
-uniform vec3 palette[LOOKS * REGIONS];
+// Colours of the regions of each look, with what a region is: 0: not worn, 1: worn, 2: of the colour of the top.
+uniform vec4 palette[LOOKS * REGIONS];
 flat out vec4 paint;
 out vec3 side;
 out float height;
@@ -36,8 +36,8 @@ void main() {
     vec3 world = vec4(at, 1.0) * moved;
     side = vec4(normal, 0.0) * moved;
     height = world.z;
-    int region = int(bones.w);
-    paint = vec4(palette[int(slots.z) * REGIONS + region], 1.0);
-    if (fill.a > 0.0 && (region == TOP || region == SLEEVES)) paint.rgb = fill.rgb;
-    gl_Position = clip * vec4(world, 1.0);
+    vec4 entry = palette[int(slots.z) * REGIONS + int(bones.w)];
+    paint = vec4(fill.a > 0.0 && entry.a > 1.5 ? fill.rgb : entry.rgb, 1.0);
+    // what is not worn is beyond the view
+    gl_Position = entry.a > 0.5 ? clip * vec4(world, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }
