@@ -64,7 +64,7 @@ impl Body {
             region,
             form: Form::Ellipse,
         };
-        let (hips, thigh) = (self.joint(Joint::Hips), self.proportions.thigh);
+        let (hips, thigh) = (self.joint(Joint::Hips), self.proportions.legs.thigh);
         let lower = below.iter().rev().filter(|row| self.has(row.3)).map(|&(share, width, depth, _)| {
             ring(DVec3::new(hips.x - 0.002, 0.0, hips.z - share * thigh), width, depth)
         });

@@ -167,9 +167,9 @@ impl Spill {
 }
 
 impl Spill {
-    /// Adds moments, so that people who walk have poses often enough for their feet to stay where they are: at least 50 a
-    /// second where there were fewer than 25. Agents that are there before and after are interpolated. Gaps of more than
-    /// two seconds stay.
+    /// Adds moments, so that people have poses often enough for their feet to stay where they are: at least 50 a second
+    /// where there were fewer than 25. Agents that are there before and after are interpolated. Gaps of more than two
+    /// seconds stay.
     ///
     /// # Errors
     /// A system error, such as a full disk.
