@@ -1,7 +1,6 @@
 //! A plaza with walls, glass, benches and walking people.
 
 use glam::{DVec2, DVec3, Mat3, Vec2, Vec3};
-use std::borrow::Cow;
 use throng_figure::{Level, Look, Mesh as Figure, Person, Sample, Skeleton, Walk};
 use throng_render::{Area, Body, Line, LineEnd, Material, Mesh, Scene, View, linear};
 
