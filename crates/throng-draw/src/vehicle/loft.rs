@@ -134,7 +134,7 @@ pub(super) fn rounded(
     };
     let corner = |k: usize| {
         // the first and the third corner are followed by a side along x
-        let inner = if k % 2 == 0 { along } else { 1 };
+        let inner = if k.is_multiple_of(2) { along } else { 1 };
         let (end, next) = (on(k, corners), on(k + 1, 0));
         let side = (1..inner).map(move |part| end.lerp(next, part as f32 / inner as f32));
         (0..=corners).map(move |part| on(k, part)).chain(side)

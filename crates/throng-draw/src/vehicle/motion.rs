@@ -147,8 +147,8 @@ mod tests {
             let inner = (2.6 / (radius - 0.75)).atan();
             let outer = (2.6 / (radius + 0.75)).atan();
             let expected = if sign > 0.0 { [inner, outer] } else { [-outer, -inner] };
-            for k in 0..2 {
-                near(drive.steered[k], expected[k], 0.01);
+            for (steered, expected) in drive.steered.into_iter().zip(expected) {
+                near(steered, expected, 0.01);
             }
             // the wheel on the inside rolls less
             let way = 19.9f32;
