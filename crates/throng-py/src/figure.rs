@@ -52,8 +52,9 @@ pub fn regions() -> Vec<&'static str> {
 
 /// Returns the numbers of the regions that a look wears.
 #[pyfunction]
-pub fn look_worn(look: u8) -> Vec<u8> {
-    Look::new(look).worn().into_iter().map(|region| region as u8).collect()
+pub fn look_worn(look: u8) -> Vec<u32> {
+    // a vector of u8 becomes `bytes` in Python
+    Look::new(look).worn().into_iter().map(|region| region as u32).collect()
 }
 
 /// Returns the colours of a look, a row for each region (sRGB, 0 to 255); black for what it does not wear.

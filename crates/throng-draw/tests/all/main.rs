@@ -5,6 +5,7 @@ mod common;
 mod figures;
 mod films;
 mod flows;
+mod framing;
 mod insects;
 mod people;
 mod pictures;
