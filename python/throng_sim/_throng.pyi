@@ -28,6 +28,7 @@ __all__ = [
     "mesh",
     "models",
     "palette",
+    "regions",
     "schema",
     "skeleton",
 ]
