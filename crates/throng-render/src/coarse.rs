@@ -49,17 +49,9 @@ impl Coarse {
         if cells.iter().all(|&cell| values[cell] == first) {
             return first;
         }
-        let like = Like::new(front);
-        let (mut sum, mut weights) = (0.0, 0.0);
-        for cell in cells {
-            let weight = like.share(&self.fronts.all[cell]);
-            sum += weight * values[cell];
-            weights += weight;
-        }
-        if weights > 0.0 {
-            return sum / weights;
-        }
-        let apart = |cell: &usize| (self.fronts.all[*cell].near - front.near).abs();
-        cells.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or(first, |cell| values[cell])
+        self.fronts.mean(values, cells, front).unwrap_or_else(|| {
+            let apart = |cell: &usize| (self.fronts.all[*cell].near - front.near).abs();
+            cells.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).map_or(first, |cell| values[cell])
+        })
     }
 }

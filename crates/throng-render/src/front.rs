@@ -22,6 +22,20 @@ pub(crate) struct Fronts {
     pub width: usize,
 }
 
+impl Fronts {
+    /// Returns the mean of the values of the `cells` that see the same surface as `front`; `None` if none does.
+    pub fn mean(&self, values: &[f32], cells: impl IntoIterator<Item = usize>, front: &Front) -> Option<f32> {
+        let like = Like::new(front);
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for cell in cells {
+            let weight = like.share(&self.all[cell]);
+            sum += weight * values[cell];
+            weights += weight;
+        }
+        (weights > 0.0).then(|| sum / weights)
+    }
+}
+
 impl Front {
     /// The sky.
     pub const SKY: Self = Self { near: 0.0, normal: Vec3::ZERO };
@@ -115,16 +129,7 @@ fn blurred_along(values: &[f32], fronts: &Fronts, vertical: bool) -> Vec<f32> {
                 if cells.clone().all(|cell| values[cell] == *out) {
                     continue;
                 }
-                let like = Like::new(&fronts.all[here]);
-                let (mut sum, mut weights) = (0.0, 0.0);
-                for cell in cells {
-                    let weight = like.share(&fronts.all[cell]);
-                    sum += weight * values[cell];
-                    weights += weight;
-                }
-                if weights > 0.0 {
-                    *out = sum / weights;
-                }
+                *out = fronts.mean(values, cells, &fronts.all[here]).unwrap_or(*out);
             }
         }
     });

@@ -82,8 +82,8 @@ impl Material {
         Self { gloss: 1.0, opacity: 0.16, ..Self::plain(linear(0xb7d3cd)) }
     }
 
-    /// Returns the share of the colour that a place of a surface reflects. The normal may have any length. `footprint` is the width of a pixel on the
-    /// surface, metres: what is finer is left out.
+    /// Returns the share of the colour that a place of a surface reflects. The normal may have any length. `footprint` is
+    /// the width of a pixel on the surface, metres: what is finer is left out.
     pub(crate) fn shade(&self, place: Vec3, normal: Vec3, footprint: f32) -> f32 {
         match self.pattern {
             Pattern::Plain => 1.0,
