@@ -45,12 +45,16 @@ fn drawn(kind: throng_scene::Annotation) -> Annotation {
         Named::Neighbourhoods => Annotation::Neighbourhoods,
         Named::Trails => Annotation::Trails,
         Named::Paths => Annotation::Paths,
+        Named::VelocityObstacles => Annotation::VelocityObstacles,
+        Named::Constructions => Annotation::Constructions,
         Named::Feelers => Annotation::Feelers,
+        Named::Flow => Annotation::Flow,
         Named::Predictions => Annotation::Predictions,
         Named::Targets => Annotation::Targets,
         Named::Threats => Annotation::Threats,
         Named::Preferred => Annotation::Preferred,
         Named::Velocity => Annotation::Velocity,
+        Named::Terms => Annotation::Terms,
         Named::Force => Annotation::Force,
     }
 }

@@ -15,7 +15,7 @@ use throng::World;
 use throng_bench::clock::process_time;
 use throng_draw::Style;
 use throng_draw::record::Plan;
-use throng_record::moment;
+use throng_record::{Frame, moment};
 use throng_scene::{Expect, Expectations};
 
 /// Runs a scene, writes its files and its summary, and checks its `[expect]`.
@@ -65,6 +65,11 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
         note(&built.notes);
     }
     let annotations = args.annotate.annotations(scene);
+    let explained = annotations.explained();
+    let capture = |world: &World, frame: &mut Frame| {
+        moment::capture(world, frame);
+        moment::explain(world, &explained, frame);
+    };
     if !args.no_files {
         world.request_traces(annotations.asked());
     }
@@ -99,18 +104,18 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     // The first step plans the ways of all agents, which can take long.
     show(&world);
     swarms.push(&world, step);
-    files.push(0.0, step, |frame| moment::capture(&world, frame))?;
+    files.push(0.0, step, |frame| capture(&world, frame))?;
     while !scene.time.over(&world) && !interrupt::asked() {
         let start = Instant::now();
         world.step();
         stepping += start.elapsed();
-        files.push(world.time(), step, |frame| moment::capture(&world, frame))?;
+        files.push(world.time(), step, |frame| capture(&world, frame))?;
         watch.step(&world);
         swarms.push(&world, step);
         show(&world);
     }
     progress.done();
-    files.finish(world.time(), |frame| moment::capture(&world, frame))?;
+    files.finish(world.time(), |frame| capture(&world, frame))?;
     Ok(Report {
         scene: name.clone(),
         verdict: watch.verdict(&world),

@@ -74,6 +74,15 @@ impl Trails {
 }
 
 impl AgentTrail {
+    /// Returns the whole seconds within the trail and the places at these times.
+    pub(crate) fn seconds(&self) -> impl Iterator<Item = (i64, DVec3)> {
+        let pairs = self.points.iter().zip(self.points.iter().skip(1));
+        pairs.flat_map(|(&(from, a), &(to, b))| {
+            let within = (from.floor() as i64 + 1)..=(to.floor() as i64);
+            within.map(move |second| (second, a.lerp(b, (second as f64 - from) / (to - from))))
+        })
+    }
+
     /// Returns the trail as it looks at `now` if it fades within `seconds`: positions from the oldest to the newest,
     /// half the width (metres), and the opacity.
     pub fn fading(&self, now: f64, seconds: f64) -> impl Iterator<Item = (DVec3, f32, f32)> {

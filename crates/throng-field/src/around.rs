@@ -5,7 +5,7 @@ use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::field::{FactorMap, Field};
+use throng::field::{FactorMap, Field, FieldSpine};
 use throng::parameters::parameters;
 use throng::space::{NearWalls, Place, Walls};
 
@@ -103,6 +103,10 @@ impl Field for AroundWalls {
 
     fn cover(&self) -> Option<Arc<dyn FactorMap>> {
         self.field.cover()
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        self.field.spine()
     }
 }
 

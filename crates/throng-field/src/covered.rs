@@ -3,7 +3,7 @@
 use glam::{DVec2, Vec2, Vec3};
 use std::fmt;
 use std::sync::Arc;
-use throng::field::{Adaptive, FactorMap, Field};
+use throng::field::{Adaptive, FactorMap, Field, FieldSpine};
 
 /// A field with another cover: the velocities of a field, and how much it counts at each place.
 ///
@@ -40,6 +40,10 @@ impl Field for Covered {
 
     fn cover(&self) -> Option<Arc<dyn FactorMap>> {
         Some(self.cover.clone())
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        self.field.spine()
     }
 }
 

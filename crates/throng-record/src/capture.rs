@@ -50,6 +50,7 @@ impl Frame {
         self.total = counts.agents;
         self.standing = world.standing();
         self.accounts.clear();
+        self.explanations.clear();
         self.accounts.extend_from_slice(world.relative_traces());
         let body = |row: usize| Body {
             number: agents.number[row],

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use throng::motion::Basis;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Bounds, SeenFrom, Surface};
-use throng::{Goal, Obstacle, Status, Trace, Walkable};
+use throng::{Explanation, Goal, Obstacle, Status, Trace, Walkable};
 use throng_figure::Character;
 
 /// The constant part of a recording: the place and the names.
@@ -80,6 +80,8 @@ pub struct Frame {
     /// Traces of the agents for which [a trace was requested](throng::World::request_traces), by number; positions are relative to
     /// [`Setting::origin`].
     pub accounts: Vec<Trace>,
+    /// What the local models permit and forbid agents ([`moment::explain`](crate::moment::explain)), by number.
+    pub explanations: Vec<Explanation>,
     /// Number of agents at the end of their journeys, including removed agents.
     pub arrived: usize,
     /// Number of all agents: present, removed, and yet to come.

@@ -3,8 +3,8 @@
 use crate::{Flow, Frame, Setting, Shell};
 use glam::DVec2;
 use std::sync::Arc;
-use throng::World;
 use throng::space::surface::{Barrier, Bounds, Surface};
+use throng::{TraceRequest, World};
 use throng_figure::Character;
 use throng_scene::{Built, Error, Scene};
 
@@ -91,4 +91,9 @@ pub fn capture(world: &World, frame: &mut Frame) {
     for body in &mut frame.bodies {
         body.group = body.group.saturating_sub(1);
     }
+}
+
+/// Adds what the local models permit and forbid these agents in the next sub-step ([`World::explain_all`]) to a frame.
+pub fn explain(world: &World, agents: &TraceRequest, frame: &mut Frame) {
+    frame.explanations = world.explain_all(agents);
 }

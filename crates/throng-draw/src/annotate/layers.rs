@@ -1,30 +1,33 @@
 //! Turns the traces of agents into lines, with one layer for each kind of annotation.
 
 use super::pen::AnnotationPen;
-use super::{Annotation, Annotations};
+use super::{Annotation, Annotations, constructions, obstacles};
 use crate::plan::middle;
 use crate::primitive::Primitive;
 use crate::{Look, Painter, Projector, Theme, Trails};
 use glam::{DVec2, DVec3, Vec3};
-use std::f32::consts::PI;
 use throng::Trace;
-use throng::motion::Basis;
 use throng::steer::SteeringReason;
 use throng_record::{Body, Frame};
 
+/// The number of seconds between long ticks on trails.
+const LONG: i64 = 5;
 /// The duration of motion that arrows of velocities show (seconds), and the factor of accelerations (seconds²).
 const WAY: f64 = 0.5;
 const PUSH: f64 = 0.25;
-/// The number of segments of a circle.
-const ROUND: usize = 48;
 /// With more annotated agents than this, lines are thinner and paler.
 const MANY: usize = 24;
+/// Up to this number of annotated agents, lines are strong enough for a slide.
+const FEW: usize = 4;
+/// The factor on the widths of lines and the sizes of marks of few agents, and of many agents.
+const STRONG: f32 = 1.6;
+const THIN: f32 = 0.7;
 
 /// An annotated agent.
-struct Annotated<'a> {
-    body: &'a Body,
+pub(super) struct Annotated<'a> {
+    pub body: &'a Body,
     /// The middle of the body, where lines begin.
-    at: DVec3,
+    pub at: DVec3,
     account: Option<&'a Trace>,
 }
 
@@ -89,23 +92,46 @@ impl Annotator<'_> {
             .map(|body| Annotated { body, at: middle(body), account: account(body.number) })
             .collect();
         let strength = if agents.len() > MANY { 0.55 } else { 0.9 };
+        let size = match agents.len() {
+            ..=FEW => STRONG,
+            n if n > MANY => THIN,
+            _ => 1.0,
+        };
         let mut marks = Vec::new();
         for kind in Annotation::ALL.into_iter().filter(|kind| wanted.kinds.contains(kind)) {
             let color = kind.color(self.theme);
             let mut pen = AnnotationPen {
                 projector: &self.projector,
-                unit: self.unit,
+                unit: self.unit * size,
                 color: color.alpha(strength * f32::from(color.a) / 255.0),
-                width: kind.width() * if agents.len() > MANY { 0.7 } else { 1.0 },
+                width: kind.width(),
                 dashed: kind.is_dashed(),
                 marks: &mut marks,
             };
-            agents.iter().for_each(|agent| self.annotate(kind, agent, frame, &mut pen));
+            // agents on the same path share its stretches
+            let mut stretches: Vec<SteeringReason> = Vec::new();
+            for agent in &agents {
+                let mut reasons = agent.reasons(kind);
+                reasons.retain(|reason| {
+                    let shared = matches!(reason, SteeringReason::Stretch { .. });
+                    let drawn = shared && stretches.contains(reason);
+                    stretches.extend((shared && !drawn).then_some(*reason));
+                    !drawn
+                });
+                self.annotate(kind, agent, &reasons, frame, &mut pen);
+            }
         }
         marks
     }
 
-    fn annotate(&self, kind: Annotation, agent: &Annotated<'_>, frame: &Frame, pen: &mut AnnotationPen<'_>) {
+    fn annotate(
+        &self,
+        kind: Annotation,
+        agent: &Annotated<'_>,
+        reasons: &[SteeringReason],
+        frame: &Frame,
+        pen: &mut AnnotationPen<'_>,
+    ) {
         let (body, at) = (agent.body, agent.at);
         let place = |local: Vec3| local.as_dvec3() + self.origin.extend(0.0);
         let velocity = |velocity: Vec3| velocity.as_dvec3() * WAY;
@@ -115,34 +141,74 @@ impl Annotator<'_> {
                 if let Some(track) = self.ways.tracks.get(&body.number) {
                     let color = std::mem::replace(&mut pen.color, self.look.color(body).alpha(0.8));
                     pen.line(track.points.iter().map(|&(_, point)| point));
+                    for (second, place) in track.seconds() {
+                        pen.dot(place, if second % LONG == 0 { 2.6 } else { 1.5 });
+                    }
                     pen.color = color;
                 }
             }
             (Annotation::Preferred, Some(account)) => pen.arrow(at, velocity(account.preferred)),
             (Annotation::Force, Some(account)) => pen.arrow(at, account.steering.as_dvec3() * PUSH),
+            (Annotation::Terms, Some(account)) => {
+                let mut from = at;
+                for term in terms(account) {
+                    let along = term.as_dvec3() * PUSH;
+                    pen.arrow(from, along);
+                    from += along;
+                }
+            }
+            (Annotation::VelocityObstacles, _) => {
+                let of = |why: &throng::Explanation| why.number;
+                if let Ok(index) = frame.explanations.binary_search_by_key(&body.number, of) {
+                    obstacles::draw(&frame.explanations[index], at, pen);
+                }
+            }
             (Annotation::Paths, _) => {
-                let via = |reason| if let SteeringReason::Via(corner) = reason { Some(place(corner)) } else { None };
-                pen.line(agent.reasons(kind).into_iter().filter_map(via));
+                let via = |reason: &SteeringReason| match *reason {
+                    SteeringReason::Via(corner) => Some(place(corner)),
+                    _ => None,
+                };
+                pen.line(reasons.iter().filter_map(via));
             }
             _ => {}
         }
-        for reason in agent.reasons(kind) {
-            match reason {
+        for reason in reasons {
+            match *reason {
                 SteeringReason::Aim(aim) => {
                     pen.line([at, place(aim)]);
                     pen.ring(place(aim), 3.0);
                     pen.dot(place(aim), 1.0);
                 }
-                SteeringReason::Expects(there) => {
-                    pen.line([at, place(there)]);
-                    pen.ring(place(there), 2.2);
+                SteeringReason::Expects { now, then } => {
+                    pen.line([place(now), place(then)]);
+                    pen.ring(place(then), 2.2);
+                }
+                SteeringReason::Shuns(there) => pen.cross(place(there), 2.6),
+                SteeringReason::Projects { from, to } => {
+                    pen.line([place(from), place(to)]);
+                    pen.dot(place(to), 1.8);
+                }
+                SteeringReason::Hits { point, normal } => constructions::hit(place(point), normal.as_dvec3(), pen),
+                SteeringReason::Circle { center, radius } => {
+                    pen.dot(place(center), 0.9);
+                    constructions::circle(agent, place(center), f64::from(radius), pen);
+                }
+                SteeringReason::Rectangle(corners) => constructions::area(&corners.map(place), pen),
+                SteeringReason::Cylinder { from, to, radius } | SteeringReason::Stretch { from, to, radius } => {
+                    constructions::tube([place(from), place(to)], f64::from(radius), pen);
+                }
+                SteeringReason::Samples { place: there, velocity: flow } => {
+                    pen.dot(place(there), 1.8);
+                    pen.arrow(place(there), velocity(flow));
                 }
                 SteeringReason::Feels(end) => {
                     pen.line([at, place(end)]);
                     pen.dot(place(end), 1.4);
                 }
                 SteeringReason::Wishes(wish) => pen.arrow(at, velocity(wish)),
-                SteeringReason::Looks { distance, angle } => pen.line(sector(body, at, f64::from(distance), angle)),
+                SteeringReason::Looks { distance, angle } => {
+                    constructions::sector(agent, f64::from(distance), angle, pen);
+                }
                 SteeringReason::Regards(number) => {
                     if let Ok(index) = frame.bodies.binary_search_by_key(&number, |body| body.number) {
                         pen.line([at, middle(&frame.bodies[index])]);
@@ -159,14 +225,15 @@ impl Annotator<'_> {
     }
 }
 
-/// Returns the outline of what a body sees: a circle, or a sector with its straight sides.
-fn sector(body: &Body, at: DVec3, distance: f64, angle: f32) -> Vec<DVec3> {
-    let upright = || Basis::facing(DVec2::from_angle(f64::from(body.heading)).as_vec2().extend(0.0));
-    let basis = body.basis.unwrap_or_else(upright);
-    let out = |k: usize| {
-        let (sin, cos) = (angle * (2.0 * k as f32 / ROUND as f32 - 1.0)).sin_cos();
-        at + (basis.forward * cos + basis.side * sin).as_dvec3() * distance
+/// Returns the terms of the steering force: those of the sum nearest to the root of the tree of behaviours.
+fn terms(account: &Trace) -> Vec<Vec3> {
+    let adds = || {
+        let entries = account.entries.iter();
+        entries.filter_map(|told| match told.reason {
+            SteeringReason::Adds(term) => Some((told.depth, term)),
+            _ => None,
+        })
     };
-    let center = (angle < PI - 1e-3).then_some(at);
-    center.into_iter().chain((0..=ROUND).map(out)).chain(center).collect()
+    let root = adds().map(|(depth, _)| depth).min();
+    adds().filter(|&(depth, _)| Some(depth) == root).map(|(_, term)| term).collect()
 }

@@ -1,7 +1,9 @@
 //! Annotations: thin lines beside agents that show what they perceive and choose, and the key of these lines.
 
+mod constructions;
 mod key;
 mod layers;
+mod obstacles;
 mod pen;
 
 pub(crate) use key::{Row, key, rows};
@@ -19,36 +21,49 @@ pub enum Annotation {
     Neighbourhoods,
     /// The agent's positions of the last ten seconds.
     Trails,
-    /// The path that the agent follows.
+    /// The path or the wall that the agent follows: the stretch ahead, its width, and the nearest point on it.
     Paths,
-    /// The feelers for obstacles.
+    /// The circles and rectangles with which behaviours construct their targets: wander's two circles, the slowing
+    /// circle, the leader's rectangle, a place in a formation.
+    Constructions,
+    /// The feelers for obstacles, and the cylinder that the agent will sweep.
     Feelers,
+    /// The velocity of the field that the agent follows, at the place where the agent reads it.
+    Flow,
     /// Predicted positions of other agents, or of the agent itself.
     Predictions,
-    /// The points that the agent aims at.
+    /// The points that the agent aims at, and those that it moves away from.
     Targets,
-    /// Agents that will come too near, with the predicted positions of both.
+    /// Agents that will come too near, with the predicted positions of both, and the most threatening obstacle.
     Threats,
+    /// The velocities that neighbours and walls forbid, as the motion in one second: velocity obstacles and half-planes.
+    VelocityObstacles,
     /// The preferred velocity, as the motion in half a second.
     Preferred,
     /// The velocity, as the motion in half a second.
     Velocity,
+    /// The terms of the steering force per mass, head to tail: 1 m of arrow for 4 m/s².
+    Terms,
     /// The steering force per mass: 1 m of arrow for 4 m/s².
     Force,
 }
 
 impl Annotation {
     /// All kinds.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 14] = [
         Self::Neighbourhoods,
         Self::Trails,
         Self::Paths,
+        Self::VelocityObstacles,
+        Self::Constructions,
         Self::Feelers,
+        Self::Flow,
         Self::Predictions,
         Self::Targets,
         Self::Threats,
         Self::Preferred,
         Self::Velocity,
+        Self::Terms,
         Self::Force,
     ];
 
@@ -58,12 +73,16 @@ impl Annotation {
             Self::Neighbourhoods => "neighbourhoods",
             Self::Trails => "trails",
             Self::Paths => "paths",
+            Self::VelocityObstacles => "velocity_obstacles",
+            Self::Constructions => "constructions",
             Self::Feelers => "feelers",
+            Self::Flow => "flow",
             Self::Predictions => "predictions",
             Self::Targets => "targets",
             Self::Threats => "threats",
             Self::Preferred => "preferred",
             Self::Velocity => "velocity",
+            Self::Terms => "terms",
             Self::Force => "force",
         }
     }
@@ -71,7 +90,10 @@ impl Annotation {
     /// Returns the text of the key.
     pub fn says(self) -> &'static str {
         match self {
+            Self::VelocityObstacles => "velocity obstacles",
+            Self::Flow => "flow at the place where it is read",
             Self::Preferred => "preferred velocity",
+            Self::Terms => "terms of the steering force",
             Self::Force => "steering force",
             kind => kind.name(),
         }
@@ -83,12 +105,14 @@ impl Annotation {
             Self::Neighbourhoods => theme.quiet.alpha(0.5),
             Self::Trails | Self::Velocity => theme.quiet,
             Self::Paths => theme.goal,
+            Self::Constructions => Color::rgb(0xb0547f),
             Self::Feelers => Color::rgb(0x2fa37c),
+            Self::Flow => Color::rgb(0x5b7f2c),
             Self::Predictions => Color::rgb(0x8f65b0),
             Self::Targets => Color::rgb(0x4a7bc8),
-            Self::Threats => Color::rgb(0xc8372d),
+            Self::Threats | Self::VelocityObstacles => Color::rgb(0xc8372d),
             Self::Preferred => Color::rgb(0x2b94a6),
-            Self::Force => Color::rgb(0xdd7a1f),
+            Self::Terms | Self::Force => Color::rgb(0xdd7a1f),
         }
     }
 
@@ -96,7 +120,7 @@ impl Annotation {
     fn width(self) -> f32 {
         match self {
             Self::Neighbourhoods => 0.7,
-            Self::Preferred | Self::Velocity | Self::Force => 1.4,
+            Self::Preferred | Self::Velocity | Self::Flow | Self::Force => 1.4,
             _ => 1.0,
         }
     }
@@ -111,12 +135,17 @@ impl Annotation {
         match reason {
             SteeringReason::Looks { distance, .. } => self == Self::Neighbourhoods && distance.is_finite(),
             SteeringReason::Regards(_) => self == Self::Neighbourhoods,
-            SteeringReason::Via(_) => self == Self::Paths,
-            SteeringReason::Feels(_) => self == Self::Feelers,
-            SteeringReason::Expects(_) => self == Self::Predictions,
-            SteeringReason::Aim(_) => self == Self::Targets,
-            SteeringReason::Threat { .. } => self == Self::Threats,
+            SteeringReason::Via(_) | SteeringReason::Stretch { .. } | SteeringReason::Projects { .. } => {
+                self == Self::Paths
+            }
+            SteeringReason::Circle { .. } | SteeringReason::Rectangle(_) => self == Self::Constructions,
+            SteeringReason::Feels(_) | SteeringReason::Cylinder { .. } => self == Self::Feelers,
+            SteeringReason::Samples { .. } => self == Self::Flow,
+            SteeringReason::Expects { .. } => self == Self::Predictions,
+            SteeringReason::Aim(_) | SteeringReason::Shuns(_) => self == Self::Targets,
+            SteeringReason::Threat { .. } | SteeringReason::Hits { .. } => self == Self::Threats,
             SteeringReason::Wishes(_) => self == Self::Preferred,
+            SteeringReason::Adds(_) => self == Self::Terms,
             _ => false,
         }
     }
@@ -127,6 +156,7 @@ impl Annotation {
         match self {
             Self::Trails | Self::Velocity => !frame.bodies.is_empty(),
             Self::Preferred => accounts().next().is_some(),
+            Self::VelocityObstacles => frame.explanations.iter().any(|why| !why.reasons.is_empty()),
             Self::Force => accounts().any(|account| account.steering != glam::Vec3::ZERO),
             _ => accounts().any(|account| account.entries.iter().any(|told| self.shows(&told.reason))),
         }
@@ -150,6 +180,11 @@ impl Annotations {
             None => TraceRequest::All,
             Some(numbers) => TraceRequest::Numbers(numbers.clone()),
         }
+    }
+
+    /// Returns the agents of which the forbidden velocities are drawn ([`throng_record::moment::explain`]).
+    pub fn explained(&self) -> TraceRequest {
+        if self.kinds.contains(&Annotation::VelocityObstacles) { self.asked() } else { TraceRequest::None }
     }
 
     /// Whether something is drawn for this body.

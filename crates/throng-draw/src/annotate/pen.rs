@@ -4,8 +4,10 @@ use crate::Color;
 use crate::figure::arrow;
 use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
+/// The opacity of areas over that of lines.
+const SHADE: f32 = 0.12;
 /// The least length of arrows, in units of the layout; shorter arrows are left out.
 const LEAST_ARROW: f32 = 4.0;
 
@@ -32,6 +34,26 @@ impl AnnotationPen<'_> {
         for part in pixels.split(|pixel| pixel.is_none()).filter(|part| part.len() > 1) {
             let points = part.iter().copied().flatten().collect();
             self.marks.push(Primitive::Line { points, closed: false, stroke: self.stroke() });
+        }
+    }
+
+    /// Fills a polygon with a pale shade of the colour; nothing if a corner is behind the viewpoint.
+    pub fn area(&mut self, corners: &[DVec3]) {
+        let ring: Option<Vec<_>> = corners.iter().map(|&corner| self.projector.pixel(corner)).collect();
+        if let Some(ring) = ring {
+            let opacity = SHADE * f32::from(self.color.a) / 255.0;
+            self.marks.push(Primitive::Area { rings: vec![ring], fill: self.color.alpha(opacity) });
+        }
+    }
+
+    /// Draws a diagonal cross on a point. `radius` is in units of the layout.
+    pub fn cross(&mut self, center: DVec3, radius: f32) {
+        if let Some(center) = self.projector.pixel(center) {
+            for arm in [Vec2::new(1.0, 1.0), Vec2::new(1.0, -1.0)] {
+                let arm = arm * (radius * self.unit);
+                let stroke = Stroke { dash: None, ..self.stroke() };
+                self.marks.push(Primitive::Line { points: vec![center - arm, center + arm], closed: false, stroke });
+            }
         }
     }
 

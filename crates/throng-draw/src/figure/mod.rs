@@ -14,6 +14,7 @@ mod velocities;
 mod words;
 
 pub(crate) use arrow::arrow;
+pub(crate) use region::forbidden;
 
 use crate::picture::Picture;
 use crate::primitive::Primitive;

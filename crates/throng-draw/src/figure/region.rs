@@ -10,7 +10,7 @@ const TIP: usize = 48;
 
 /// Returns the velocities that a reason forbids, within coordinates of at most `reach`; `None` for pushes and
 /// candidates, and if it forbids no velocity in this square.
-pub(super) fn forbidden(reason: &AvoidanceReason, reach: f32) -> Option<(Cause, Vec<Vec2>)> {
+pub(crate) fn forbidden(reason: &AvoidanceReason, reach: f32) -> Option<(Cause, Vec<Vec2>)> {
     let (cause, within) = match *reason {
         AvoidanceReason::Permits(cause, line) => (cause, vec![reversed(line)]),
         AvoidanceReason::Forbids(cause, region) => (cause, bounds(&region)),

@@ -16,7 +16,7 @@ use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
 use throng::Error;
-use throng::field::Field;
+use throng::field::{Field, FieldSpine};
 use throng::parallel;
 
 /// Distance from the target, in cubes, within which a front starts at its exact distance where the target is visible.
@@ -245,6 +245,11 @@ impl Field for SwarmGuide {
             }
         }
         self.downhill(place).unwrap_or_default() * self.speed
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        let follower = self.spine.as_deref()?;
+        Some(FieldSpine { points: follower.spine.points().to_vec(), radius: follower.tube.radius })
     }
 }
 

@@ -13,7 +13,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value as Json;
 use std::sync::Arc;
 use throng::Error;
-use throng::field::{Adaptive, FactorMap, Field};
+use throng::field::{Adaptive, FactorMap, Field, FieldSpine};
 use throng::parameters::{Given, Parameters};
 use throng_field::{Fields as Register, ForPlace};
 use toml::Value;
@@ -170,5 +170,11 @@ impl<F: Field + Parameters + 'static> Field for PluginField<F> {
     fn cover(&self) -> Option<Arc<dyn FactorMap>> {
         let (cover, origin) = (named("field", F::NAME, || self.field.cover())?, self.origin);
         Some(Arc::new(move |place: DVec2| named("field", F::NAME, || cover.at(place + origin))))
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        let (mut spine, origin) = (named("field", F::NAME, || self.field.spine())?, self.origin.as_vec2());
+        spine.points.iter_mut().for_each(|point| *point -= origin.extend(0.0));
+        Some(spine)
     }
 }

@@ -33,20 +33,28 @@ pub enum Annotation {
     Neighbourhoods,
     /// The positions of the last ten seconds.
     Trails,
-    /// The paths that agents follow.
+    /// The paths and walls that agents follow: the stretch ahead, its width, and the nearest point on it.
     Paths,
-    /// The whiskers of agents.
+    /// The velocities that neighbours and walls forbid, as the motion in one second.
+    VelocityObstacles,
+    /// The circles and rectangles with which behaviours construct their targets.
+    Constructions,
+    /// The feelers for obstacles, and the cylinder that the agent will sweep.
     Feelers,
+    /// The velocity of the field that the agent follows, at the place where the agent reads it.
+    Flow,
     /// The predicted positions of other agents or of the agent itself.
     Predictions,
-    /// The points at which agents aim.
+    /// The points at which agents aim, and those that they move away from.
     Targets,
-    /// The agents that will come too near, and the positions of both agents at that time.
+    /// The agents that will come too near, and the positions of both agents at that time; the most threatening obstacle.
     Threats,
     /// The preferred velocity.
     Preferred,
     /// The velocity.
     Velocity,
+    /// The terms of the steering force, head to tail.
+    Terms,
     /// The steering force.
     Force,
 }

@@ -5,7 +5,9 @@ use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
-use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
+use throng::steer::{
+    Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, check_parts, words_of_parts,
+};
 
 /// The force is a budget: the parts take from it in order (Reynolds 1987).
 ///
@@ -42,7 +44,9 @@ impl Behaviour for Allocation {
                 break;
             }
             if let Some(said) = part.steer_as(index, view, &mut memory, why) {
-                sum = Some(super::add(sum, Steering { force: budget.grant(said.force), ..said }));
+                let force = budget.grant(said.force);
+                why.note(|| SteeringReason::Adds(force / view.vehicle.mass));
+                sum = Some(super::add(sum, Steering { force, ..said }));
             }
         }
         sum

@@ -5,7 +5,7 @@ use super::weighted_sum::{WeightedParts, check_weights};
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::parameters;
-use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, words_of_parts};
+use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, words_of_parts};
 
 /// The sum of parts in order, up to the vehicle's greatest force.
 ///
@@ -38,6 +38,7 @@ impl Behaviour for RunningSum {
             }
             if let Some(said) = part.steer_as(index, view, &mut memory, why) {
                 let force = (said.force * *weight).clamp_length_max(left);
+                why.note(|| SteeringReason::Adds(force / view.vehicle.mass));
                 sum = Some(add(sum, Steering { force, ..said }));
             }
         }

@@ -4,7 +4,9 @@ use super::add;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::parameters;
-use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
+use throng::steer::{
+    Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, check_parts, words_of_parts,
+};
 
 /// The sum of all parts, each times its weight (Reynolds 1999).
 ///
@@ -52,7 +54,9 @@ impl Behaviour for WeightedSum {
         let mut sum = None;
         for (index, (weight, part)) in self.0.iter().enumerate() {
             if let Some(said) = part.steer_as(index, view, &mut memory, why) {
-                sum = Some(add(sum, Steering { force: said.force * *weight, ..said }));
+                let force = said.force * *weight;
+                why.note(|| SteeringReason::Adds(force / view.vehicle.mass));
+                sum = Some(add(sum, Steering { force, ..said }));
             }
         }
         sum

@@ -75,7 +75,7 @@ impl Behaviour for Boids {
         let Strengths { avoid, matching, center, migrate } = self.strengths;
         for (urge, strength) in urges.into_iter().zip([avoid, matching, center, migrate]) {
             let granted = budget.grant(view.passable(urge).clamp_length_max(1.0) * strength);
-            why.note(|| SteeringReason::Wishes(granted));
+            why.note(|| SteeringReason::Adds(granted * view.vehicle.max_force / view.vehicle.mass));
             sum += granted;
         }
         Some((sum * view.vehicle.max_force).into())

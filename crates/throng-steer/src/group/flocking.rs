@@ -5,7 +5,7 @@ use glam::Vec3;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Angle, Value, parameters};
-use throng::steer::{Behaviour, FlockBatch, GroupFilter, SteeringInput, TraceRecorder};
+use throng::steer::{Behaviour, FlockBatch, GroupFilter, SteeringInput, SteeringReason, TraceRecorder};
 
 /// A rule of a flock.
 #[parameters]
@@ -64,9 +64,10 @@ impl Behaviour for Flocking {
             return None;
         }
         let part = |rule: &Rule, said: Option<Steering>| said.map_or(Vec3::ZERO, |said| said.force * rule.weight);
-        let sum =
-            part(&self.separation, separation) + part(&self.alignment, alignment) + part(&self.cohesion, cohesion);
-        Some(sum.into())
+        let terms =
+            [part(&self.separation, separation), part(&self.alignment, alignment), part(&self.cohesion, cohesion)];
+        terms.iter().for_each(|&term| why.note(|| SteeringReason::Adds(term / view.vehicle.mass)));
+        Some((terms[0] + terms[1] + terms[2]).into())
     }
 
     fn is_flock(&self) -> bool {

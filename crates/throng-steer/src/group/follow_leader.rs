@@ -53,6 +53,7 @@ const FULL: f32 = 2.0;
 impl Behaviour for FollowLeader {
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
+        why.note(|| SteeringReason::Rectangle(self.way(&leader)));
         if let Some(aside) = self.out_of_the_way(view, &leader) {
             why.note(|| SteeringReason::Aim(view.position() + aside));
             return view.go(aside);
@@ -68,7 +69,9 @@ impl Behaviour for FollowLeader {
         let distance = offset.length();
         let off = if distance < self.spacing { view.urge(-offset / (distance * distance), full) } else { None };
         let force = |said: Option<Steering>| said.map_or(Vec3::ZERO, |said| said.force);
-        Some((follow.force + force(apart) + force(off)).into())
+        let terms = [follow.force, force(apart), force(off)];
+        terms.iter().for_each(|&term| why.note(|| SteeringReason::Adds(term / view.vehicle.mass)));
+        Some((terms[0] + terms[1] + terms[2]).into())
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -77,6 +80,12 @@ impl Behaviour for FollowLeader {
 }
 
 impl FollowLeader {
+    /// Returns the corners of the area ahead of the leader that it keeps free.
+    fn way(&self, leader: &Kinematics) -> [Vec3; 4] {
+        let corners = [(0.0, self.width), (self.free, self.width), (self.free, -self.width), (0.0, -self.width)];
+        corners.map(|(ahead, left)| leader.position + leader.basis.to_world(Vec3::new(ahead, left, 0.0)))
+    }
+
     /// Returns the direction to the nearer side of the leader's way if the agent is in that way.
     fn out_of_the_way(&self, view: &SteeringInput<'_>, leader: &Kinematics) -> Option<Vec3> {
         let from = view.passable(view.position() - leader.position);

@@ -251,7 +251,10 @@ impl DriveByMap {
                 scan.room[index] += (free / reach).min(1.0);
             }
         }
-        why.note(|| SteeringReason::Expects(place(view, curvature, reach.min(scan.free[0]).min(scan.free[1]), 0.0)));
+        why.note(|| {
+            let then = place(view, curvature, reach.min(scan.free[0]).min(scan.free[1]), 0.0);
+            SteeringReason::Expects { now: view.position(), then }
+        });
         scan
     }
 

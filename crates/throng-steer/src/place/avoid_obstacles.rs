@@ -131,7 +131,11 @@ impl<'o> Passing<'o> {
         // within the gap of one obstacle the swept cylinder touches that obstacle and hides what comes after it; its
         // axis does not
         let beyond = self.obstacles.ahead(view.position(), course.basis.forward, 0.0, course.reach);
-        why.note(|| SteeringReason::Feels(view.position() + course.basis.forward * course.reach));
+        why.note(|| SteeringReason::Cylinder {
+            from: view.position(),
+            to: view.position() + course.basis.forward * course.reach,
+            radius: course.radius,
+        });
         let here = self.obstacles.nearest(view.position()).map(|here| (here.point, here.free()));
         let near = beyond.map(|(_, hit)| (hit.point, hit.free())).into_iter().chain(here);
         let Some((index, hit)) = self.ahead(view, &course, course.basis.forward) else {
@@ -143,7 +147,7 @@ impl<'o> Passing<'o> {
             let force = view.reach(direction * view.vehicle.max_speed).force;
             return Some(course.held_off(force, near.chain([(hit.point, hit.free())])));
         };
-        why.note(|| SteeringReason::Expects(hit.point));
+        why.note(|| SteeringReason::Hits { point: hit.point, normal: hit.free() });
         if self.obstacles.0[index].forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }

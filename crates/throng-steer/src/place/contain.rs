@@ -79,7 +79,7 @@ impl Behaviour for Contain {
         }
         let touches = touches.iter().flatten();
         let Touch { hit, urgency, .. } = touches.clone().max_by(|a, b| a.urgency.total_cmp(&b.urgency))?;
-        why.note(|| SteeringReason::Expects(hit.point));
+        why.note(|| SteeringReason::Hits { point: hit.point, normal: hit.free() });
         if self.surface.forbids(hit.vehicle_outside) {
             return view.go(view.passable(hit.steer_hint));
         }

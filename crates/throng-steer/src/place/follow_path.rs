@@ -85,7 +85,7 @@ impl Behaviour for FollowPath {
             return arrive.steer(view, &mut [], why).or_else(|| Some(view.reach(Vec3::ZERO)));
         }
         let future = view.motion.position_in(self.horizon);
-        why.note(|| SteeringReason::Expects(future));
+        why.note(|| SteeringReason::Expects { now: view.position(), then: future });
         let slows = self.slowing_distance.max(view.vehicle.max_speed * settling_time(view, 0.0));
         if !path.is_cyclic() && left < slows {
             why.note(|| SteeringReason::Aim(aim));
@@ -93,6 +93,7 @@ impl Behaviour for FollowPath {
             return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));
         }
         let then = path.nearest_near(future, now.along, reach);
+        why.note(|| SteeringReason::Projects { from: future, to: then.point });
         let beside = future.distance(then.point);
         let leaves = if *led_back > 0.0 { beside > self.inner * (beside - then.outside) } else { then.outside > 0.0 };
         *led_back = f32::from(leaves);
@@ -131,7 +132,13 @@ impl FollowPath {
         corners.sort_by(|a, b| a.0.total_cmp(&b.0));
         let ends = [now.point, path.at(now.along + ahead * sign)];
         let corners = ends[..1].iter().copied().chain(corners.into_iter().map(|corner| corner.1)).chain([ends[1]]);
-        corners.for_each(|corner| why.note(|| SteeringReason::Via(corner)));
+        let corners: Vec<Vec3> = corners.collect();
+        corners.iter().for_each(|&corner| why.note(|| SteeringReason::Via(corner)));
+        for ends in corners.windows(2) {
+            let [from, to] = [ends[0], ends[1]];
+            let radius = path.radius_at(path.nearest(from.midpoint(to)).along, self.direction);
+            why.note(|| SteeringReason::Stretch { from, to, radius });
+        }
     }
 
     /// Returns the distance in the path's direction from one distance along the path to another; on a ring, the shorter

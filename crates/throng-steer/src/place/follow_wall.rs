@@ -79,7 +79,7 @@ impl Behaviour for FollowWall {
         };
         let along = along(&course.basis, free, hand);
         let place = point + free * self.offset + along * self.offset.min(view.vehicle.max_speed * self.horizon);
-        why.note(|| SteeringReason::Expects(point));
+        why.note(|| SteeringReason::Projects { from: view.motion.position_in(self.horizon), to: point });
         let force = view.seek(place, why)?.force;
         let surfaces = ahead.map(|hit| (hit.point, hit.free()));
         Some(course.held_off(force, surfaces.into_iter().chain([(here.point, here.free())])))

@@ -103,7 +103,7 @@ impl Behaviour for Hide {
         let arrive = Arrive { slowing_distance: self.slowing_distance, ..Arrive::new(Target::Point(place)) };
         let round = Passing::with_gap(&self.obstacles, PASSING).avoid(Some(view.to(place)), view, memory, why);
         let said = round.or_else(|| arrive.steer(view, &mut [], why));
-        from.iter().for_each(|from| why.note(|| SteeringReason::Expects(from.position)));
+        from.iter().for_each(|from| why.note(|| SteeringReason::Shuns(from.position)));
         said
     }
 

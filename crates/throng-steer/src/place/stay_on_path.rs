@@ -43,7 +43,8 @@ impl Behaviour for StayOnPath {
         if on_path.outside <= 0.0 {
             return None;
         }
-        why.note(|| SteeringReason::Expects(future));
+        why.note(|| SteeringReason::Expects { now: view.position(), then: future });
+        why.note(|| SteeringReason::Projects { from: future, to: on_path.point });
         view.seek(on_path.point, why)
     }
 

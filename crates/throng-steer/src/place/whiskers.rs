@@ -96,7 +96,7 @@ impl Behaviour for Whiskers {
         };
         let touches = self.rays.iter().filter_map(touch);
         let hit = touches.reduce(|a, b| if b.distance < NEARER * a.distance { b } else { a })?;
-        why.note(|| SteeringReason::Expects(hit.point));
+        why.note(|| SteeringReason::Hits { point: hit.point, normal: hit.free() });
         // where the whisker meets the surface head-on the normal gives no side, but the hint does
         let off = view.passable(hit.free() + hit.steer_hint).normalize_or(-basis.forward);
         view.seek(hit.point + off * self.clearance, why)

@@ -44,6 +44,11 @@ impl Behaviour for Arrive {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let target = self.target.find(view)?;
         why.note(|| SteeringReason::Aim(target.position));
+        why.note(|| {
+            let most = view.vehicle.max_speed;
+            let radius = most * settling_time(view, self.slowing_distance / most);
+            SteeringReason::Circle { center: target.position, radius }
+        });
         let offset = view.to(target.position);
         if offset.length() > self.tolerance {
             return Some(view.reach(approach(view, offset, Vec3::ZERO, self.slowing_distance)));

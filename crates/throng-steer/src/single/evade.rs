@@ -1,11 +1,12 @@
 //! Evasion: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
+use super::flee::tell_range;
 use crate::Prediction;
 use crate::approach::nearest_time;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
-use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
 /// Moves away from the predicted position of a menace (Reynolds 1999).
 ///
@@ -33,12 +34,15 @@ pub struct Evade {
 impl Behaviour for Evade {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let menace = self.menace.find(view)?;
+        tell_range(menace.position, self.panic_distance, why);
         let offset = view.to(menace.position);
         if offset.length() > self.panic_distance {
             return None;
         }
         let nearest = nearest_time(offset, view.passable(menace.velocity)).max(0.0);
-        view.flee(menace.position_in(self.prediction.of_menace(view, &menace).min(0.5 * nearest)), why)
+        let then = menace.position_in(self.prediction.of_menace(view, &menace).min(0.5 * nearest));
+        why.note(|| SteeringReason::Expects { now: menace.position, then });
+        view.flee(then, why)
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -56,7 +56,7 @@ impl EvadeAll {
         let mut sum = Vec3::ZERO;
         for other in view.neighbours.iter().filter(|other| self.groups.counts(view, other)) {
             let then = expected(view, other, self.ahead);
-            why.note(|| SteeringReason::Expects(view.position() + then));
+            why.note(|| SteeringReason::Expects { now: view.position() + other.offset, then: view.position() + then });
             let left_behind = view.forward().dot(other.offset) < -2.0 * view.radius;
             let weight =
                 self.near / other.offset.length().max(view.radius) * if left_behind { self.behind } else { 1.0 };

@@ -44,7 +44,7 @@ impl Behaviour for Fear {
             let fresh = 1.0 - (view.time - event.time) as f32 / self.fades;
             let fright = fresh * (1.0 - offset.length() / self.range);
             if (0.0..=1.0).contains(&fresh) && fright > 0.0 {
-                why.note(|| SteeringReason::Expects(event.position));
+                why.note(|| SteeringReason::Shuns(event.position));
                 away -= offset.normalize_or(-view.forward()) * fright;
             }
         }

@@ -1,5 +1,6 @@
 //! Flow field following: Reynolds, Steering behaviors for autonomous characters, GDC 1999.
 
+use crate::swarm::tell_spine;
 use glam::Vec3;
 use std::fmt;
 use std::sync::Arc;
@@ -44,8 +45,9 @@ impl Behaviour for FollowFlow {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let place = view.motion.position_in(self.prediction);
         let flow = view.passable(self.flow.velocity(place, view.time));
-        why.note(|| SteeringReason::Expects(place));
-        why.note(|| SteeringReason::Wishes(flow));
+        why.note(|| SteeringReason::Expects { now: view.position(), then: place });
+        why.note(|| SteeringReason::Samples { place, velocity: flow });
+        tell_spine(&*self.flow, why);
         (flow != Vec3::ZERO).then(|| view.reach(flow.clamp_length_max(view.vehicle.max_speed)))
     }
 

@@ -48,7 +48,8 @@ impl Behaviour for OffsetPursuit {
         let [past] = memory else { return None };
         let quarry = self.quarry.find(view)?;
         let future = quarry.position_in(self.prediction.of_quarry(view, &quarry));
-        why.note(|| SteeringReason::Expects(future));
+        why.note(|| SteeringReason::Expects { now: quarry.position, then: future });
+        why.note(|| SteeringReason::Circle { center: future, radius: self.distance });
         let offset = view.to(future);
         let distance = offset.length();
         let towards = offset / distance.max(f32::MIN_POSITIVE);

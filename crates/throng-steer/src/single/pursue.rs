@@ -4,7 +4,7 @@ use crate::Prediction;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
-use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
 /// Moves to the predicted position of a quarry (Reynolds 1999).
 ///
@@ -26,7 +26,9 @@ pub struct Pursue {
 impl Behaviour for Pursue {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let quarry = self.quarry.find(view)?;
-        view.seek(quarry.position_in(self.prediction.of_quarry(view, &quarry)), why)
+        let then = quarry.position_in(self.prediction.of_quarry(view, &quarry));
+        why.note(|| SteeringReason::Expects { now: quarry.position, then });
+        view.seek(then, why)
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -32,7 +32,7 @@ pub struct Shadow {
 impl Behaviour for Shadow {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let quarry = self.quarry.find(view)?;
-        why.note(|| SteeringReason::Expects(quarry.position));
+        why.note(|| SteeringReason::Circle { center: quarry.position, radius: self.distance });
         let offset = view.to(quarry.position);
         let gap = offset.length() - self.distance;
         let nearing = offset.normalize_or_zero() * gap.max(0.0);

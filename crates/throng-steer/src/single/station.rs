@@ -52,5 +52,6 @@ pub(crate) fn keep(
 ) -> Steering {
     let place = leader.position + leader.basis.to_world(offset);
     why.note(|| SteeringReason::Aim(place));
+    why.note(|| SteeringReason::Circle { center: place, radius: view.radius });
     view.reach(approach(view, view.to(place), leader.velocity, slowing))
 }

@@ -3,14 +3,14 @@
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
-use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 
 /// Returns when it is too far from something.
 ///
 /// Nothing to correct within the length of the tether.
 ///
 /// ```
-/// use throng::steer::{Behaviour, SteeringInput, Target, TraceRecorder};
+/// use throng::steer::{Behaviour, SteeringInput, SteeringReason, Target, TraceRecorder};
 /// use throng_steer::Tether;
 /// let dog = Tether { to: Target::Point(glam::Vec3::X), length: 2.0 };
 /// assert_eq!(dog.steer(&SteeringInput::default(), &mut [], &mut TraceRecorder::default()), None);
@@ -29,6 +29,7 @@ pub struct Tether {
 impl Behaviour for Tether {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let center = self.to.find(view)?.position;
+        why.note(|| SteeringReason::Circle { center, radius: self.length });
         if view.to(center).length() > self.length { view.seek(center, why) } else { None }
     }
 

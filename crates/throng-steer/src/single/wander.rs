@@ -45,10 +45,17 @@ impl Behaviour for Wander {
     }
 
     fn steer(&self, view: &SteeringInput<'_>, memory: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
-        let point = self.walk(view, Vec3::from_slice(memory));
+        let before = Vec3::from_slice(memory);
+        let point = self.walk(view, before);
         memory.copy_from_slice(&point.to_array());
         let direction = view.passable(view.motion.basis.to_world(Vec3::X * SQRT_2 + point * self.strength));
         why.note(|| SteeringReason::Aim(view.position() + direction));
+        let place = |local| view.position() + view.passable(view.motion.basis.to_world(local));
+        why.note(|| SteeringReason::Circle { center: place(Vec3::X * SQRT_2), radius: self.strength });
+        why.note(|| {
+            let spread = self.strength * self.spread(view);
+            SteeringReason::Circle { center: place(Vec3::X * SQRT_2 + before * self.strength), radius: spread }
+        });
         view.turn(direction)
     }
 
@@ -58,9 +65,14 @@ impl Behaviour for Wander {
 }
 
 impl Wander {
+    /// Returns the standard deviation of the angle by which the point moves in a step, radians.
+    fn spread(&self, view: &SteeringInput<'_>) -> f32 {
+        self.rate.radians() * view.seconds.sqrt()
+    }
+
     /// Returns the point after the step; a random point of the sphere if there was none.
     fn walk(&self, view: &SteeringInput<'_>, point: Vec3) -> Vec3 {
-        let spread = self.rate.radians() * view.seconds.sqrt();
+        let spread = self.spread(view);
         let rng = view.rng;
         if view.is_on_ground() {
             let angle = match point {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use throng::Error;
 use throng::field::Field;
 use throng::parameters::{Value, parameters};
-use throng::steer::SteeringInput;
+use throng::steer::{SteeringInput, SteeringReason, TraceRecorder};
 
 /// Follows a field: wind, a path to a goal.
 #[parameters]
@@ -32,6 +32,12 @@ impl Guide for Flow {
         chosen.velocity += self.field.velocity(view.position(), view.time) * self.weight;
     }
 
+    fn tell(&self, view: &SteeringInput<'_>, why: &mut TraceRecorder<'_>) {
+        let place = view.position();
+        why.note(|| SteeringReason::Samples { place, velocity: self.field.velocity(place, view.time) * self.weight });
+        tell_spine(&*self.field, why);
+    }
+
     fn check(&self) -> Result<(), Error> {
         self.check_limits()
     }
@@ -40,5 +46,13 @@ impl Guide for Flow {
 impl fmt::Debug for Flow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Flow").field("weight", &self.weight).finish_non_exhaustive()
+    }
+}
+
+/// Records the curve along which a field leads.
+pub(crate) fn tell_spine(field: &dyn Field, why: &mut TraceRecorder<'_>) {
+    let Some(spine) = field.spine().filter(|_| why.is_requested()) else { return };
+    for ends in spine.points.windows(2) {
+        why.note(|| SteeringReason::Stretch { from: ends[0], to: ends[1], radius: spine.radius });
     }
 }

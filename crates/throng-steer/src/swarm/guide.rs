@@ -3,7 +3,7 @@
 use glam::Vec3;
 use std::fmt::Debug;
 use throng::Error;
-use throng::steer::SteeringInput;
+use throng::steer::{SteeringInput, TraceRecorder};
 
 /// A guide or an influence that an insect of a [`Swarm`](super::Swarm) follows. The guides of a list add up.
 ///
@@ -43,6 +43,9 @@ pub trait Guide: Debug + Send + Sync {
     /// Adds its velocity and effects to the output. `memory` has [`memory`](Self::memory) words, which are zero at
     /// first.
     fn guide(&self, view: &SteeringInput<'_>, memory: &mut [f32], chosen: &mut GuideOutput);
+
+    /// Records what it constructs, for pictures. It is called only if a trace is requested.
+    fn tell(&self, _view: &SteeringInput<'_>, _why: &mut TraceRecorder<'_>) {}
 
     /// Checks the parameters.
     ///

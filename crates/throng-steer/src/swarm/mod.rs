@@ -41,6 +41,7 @@ pub use aggregate::Aggregate;
 pub use attack::Attack;
 pub use escape::Escape;
 pub use flow::Flow;
+pub(crate) use flow::tell_spine;
 pub use guide::{Guide, GuideOutput};
 pub use migrate::{Align, HeightBand, Migrate};
 pub use phototaxis::Phototaxis;

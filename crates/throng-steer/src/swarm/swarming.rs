@@ -160,6 +160,9 @@ impl Behaviour for Swarm {
         let mut noise = [Vec3::ZERO];
         self.noise_at(&[view.position()], &[view.rng.number], view.time, &mut noise);
         let velocity = self.velocity(view, noise[0], memory);
+        if why.is_requested() {
+            self.guides.iter().for_each(|guide| guide.tell(view, why));
+        }
         why.note(|| SteeringReason::Wishes(velocity));
         Some(view.reach(velocity))
     }

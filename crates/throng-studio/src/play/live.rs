@@ -120,6 +120,7 @@ impl Playable for Live {
 
     fn capture(&self, frame: &mut Frame) {
         moment::capture(&self.world, frame);
+        frame.explanations = self.explanation.iter().map(|(_, why)| (**why).clone()).collect();
     }
 
     fn observe(&self) -> Observed {

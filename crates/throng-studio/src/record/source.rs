@@ -2,7 +2,7 @@
 
 use crate::play::{Reel, RunMoment, guarded, models_of, title};
 use std::sync::Arc;
-use throng::World;
+use throng::{TraceRequest, World};
 use throng_draw::{Annotations, Sheet};
 use throng_record::{Frame, Setting, moment};
 use throng_scene::Scene;
@@ -98,6 +98,8 @@ struct SceneRun {
     scene: Arc<Scene>,
     world: World,
     setting: Setting,
+    /// The agents of which the forbidden velocities are drawn.
+    explained: TraceRequest,
 }
 
 impl SceneRun {
@@ -106,7 +108,8 @@ impl SceneRun {
         let (mut world, built) = built.map_err(|error| error.to_string())?;
         world.request_traces(annotations.asked());
         let setting = moment::setting_with_figures(&world, &built, &scene, title(&scene, name));
-        Ok(Self { setting: setting.map_err(|error| error.to_string())?, world, scene })
+        let explained = annotations.explained();
+        Ok(Self { setting: setting.map_err(|error| error.to_string())?, world, scene, explained })
     }
 }
 
@@ -137,6 +140,7 @@ impl Source for SceneRun {
 
     fn capture(&self, frame: &mut Frame) {
         moment::capture(&self.world, frame);
+        moment::explain(&self.world, &self.explained, frame);
     }
 }
 

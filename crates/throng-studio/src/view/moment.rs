@@ -34,7 +34,12 @@ pub fn pairs(shown: &RunMoment) -> impl Iterator<Item = (&Body, &Body)> {
 /// Returns all agents at their displayed positions, with the traces of the current state.
 pub fn interpolated(shown: &RunMoment, share: f32) -> Frame {
     let bodies = pairs(shown).map(|(before, now)| mixed(before, now, share));
-    Frame { bodies: bodies.collect(), accounts: shown.frame.accounts.clone(), ..Frame::default() }
+    Frame {
+        bodies: bodies.collect(),
+        accounts: shown.frame.accounts.clone(),
+        explanations: shown.frame.explanations.clone(),
+        ..Frame::default()
+    }
 }
 
 /// Returns an agent at its displayed position. `share` is the interpolation weight.

@@ -55,6 +55,20 @@ pub trait Field: Send + Sync {
     fn cover(&self) -> Option<Arc<dyn FactorMap>> {
         None
     }
+
+    /// Returns the curve along which the field leads, if it does: pictures show it.
+    fn spine(&self) -> Option<FieldSpine> {
+        None
+    }
+}
+
+/// The curve along which a field leads, and the tube around the curve within which it does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldSpine {
+    /// The points of the curve in order, metres from the origin of the field.
+    pub points: Vec<Vec3>,
+    /// The radius of the tube, metres.
+    pub radius: f32,
 }
 
 impl<F: Fn(Vec3, f64) -> Vec3 + Send + Sync> Field for F {
@@ -78,5 +92,9 @@ impl Field for Arc<dyn Field> {
 
     fn cover(&self) -> Option<Arc<dyn FactorMap>> {
         (**self).cover()
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        (**self).spine()
     }
 }

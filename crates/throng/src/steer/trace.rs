@@ -9,10 +9,67 @@ use glam::Vec3;
 pub enum SteeringReason {
     /// The place that the agent aims at.
     Aim(Vec3),
-    /// The predicted position of an agent or an object.
-    Expects(Vec3),
+    /// A prediction: what is at the first place now will be at the second one.
+    Expects {
+        /// The place now.
+        now: Vec3,
+        /// The predicted place; the same if the behaviour does not predict.
+        then: Vec3,
+    },
+    /// The place that the agent moves away from.
+    Shuns(Vec3),
+    /// The point at which the agent will touch a surface, and the unit normal there, on the agent's side.
+    Hits {
+        /// The point.
+        point: Vec3,
+        /// The normal.
+        normal: Vec3,
+    },
+    /// The nearest point on a path or a wall.
+    Projects {
+        /// The point that is projected.
+        from: Vec3,
+        /// Its projection.
+        to: Vec3,
+    },
+    /// A circle that the behaviour constructs; a sphere for agents that fly.
+    Circle {
+        /// The centre.
+        center: Vec3,
+        /// The radius, metres.
+        radius: f32,
+    },
+    /// The cylinder that the agent will sweep.
+    Cylinder {
+        /// The start of its axis.
+        from: Vec3,
+        /// The end of its axis.
+        to: Vec3,
+        /// The radius, metres.
+        radius: f32,
+    },
+    /// A straight stretch of the path that the agent follows.
+    Stretch {
+        /// The start of its axis.
+        from: Vec3,
+        /// The end of its axis.
+        to: Vec3,
+        /// The radius of the path, metres.
+        radius: f32,
+    },
+    /// A rectangle that the behaviour constructs.
+    Rectangle([Vec3; 4]),
+    /// The velocity of a field at a place.
+    Samples {
+        /// The place.
+        place: Vec3,
+        /// The velocity, m/s.
+        velocity: Vec3,
+    },
     /// A preferred velocity.
     Wishes(Vec3),
+    /// A term of a sum of forces, divided by the mass, m/s². The terms of the same depth add up.
+    Adds(Vec3),
     /// Number of an agent that the behaviour takes into account.
     Regards(u32),
     /// An agent that will come too near.
@@ -54,14 +111,29 @@ impl SteeringReason {
     /// Adds a vector to its places.
     fn translate(&mut self, by: Vec3) {
         match self {
-            Self::Aim(place) | Self::Expects(place) | Self::Feels(place) | Self::Via(place) | Self::Keeps(place) => {
-                *place += by;
+            Self::Aim(place)
+            | Self::Shuns(place)
+            | Self::Feels(place)
+            | Self::Via(place)
+            | Self::Keeps(place)
+            | Self::Hits { point: place, .. }
+            | Self::Circle { center: place, .. }
+            | Self::Samples { place, .. } => *place += by,
+            Self::Expects { now: from, then: to }
+            | Self::Projects { from, to }
+            | Self::Cylinder { from, to, .. }
+            | Self::Stretch { from, to, .. }
+            | Self::Threat { own: from, theirs: to, .. } => {
+                *from += by;
+                *to += by;
             }
-            Self::Threat { own, theirs, .. } => {
-                *own += by;
-                *theirs += by;
-            }
-            Self::Wishes(_) | Self::Regards(_) | Self::Looks { .. } | Self::State(_) | Self::Part { .. } => {}
+            Self::Rectangle(corners) => corners.iter_mut().for_each(|corner| *corner += by),
+            Self::Wishes(_)
+            | Self::Adds(_)
+            | Self::Regards(_)
+            | Self::Looks { .. }
+            | Self::State(_)
+            | Self::Part { .. } => {}
         }
     }
 }

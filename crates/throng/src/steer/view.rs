@@ -211,7 +211,7 @@ impl SteeringInput<'_> {
 
     /// Steers away from a place at the top speed; forward if the agent is exactly there.
     pub fn flee(&self, place: Vec3, why: &mut TraceRecorder<'_>) -> Option<Steering> {
-        why.note(|| super::SteeringReason::Expects(place));
+        why.note(|| super::SteeringReason::Shuns(place));
         let away = -self.to(place);
         self.go(if away == Vec3::ZERO { self.forward() } else { away })
     }

@@ -5,6 +5,7 @@ use crate::agent::AgentId;
 use crate::avoid::{
     AvoidanceNeighbour, AvoidanceReason, Cause, NearDisc, NearEdge, Visibility, Workspace, time_to_segment,
 };
+use crate::intend::TraceRequest;
 use crate::moving::velocity;
 use crate::navigate::Surroundings;
 use crate::steer::TraceEntry;
@@ -93,16 +94,30 @@ impl World {
     /// # Ok::<(), throng::Error>(())
     /// ```
     pub fn explain(&self, id: AgentId) -> Option<Explanation> {
-        self.state.row(id)?;
+        let number = self.state.agents.number[self.state.row(id)?];
+        self.explain_all(&TraceRequest::Numbers(vec![number])).pop()
+    }
+
+    /// Returns the motions of several agents in the next sub-step, and the reasons, by number. The world is unchanged: a
+    /// clone makes the sub-step, once for all agents.
+    pub fn explain_all(&self, request: &TraceRequest) -> Vec<Explanation> {
+        if !request.any() {
+            return Vec::new();
+        }
         let Self { mut state, mut step } = self.clone();
         let (memory, draws) = (state.agents.memory.clone(), state.tally.sub_steps);
         let of = step.decide(&mut state);
         // `decide` has changed the memory of behaviours and the counter of random draws
         (state.agents.memory, state.tally.sub_steps) = (memory, draws);
-        let row = state.row(id)?;
         let seen = step.perceive.result();
-        let (_, steering) = step.intend.steering(&state, seen).reasons(row, of.seconds, of.now);
-        Some(Explanation { steering, ..explanation(&state, &step, row, of.seconds) })
+        let explain = |row: usize| {
+            let (_, steering) = step.intend.steering(&state, seen).reasons(row, of.seconds, of.now);
+            Explanation { steering, ..explanation(&state, &step, row, of.seconds) }
+        };
+        let requested = (0..state.agents.len()).filter(|&row| request.holds(state.agents.number[row]));
+        let mut all: Vec<Explanation> = requested.map(explain).collect();
+        all.sort_unstable_by_key(|why| why.number);
+        all
     }
 }
 

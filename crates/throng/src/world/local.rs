@@ -5,7 +5,7 @@
 
 use crate::agent::{Group, Guidance};
 use crate::error::Error;
-use crate::field::{Adaptive, FactorMap, Field, Governed};
+use crate::field::{Adaptive, FactorMap, Field, FieldSpine, Governed};
 use crate::motion::{Steering, WrapAround};
 use crate::space::surface::{Barrier, Moved, Pose};
 use crate::steer::{
@@ -65,6 +65,12 @@ impl Field for ShiftedField {
 
     fn adaptive(&self) -> Option<&dyn Adaptive> {
         self.field.adaptive().map(|_| self as _)
+    }
+
+    fn spine(&self) -> Option<FieldSpine> {
+        let mut spine = self.field.spine()?;
+        spine.points.iter_mut().for_each(|point| *point -= self.by.as_vec2().extend(0.0));
+        Some(spine)
     }
 }
 

@@ -100,7 +100,7 @@ proptest! {
         let (said, reasons) = told(&feel, &view);
         prop_assert_eq!(said.is_some(), expected.is_some());
         if let Some((_, point)) = expected {
-            let touch = |told: &throng::steer::TraceEntry| if let SteeringReason::Expects(touched) = told.reason { Some(touched) } else { None };
+            let touch = |told: &throng::steer::TraceEntry| if let SteeringReason::Hits { point: touched, .. } = told.reason { Some(touched) } else { None };
             let touched = reasons.iter().find_map(touch).expect("it says where it touches");
             prop_assert!(touched.distance(point) < 0.1, "{touched} {point}");
         }

@@ -1,0 +1,77 @@
+//! The constructions that textbooks draw: circles, cylinders, rectangles and sectors in the world.
+
+use super::layers::Annotated;
+use super::pen::AnnotationPen;
+use glam::{DVec2, DVec3};
+use std::f32::consts::PI;
+use std::f64::consts::TAU;
+use throng::motion::Basis;
+
+/// The number of segments of a circle.
+const ROUND: usize = 64;
+/// The length of the normal at a touched surface, metres.
+const NORMAL: f64 = 0.4;
+
+/// Draws a circle on the ground, or the outline of a sphere about a flying agent.
+pub(super) fn circle(agent: &Annotated<'_>, center: DVec3, radius: f64, pen: &mut AnnotationPen<'_>) {
+    let axis = if agent.body.basis.is_some() { pen.projector.sight(center) } else { DVec3::Z };
+    let (x, y) = axis.any_orthonormal_pair();
+    let at = |k: usize| {
+        let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
+        center + (x * cos + y * sin) * radius
+    };
+    let points: Vec<DVec3> = (0..=ROUND).map(at).collect();
+    area(&points[..ROUND], pen);
+}
+
+/// Draws a polygon: a pale area and its outline.
+pub(super) fn area(corners: &[DVec3], pen: &mut AnnotationPen<'_>) {
+    pen.area(corners);
+    pen.line(corners.iter().chain(&corners[..1]).copied());
+}
+
+/// Draws the outline of a cylinder, as seen from the viewpoint: its axis, its sides, and round ends.
+pub(super) fn tube([from, to]: [DVec3; 2], radius: f64, pen: &mut AnnotationPen<'_>) {
+    let sight = pen.projector.sight(from.midpoint(to));
+    let Some(along) = (to - from).try_normalize() else { return };
+    let side = sight.cross(along).normalize_or(along.any_orthonormal_vector());
+    let cap = |center: DVec3, turn: f64| {
+        (0..=ROUND / 2).map(move |k| {
+            let (sin, cos) = (turn + 0.5 * TAU * k as f64 / (ROUND / 2) as f64).sin_cos();
+            center + (side * cos + along * sin) * radius
+        })
+    };
+    // from the left end of the far cap round the far end, and back along the other side
+    let outline: Vec<DVec3> = cap(to, 0.0).chain(cap(from, 0.5 * TAU)).collect();
+    area(&outline, pen);
+    pen.line([from, to]);
+}
+
+/// Draws the touched point of a surface: a stretch of its tangent, and its normal.
+pub(super) fn hit(point: DVec3, normal: DVec3, pen: &mut AnnotationPen<'_>) {
+    let sight = pen.projector.sight(point);
+    let tangent = sight.cross(normal).normalize_or(normal.any_orthonormal_vector()) * NORMAL;
+    pen.line([point - tangent, point + tangent]);
+    pen.arrow(point, normal * NORMAL);
+    pen.dot(point, 2.2);
+}
+
+/// Draws what an agent sees: a disc, or a sector with its straight sides. For a flying agent, also the outline of the
+/// sector in its upright plane.
+pub(super) fn sector(agent: &Annotated<'_>, distance: f64, angle: f32, pen: &mut AnnotationPen<'_>) {
+    let upright = || Basis::facing(DVec2::from_angle(f64::from(agent.body.heading)).as_vec2().extend(0.0));
+    let basis = agent.body.basis.unwrap_or_else(upright);
+    let outline = |aside: glam::Vec3| {
+        let out = |k: usize| {
+            let (sin, cos) = (angle * (2.0 * k as f32 / ROUND as f32 - 1.0)).sin_cos();
+            agent.at + (basis.forward * cos + aside * sin).as_dvec3() * distance
+        };
+        let center = (angle < PI - 1e-3).then_some(agent.at);
+        center.into_iter().chain((0..=ROUND).map(out)).collect::<Vec<DVec3>>()
+    };
+    area(&outline(basis.side), pen);
+    if agent.body.basis.is_some() {
+        let upright = outline(basis.up);
+        pen.line(upright.iter().chain(&upright[..1]).copied());
+    }
+}
