@@ -276,7 +276,7 @@ pub struct RunArgs {
 /// The arguments of `throng list`.
 #[derive(Args, Debug)]
 pub struct ListArgs {
-    /// Groups of the gallery, names of scenes, and scene files: writes what they say to viewers [default: the list of
+    /// Groups of the gallery, `papers`, names of scenes, and scene files: writes what they say to viewers [default: the list of
     /// all scenes]
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,

@@ -68,8 +68,29 @@ pub fn title(name: &str) -> Option<&'static str> {
 
 /// Returns the title in the text of a scene's file.
 pub(crate) fn title_in(text: &str) -> Option<&str> {
-    let line = text.lines().find_map(|line| line.strip_prefix("title = "))?;
-    Some(line.trim().trim_matches('"'))
+    line_of(text, "title")
+}
+
+/// Returns the value of a key that has its own line in the text of a scene's file.
+fn line_of<'t>(text: &'t str, key: &str) -> Option<&'t str> {
+    let value = |line: &'t str| line.strip_prefix(key)?.trim_start().strip_prefix('=');
+    Some(text.lines().find_map(value)?.trim().trim_matches('"'))
+}
+
+/// The name of the group of the scenes that show figures and demonstrations of papers. These scenes are in other groups
+/// too.
+pub const PAPERS: &str = "papers";
+
+/// Returns the scenes that show figures and demonstrations of papers, each with its citation
+/// ([`About::shows`](crate::About::shows)), in the order of the citations.
+pub fn papers() -> Vec<(&'static str, &'static str)> {
+    let cited = |name| Some((name, line_of(text(name)?, "shows")?));
+    let mut all: Vec<(&str, &str)> = names().filter_map(cited).collect();
+    // years first: the order in which the field grew
+    let year =
+        |citation: &str| citation.split(|c: char| !c.is_ascii_digit()).find(|word| word.len() == 4).map(str::to_owned);
+    all.sort_by_key(|&(_, citation)| (year(citation), citation));
+    all
 }
 
 /// Returns the scene with this name.

@@ -11,6 +11,7 @@ pub const EXAMPLES: &str = "\
 Examples:
   throng sheet                                every scene of the gallery, sheet.png
   throng sheet walls flocks -o walls.svg --columns 5
+  throng sheet papers -o papers.png           figures and demonstrations of papers, with citations
   throng sheet circle box my-scene.toml --at 4 --trails 4
 
 Ctrl-C ends the command without writing the picture.";
@@ -18,7 +19,8 @@ Ctrl-C ends the command without writing the picture.";
 /// The arguments of `throng sheet`.
 #[derive(Args, Debug)]
 pub struct SheetArgs {
-    /// Groups of the gallery, names of scenes (see `throng list`), and scene files [default: all groups]
+    /// Groups of the gallery, names of scenes (see `throng list`), and scene files; `papers`: the scenes that show figures
+    /// of papers, with citations [default: all groups but `papers`]
     #[arg(value_name = "GROUP|SCENE")]
     pub scenes: Vec<PathBuf>,
 

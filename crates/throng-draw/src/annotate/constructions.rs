@@ -9,6 +9,8 @@ use throng::motion::Basis;
 
 /// The number of segments of a circle.
 const ROUND: usize = 64;
+/// The opacity of areas over that of lines.
+const SHADE: f32 = 0.14;
 /// The length of the normal at a touched surface, metres.
 const NORMAL: f64 = 0.4;
 
@@ -20,13 +22,12 @@ pub(super) fn circle(agent: &Annotated<'_>, center: DVec3, radius: f64, pen: &mu
         let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
         center + (x * cos + y * sin) * radius
     };
-    let points: Vec<DVec3> = (0..=ROUND).map(at).collect();
-    area(&points[..ROUND], pen);
+    pen.line((0..=ROUND).map(at));
 }
 
 /// Draws a polygon: a pale area and its outline.
 pub(super) fn area(corners: &[DVec3], pen: &mut AnnotationPen<'_>) {
-    pen.area(corners);
+    pen.area(corners, SHADE);
     pen.line(corners.iter().chain(&corners[..1]).copied());
 }
 

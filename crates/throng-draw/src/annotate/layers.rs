@@ -108,14 +108,14 @@ impl Annotator<'_> {
                 dashed: kind.is_dashed(),
                 marks: &mut marks,
             };
-            // agents on the same path share its stretches
-            let mut stretches: Vec<SteeringReason> = Vec::new();
+            // agents on the same path share its stretches, agents with the same leader its rectangle
+            let mut all: Vec<SteeringReason> = Vec::new();
             for agent in &agents {
                 let mut reasons = agent.reasons(kind);
                 reasons.retain(|reason| {
-                    let shared = matches!(reason, SteeringReason::Stretch { .. });
-                    let drawn = shared && stretches.contains(reason);
-                    stretches.extend((shared && !drawn).then_some(*reason));
+                    let shared = is_shared(reason);
+                    let drawn = shared && all.contains(reason);
+                    all.extend((shared && !drawn).then_some(*reason));
                     !drawn
                 });
                 self.annotate(kind, agent, &reasons, frame, &mut pen);
@@ -223,6 +223,11 @@ impl Annotator<'_> {
             }
         }
     }
+}
+
+/// Whether a reason is drawn in the same way for all agents that have it.
+fn is_shared(reason: &SteeringReason) -> bool {
+    matches!(reason, SteeringReason::Stretch { .. } | SteeringReason::Rectangle(_) | SteeringReason::Circle { .. })
 }
 
 /// Returns the terms of the steering force: those of the sum nearest to the root of the tree of behaviours.

@@ -6,8 +6,6 @@ use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
 use glam::{DVec3, Vec2};
 
-/// The opacity of areas over that of lines.
-const SHADE: f32 = 0.12;
 /// The least length of arrows, in units of the layout; shorter arrows are left out.
 const LEAST_ARROW: f32 = 4.0;
 
@@ -37,11 +35,11 @@ impl AnnotationPen<'_> {
         }
     }
 
-    /// Fills a polygon with a pale shade of the colour; nothing if a corner is behind the viewpoint.
-    pub fn area(&mut self, corners: &[DVec3]) {
+    /// Fills a polygon with the colour, at `shade` of its opacity; nothing if a corner is behind the viewpoint.
+    pub fn area(&mut self, corners: &[DVec3], shade: f32) {
         let ring: Option<Vec<_>> = corners.iter().map(|&corner| self.projector.pixel(corner)).collect();
         if let Some(ring) = ring {
-            let opacity = SHADE * f32::from(self.color.a) / 255.0;
+            let opacity = shade * f32::from(self.color.a) / 255.0;
             self.marks.push(Primitive::Area { rings: vec![ring], fill: self.color.alpha(opacity) });
         }
     }

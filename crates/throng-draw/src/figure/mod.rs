@@ -14,7 +14,7 @@ mod velocities;
 mod words;
 
 pub(crate) use arrow::arrow;
-pub(crate) use region::forbidden;
+pub(crate) use region::{clip, forbidden};
 
 use crate::picture::Picture;
 use crate::primitive::Primitive;

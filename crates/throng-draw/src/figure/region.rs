@@ -61,7 +61,7 @@ fn reversed(line: HalfPlane) -> HalfPlane {
 }
 
 /// Returns the part of a convex polygon on a line or left of it (Sutherland, Hodgman, 1974).
-fn clip(polygon: Vec<Vec2>, line: HalfPlane) -> Vec<Vec2> {
+pub(crate) fn clip(polygon: Vec<Vec2>, line: HalfPlane) -> Vec<Vec2> {
     let mut out = Vec::with_capacity(polygon.len() + 1);
     for (i, &to) in polygon.iter().enumerate() {
         let from = polygon[(i + polygon.len() - 1) % polygon.len()];

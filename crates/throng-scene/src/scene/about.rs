@@ -27,6 +27,10 @@ pub struct About {
     /// Where the method or the scene comes from: a paper, or what throng derived it from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
+    /// The figure or demonstration of a paper that it shows, such as `van den Berg 2008, fig. 7`. Scenes with it are the
+    /// gallery's group `papers`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shows: Option<String>,
     /// Numbers of the scene that are worth a change. Limit: at most 8.
     #[serde(rename = "slider", skip_serializing_if = "Vec::is_empty")]
     pub sliders: Vec<AboutSlider>,
@@ -84,6 +88,7 @@ impl About {
             ("why", &self.why),
             ("try", &self.r#try),
             ("source", &self.source),
+            ("shows", &self.shows),
         ];
         texts.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)))
     }

@@ -36,14 +36,34 @@ fn every_scene_has_words_and_sliders() {
     let mut titles = BTreeSet::new();
     for name in gallery::names() {
         let scene = gallery::scene(name).unwrap();
-        let keys: Vec<&str> = scene.about.texts().map(|(key, _)| key).collect();
+        let keys: Vec<&str> = scene.about.texts().map(|(key, _)| key).filter(|key| *key != "shows").collect();
         assert_eq!(keys, ["see", "look_for", "why", "try", "source"], "{name}");
         assert!(!scene.about.sliders.is_empty(), "{name}");
         assert!(titles.insert(scene.title.clone()), "two scenes are titled {}", scene.title);
         for (key, text) in scene.about.texts() {
-            assert!(text.ends_with('.') || key == "source", "{name}: {key} is no sentence: {text}");
+            assert!(text.ends_with('.') || ["source", "shows"].contains(&key), "{name}: {key} is no sentence: {text}");
         }
     }
+}
+
+#[test]
+fn papers_are_the_scenes_with_citations_in_the_order_of_years() {
+    let papers = gallery::papers();
+    let cited = |name: &&str| gallery::scene(name).unwrap().about.shows.is_some();
+    let mut names: Vec<&str> = papers.iter().map(|&(name, _)| name).collect();
+    let years: Vec<u32> = papers
+        .iter()
+        .map(|(name, citation)| {
+            assert_eq!(gallery::scene(name).unwrap().about.shows.as_deref(), Some(*citation));
+            let words = citation.split(|c: char| !c.is_ascii_digit());
+            words.filter_map(|word| word.parse().ok()).find(|year| (1980..2030).contains(year)).expect(citation)
+        })
+        .collect();
+    assert!(years.is_sorted() && years.len() > 8, "{years:?}");
+    names.sort_unstable();
+    let mut all: Vec<&str> = gallery::names().filter(cited).collect();
+    all.sort_unstable();
+    assert_eq!(names, all);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use eframe::egui::{
     TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 use std::sync::Arc;
-use throng_scene::{About, Plugins};
+use throng_scene::{About, Plugins, gallery};
 
 /// The width of a tile, points of the screen, and the aspect ratio (width over height) of its picture.
 const TILE: f32 = 99.0;
@@ -41,7 +41,8 @@ impl Gallery {
                     });
                 header.header_response.on_hover_text("what the open scene shows");
             }
-            for (group, names) in plugins.groups() {
+            let papers = gallery::papers().into_iter().map(|(name, _)| name).collect();
+            for (group, names) in plugins.groups().into_iter().chain([(gallery::PAPERS, papers)]) {
                 let found: Vec<&str> = names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect();
                 if found.is_empty() {
                     continue;

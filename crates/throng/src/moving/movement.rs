@@ -113,10 +113,9 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             } else {
                 let is_disc = core[row] == Vec2::ZERO;
                 let now = turned_heading(
-                    is_disc,
+                    (!is_disc).then_some(target.heading),
                     velocity.truncate(),
                     (facing, looks),
-                    target,
                     (row, max_turn_rate[row]),
                     headings[at],
                     seconds,
@@ -146,18 +145,18 @@ pub(super) fn rows_if<T: ColumnValue>(needed: bool, column: &mut Column<T>) -> R
     RowLists { all: if needed { column.rows_mut() } else { &mut [] }, stride: usize::from(needed) }
 }
 
-/// Returns the heading of an agent without a vehicle after its motion.
+/// Returns the heading of an agent without a vehicle after its motion. `chosen` is the heading that the guard has chosen
+/// for a body that is not a disc.
 fn turned_heading(
-    is_disc: bool,
+    chosen: Option<f32>,
     velocity: Vec2,
     (facing, looks): (Facing<'_>, &[Vec2]),
-    target: BodyPose,
     (row, max_turn_rate): (usize, f32),
     before: f32,
     seconds: f32,
 ) -> f32 {
-    if !is_disc {
-        return target.heading;
+    if let Some(chosen) = chosen {
+        return chosen;
     }
     let to = match looks.get(row) {
         Some(&looks) if looks != Vec2::ZERO => looks,
@@ -177,7 +176,9 @@ pub(super) fn turn_walker(
 ) {
     let is_disc = agents.is_disc(row);
     let limit = (row, agents.max_turn_rate[row]);
-    let heading = turned_heading(is_disc, agents.velocity[row], facing, targets[row], limit, before, seconds);
+    // without a guard and among discs there are no targets
+    let chosen = (!is_disc).then(|| targets[row].heading);
+    let heading = turned_heading(chosen, agents.velocity[row], facing, limit, before, seconds);
     if !is_disc {
         agents.spin.set(row, wrap(heading - before) / seconds);
     }

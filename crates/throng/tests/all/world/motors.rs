@@ -48,7 +48,7 @@ fn any_guidance_leads_any_motor_within_its_limits() {
         for motor in motors(&mut draw) {
             for guidance in &all {
                 let mut world = with_settings(0.05, SubSteps::Fixed(2), DVec2::ZERO);
-                let group = Group { guidance: guidance.clone(), ..Group::default() };
+                let group = Group { guidance: guidance.clone(), guard: case % 2 == 0, ..Group::default() };
                 let group = world.add_group(group).unwrap();
                 let agent = walker(&mut world, DVec2::ZERO, way);
                 let heading = Some(draw.between(-3.0, 3.0) as f32);
