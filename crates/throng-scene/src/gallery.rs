@@ -24,20 +24,20 @@ static TEXTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
 
 const GROUPS: &[(&str, &[&str])] = groups! {
     // the four scenes of the seed labs, and their algorithm
-    "labs": "columns", "circle", "box", "pillars", "circle-lab";
+    "labs": "columns", "circle", "box", "pillars", "circle-lab", "barrier";
     "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
     "air": "sphere", "drones";
     // the examples of RVO2 and RVO2-3D, with their numbers
     "rvo2": "rvo2-circle", "rvo2-blocks", "rvo2-roadmap", "rvo2-sphere";
     "bodies": "mixed-sizes", "vehicle", "sliding-door";
     "walls": "corridor", "bottleneck", "doorway", "doorway-0.8", "doorway-0.6", "doorway-two-way", "narrow-corridor", "maze", "office";
-    "steering": "seek-flee", "pursue-evade", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "leader-following",
-        "flocking", "boids", "interpose", "shadow", "docking", "explore", "formation", "noise", "multiple-pursuit", "low-speed-turn",
+    "steering": "seek-flee", "pursue-evade", "pursuit-beside-seek", "offset-pursuit", "arrival", "wander", "unaligned-avoidance", "queueing", "queue-at-door", "leader-following", "leader-turns-back",
+        "flocking", "boids", "boids-pillars", "interpose", "shadow", "docking", "explore", "formation", "noise", "remedy-hold", "remedy-stop-and-wait", "multiple-pursuit", "low-speed-turn",
         "one-turning", "capture-the-flag", "soccer", "map-drive",
         "flock-pedestrians", "leader-pedestrians", "path-pedestrians", "context-steering", "obstacle-avoidance", "path-following", "wall-following", "containment", "flow-field", "crowd-path", "hide",
         "pedestrians", "walking-an-eight";
     // crowds guided by vector fields
-    "fields": "field-anchors", "field-strokes", "field-paint", "field-vortex", "field-crossing-groups", "field-keyframes", "field-goal", "field-jam",
+    "fields": "field-anchors", "field-strokes", "field-paint", "field-vortex", "field-ratio", "field-stretch", "field-crossing-groups", "field-keyframes", "field-goal", "field-jam",
         "interaction-field";
     // insects with noise
     "swarms": "swarm-aggregation", "swarm-phototaxis", "swarm-sedation", "swarm-attack", "swarm-migration", "swarm-escape";

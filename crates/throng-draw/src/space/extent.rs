@@ -88,12 +88,14 @@ fn things<'a>(setting: &'a Setting, first: &'a Frame) -> impl Iterator<Item = DV
     flat.chain(people(first, 0.0)).filter(|point| point.is_finite())
 }
 
-/// Returns the points of the people of a moment, `ahead` seconds later if they walk on: their feet and their heads.
+/// Returns the points of the agents of a moment, `ahead` seconds later if they move on: the feet and the heads of people,
+/// the undersides and the backs of what flies.
 pub(super) fn people(frame: &Frame, ahead: f64) -> impl Iterator<Item = DVec3> + '_ {
     let ends = frame.bodies.iter().flat_map(move |body| {
-        let height = PERSON.max(2.0 * f64::from(body.radius));
+        let radius = f64::from(body.radius);
+        let ends = if body.basis.is_some() { [-radius, radius] } else { [0.0, PERSON.max(2.0 * radius)] };
         let way = (body.velocity.as_dvec2() * ahead).extend(0.0);
-        [0.0, height].map(|z| body.center() + way + DVec3::Z * z)
+        ends.map(|z| body.center() + way + DVec3::Z * z)
     });
     ends.filter(|point| point.is_finite())
 }

@@ -13,8 +13,10 @@ const CENTERING: usize = 8;
 /// The rates at which a viewpoint approaches its place behind a followed agent, and before a crowd, 1/s.
 const CHASING: f64 = 7.0;
 const FRAMING: f64 = 2.0;
-/// The least distance of the viewpoint from a crowd, metres.
+/// The least distance of the viewpoint from a crowd, metres, and over the radius of the largest agent: people, and what is
+/// larger, are no nearer than 6 m; insects of 1 cm are as near as 0.5 m.
 const NEAREST: f64 = 6.0;
+const NEAREST_PER_RADIUS: f64 = 50.0;
 
 /// A moving viewpoint.
 #[derive(Clone, Debug)]
@@ -137,8 +139,10 @@ impl Rig {
                 let points: Vec<DVec3> = people(frame, 0.0).chain(people(frame, 1.0 / FRAMING)).collect();
                 let out = (eye - target).normalize_or(DVec3::Z);
                 let fit = self.window.fit(&points, out, self.window.focal(self.angle), None);
+                let largest = frame.bodies.iter().map(|body| body.shape().bounding_radius()).fold(0.0, f32::max);
+                let nearest = NEAREST.min(NEAREST_PER_RADIUS * f64::from(largest));
                 let far = |sight: Sight| {
-                    let distance = sight.eye.distance(sight.target).max(NEAREST);
+                    let distance = sight.eye.distance(sight.target).max(nearest);
                     Sight { eye: sight.target + out * distance, ..sight }
                 };
                 (fit.map(far), FRAMING)
@@ -235,5 +239,31 @@ mod tests {
         let rest = rig.turn(&Frame { time: 30.0, ..moment(20.0) });
         let least = inside(&rest, &people(&moment(20.0), 0.0).collect::<Vec<_>>(), room);
         assert!((-1.0..8.0).contains(&least), "{least} pixels at rest");
+    }
+    /// Returns the distance of the viewpoint from a small group of agents of a size, metres.
+    fn distance_from(radius: f32, flies: bool) -> f64 {
+        let basis = flies.then(throng::motion::Basis::default);
+        let spread = 4.0 * f64::from(radius);
+        let bodies = (0..6).map(|k| {
+            let at = DVec2::from_angle(f64::from(k)) * spread;
+            throng_record::Body { radius, basis, altitude: if flies { 2.0 } else { 0.0 }, ..body(at) }
+        });
+        let frame = Frame { bodies: bodies.collect(), ..Frame::default() };
+        let ground = WorldBox { min: DVec2::splat(-9.0), max: DVec2::splat(9.0) };
+        let extent = Extent::of(ground, true, &Setting::default(), &frame);
+        let viewpoint = Viewpoint { motion: Motion::Crowd, ..Viewpoint::default() };
+        let mut rig = Rig::new(&viewpoint, &extent, 480, (Vec2::splat(20.0), Vec2::new(620.0, 460.0)));
+        rig.turn(&frame);
+        let (sight, _) = rig.now.expect("the viewpoint follows the crowd");
+        sight.eye.distance(sight.target)
+    }
+
+    #[test]
+    fn the_least_distance_is_that_of_the_size_of_the_agents() {
+        for (radius, flies, least) in [(0.2, false, 6.0), (0.4, true, 6.0), (0.01, true, 0.5), (0.005, true, 0.25)] {
+            let distance = distance_from(radius, flies);
+            assert!((distance - least).abs() < 0.5 * least, "{distance} m from agents of {radius} m");
+            assert!(distance >= least - 1e-6, "{distance} m from agents of {radius} m");
+        }
     }
 }

@@ -85,6 +85,8 @@ pub enum AgentShape {
     Car,
     /// A robot on two wheels, which roll, with a visor that shows the heading.
     Robot,
+    /// A walking person, also in scenes in which agents fly.
+    Person,
 }
 
 /// The camera of a view in perspective.

@@ -3,11 +3,12 @@
 use super::{Neighbourhood, Separation};
 use crate::single::keep;
 use glam::Vec3;
+use std::f32::consts::TAU;
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{
-    Behaviour, GroupFilter, Kinematics, SteeringInput, SteeringNeighbour, SteeringReason, Target, TraceRecorder,
+    Behaviour, GroupFilter, Kinematics, Rng, SteeringInput, SteeringNeighbour, SteeringReason, Target, TraceRecorder,
 };
 
 /// Follows behind a leader, out of its way (Reynolds 1999).
@@ -42,6 +43,10 @@ pub struct FollowLeader {
     /// Distance at which it starts to slow down, metres.
     #[parameter(default = 2.0, unit = "m", least = 0)]
     pub slowing_distance: f32,
+    /// Radius of a disc behind the leader in which each follower of a bunch has its own place, metres; 0: the same place
+    /// for all.
+    #[parameter(default = 0.0, unit = "m", least = 0)]
+    pub spread: f32,
     /// Distance between followers, metres.
     #[parameter(default = 0.8, unit = "m", above = 0)]
     pub spacing: f32,
@@ -59,7 +64,8 @@ impl Behaviour for FollowLeader {
             return view.go(aside);
         }
         let next = if self.single_file { next_in_file(view).unwrap_or(leader) } else { leader };
-        let follow = keep(view, &next, Vec3::NEG_X * self.gap, self.slowing_distance, why);
+        let place = Vec3::NEG_X * self.gap + if self.single_file { Vec3::ZERO } else { self.own_place(view.rng) };
+        let follow = keep(view, &next, place, self.slowing_distance, why);
         let near = Neighbourhood { distance: self.spacing, groups: GroupFilter::OwnGroup, ..Neighbourhood::default() };
         let full = FULL / self.spacing;
         let apart = Separation { near, full, ..Separation::default() }.steer(view, memory, why);
@@ -84,6 +90,13 @@ impl FollowLeader {
     fn way(&self, leader: &Kinematics) -> [Vec3; 4] {
         let corners = [(0.0, self.width), (self.free, self.width), (self.free, -self.width), (0.0, -self.width)];
         corners.map(|(ahead, left)| leader.position + leader.basis.to_world(Vec3::new(ahead, left, 0.0)))
+    }
+
+    /// Returns the place of a follower in the disc, from the point of the disc that is nearest to the leader.
+    fn own_place(&self, rng: Rng) -> Vec3 {
+        let (sin, cos) = libm::sincosf(TAU * rng.at(0).draw(0));
+        let out = self.spread * rng.at(0).draw(1).sqrt();
+        Vec3::new(out * cos - self.spread, out * sin, 0.0)
     }
 
     /// Returns the direction to the nearer side of the leader's way if the agent is in that way.

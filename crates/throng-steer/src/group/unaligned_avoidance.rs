@@ -4,7 +4,7 @@ use super::avoid_neighbours::{first_threat, note_threat};
 use throng::Error;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
-use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, TraceRecorder};
+use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, Target, TraceRecorder};
 
 /// Turns, brakes or speeds up for the first neighbour that will come too near (Reynolds 1999).
 ///
@@ -14,7 +14,7 @@ use throng::steer::{Behaviour, GroupFilter, SteeringInput, SteeringNeighbour, Tr
 /// ```
 /// use throng::steer::GroupFilter;
 /// use throng_steer::UnalignedAvoidance;
-/// let walker = UnalignedAvoidance { groups: GroupFilter::All, horizon: 4.0, gap: 0.2 };
+/// let walker = UnalignedAvoidance { groups: GroupFilter::All, horizon: 4.0, gap: 0.2, destination: None };
 /// ```
 #[parameters]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,16 @@ pub struct UnalignedAvoidance {
     /// Gap between bodies that pass each other, metres.
     #[parameter(default = 0.1, unit = "m", least = 0)]
     pub gap: f32,
+    /// The target at which it stops: what would happen beyond it does not count. Without it, all counts.
+    pub destination: Option<Target>,
+}
+
+impl UnalignedAvoidance {
+    /// Returns how far ahead it looks, seconds: at most until it is at its destination.
+    fn horizon(&self, view: &SteeringInput<'_>) -> f32 {
+        let distance = self.destination.and_then(|target| target.find(view)).map(|target| view.to(target.position).length());
+        distance.map_or(self.horizon, |distance| self.horizon.min(distance / view.velocity().length().max(f32::EPSILON)))
+    }
 }
 
 /// Part of the sum of radii and gap below which the closest approach counts as exact: then there is no side on which to
@@ -39,7 +49,7 @@ impl Behaviour for UnalignedAvoidance {
             self.groups.counts(view, other) && other.offset.length() < view.radius + other.radius
         };
         let touching = view.neighbours.iter().find(touches).map(|other| (0.0, other));
-        let (time, threat) = touching.or_else(|| first_threat(view, self.groups, self.horizon, self.gap))?;
+        let (time, threat) = touching.or_else(|| first_threat(view, self.groups, self.horizon(view), self.gap))?;
         note_threat(view, time, threat, why);
         let apart = view.radius + threat.radius + self.gap;
         let miss = -view.passable(threat.offset + (threat.velocity - view.velocity()) * time);

@@ -32,6 +32,9 @@ pub struct Attack {
     /// Part of the agents that lead.
     #[parameter(default = 1.0, least = 0, most = 1)]
     pub leaders: f32,
+    /// Height of the point that it attacks above the prey's position, metres.
+    #[parameter(default = 0.0, unit = "m", least = 0)]
+    pub height: f32,
     /// Distance within which the other agents look for agents to follow, metres.
     #[parameter(default = 0.0, unit = "m", least = 0)]
     pub follow: f32,
@@ -67,7 +70,8 @@ impl Guide for Attack {
     }
 
     fn guide(&self, view: &SteeringInput<'_>, _: &mut [f32], chosen: &mut GuideOutput) {
-        let Some(prey) = self.prey.find(view) else { return };
+        let Some(mut prey) = self.prey.find(view) else { return };
+        prey.position += Vec3::Z * self.height;
         let distance = view.to(prey.position).length();
         if distance > self.within {
             return;

@@ -34,6 +34,9 @@ pub struct Phototaxis {
     /// From 1.5 times this distance on an insect flies straight to the light.
     #[parameter(default = 0.5, unit = "m", above = 0)]
     pub orbit: f32,
+    /// Differences between the orbits of insects: each has an orbit of `1 - spread` to `1 + spread` times this distance.
+    #[parameter(default = 0.0, least = 0, most = 1)]
+    pub spread: f32,
     /// Factor of the noise in the orbit.
     #[parameter(name = "agitation", default = 1.5, least = 0)]
     pub noise: f32,
@@ -54,7 +57,8 @@ impl Guide for Phototaxis {
         let square = to.length_squared();
         // I / (I + threshold) at any distance
         let part = self.power / (self.power + self.threshold * square);
-        let inwards = ((square.sqrt() - self.orbit) / (0.5 * self.orbit)).clamp(0.0, 1.0);
+        let orbit = self.orbit * (1.0 + self.spread * (2.0 * view.rng.at(0).draw(3) - 1.0));
+        let inwards = ((square.sqrt() - orbit) / (0.5 * self.orbit)).clamp(0.0, 1.0);
         let Some(direction) = to.try_normalize().filter(|_| part > 0.0) else { return };
         let mut way = direction * inwards;
         if inwards < 1.0 {

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 use throng::motion::{Motion, Vehicle};
 use throng::parameters::Angle;
-use throng::steer::{Behaviour, BoxedBehaviour, GroupFilter, SteeringInput, SteeringNeighbour, Target};
+use throng::steer::{Behaviour, BoxedBehaviour, GroupFilter, Rng, SteeringInput, SteeringNeighbour, Target};
 use throng_steer::{
     Alignment, AvoidNeighbours, Boids, CloseAvoidance, Cohesion, Falloff, Flocking, FollowFlow, FollowLeader,
     KeepFormation, MatchVelocity, MoveForward, Neighbourhood, Pattern, Priority, Queue, Rule, Seek, Separation,
@@ -398,6 +398,33 @@ fn flocks_form() {
 }
 
 /// Reynolds' demo of 1999: thirty agents that wander in a square hardly touch.
+#[test]
+fn followers_of_a_bunch_have_places_of_their_own() {
+    let follow = FollowLeader { gap: 2.0, spread: 1.5, ..FollowLeader::new(Target::Point(Vec3::ONE)) };
+    let own = |number: u32, follow: &FollowLeader| {
+        let rng = Rng { seed: 1, number, step: 7 };
+        force(follow, &SteeringInput { rng, ..view(Vec3::ZERO, &[]) })
+    };
+    assert!(own(1, &follow).distance(own(2, &follow)) > 1e-3);
+    for same in [FollowLeader { spread: 0.0, ..follow }, FollowLeader { single_file: true, ..follow }] {
+        assert_eq!(own(1, &same), own(2, &same));
+    }
+}
+
+#[test]
+fn a_meeting_beyond_the_destination_is_none() {
+    // they would touch in 2 s, 2 m ahead
+    let offset = Vec3::new(4.0, 0.1, 0.0);
+    let other = SteeringNeighbour { offset, velocity: -Vec3::X, forward: -Vec3::X, radius: 0.2, number: 1, group: 0 };
+    let others = [other];
+    let view = view(Vec3::X, &others);
+    let avoids = |ahead: f32| {
+        let destination = Some(Target::Point(Vec3::ONE + Vec3::X * ahead));
+        ask(&UnalignedAvoidance { destination, ..UnalignedAvoidance::default() }, &view).is_some()
+    };
+    assert_eq!([avoids(1.0), avoids(3.0)], [false, true]);
+}
+
 #[test]
 fn strollers_hardly_touch() {
     for seconds in RATES {

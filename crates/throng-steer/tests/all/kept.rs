@@ -150,7 +150,7 @@ fn group() -> Vec<Named> {
         ("unaligned avoidance", UnalignedAvoidance::default().into()),
         (
             "unaligned avoidance, wide",
-            UnalignedAvoidance { groups: GroupFilter::OtherGroups, horizon: 6.0, gap: 0.6 }.into(),
+            UnalignedAvoidance { groups: GroupFilter::OtherGroups, horizon: 6.0, gap: 0.6, destination: None }.into(),
         ),
         ("avoid neighbours", AvoidNeighbours::default().into()),
         ("avoid neighbours, going", avoids(AvoidNeighbours { groups: GroupFilter::OtherGroups, horizon: 6.0 })),

@@ -70,8 +70,8 @@ fn a_marker_draws_from_beyond_its_radius_on() {
 #[test]
 fn light_draws_by_its_intensity_and_is_circled_both_ways() {
     let lamp = Vec3::new(0.0, 0.0, 3.0);
-    let light =
-        Phototaxis { power: 2.0, threshold: 0.5, speed: 1.2, orbit: 0.5, noise: 3.0, light: Target::Point(lamp) };
+    let light = Target::Point(lamp);
+    let light = Phototaxis { power: 2.0, threshold: 0.5, speed: 1.2, orbit: 0.5, spread: 0.0, noise: 3.0, light };
     // I = 2 / 4, equal to the threshold: half of the speed
     let far = fresh(&light, &at(lamp + Vec3::X * 2.0));
     assert!(close(far.velocity, Vec3::NEG_X * 0.6) && far.noise == 1.0);
@@ -101,6 +101,21 @@ fn light_draws_by_its_intensity_and_is_circled_both_ways() {
     // no velocity without light, nor at the centre of the light
     assert_eq!(fresh(&Phototaxis { power: 0.0, ..light }, &at(Vec3::ZERO)), GuideOutput::default());
     assert_eq!(fresh(&light, &at(lamp)), GuideOutput::default());
+}
+
+#[test]
+fn orbits_differ_by_their_spread() {
+    let light = Phototaxis { orbit: 1.0, spread: 0.5, ..Phototaxis::new(Target::Point(Vec3::ZERO)) };
+    // from half of the orbit to one and a half times of it: how many insects fly round, without any velocity inwards?
+    let round = |distance: f32| {
+        let inwards = |number: u32| {
+            let rng = Rng { seed: 5, number, step: 7 };
+            fresh(&light, &SteeringInput { rng, ..at(Vec3::X * distance) }).velocity.x < -1e-5
+        };
+        (0..1000).filter(|&number| !inwards(number)).count()
+    };
+    assert_eq!([round(0.49), round(1.51)], [1000, 0]);
+    assert!((round(0.75) as i32 - 750).abs() < 50 && (round(1.25) as i32 - 250).abs() < 50);
 }
 
 #[test]
@@ -143,6 +158,8 @@ fn prey_is_chased_where_it_will_be() {
     assert!(close(chosen.velocity, Vec3::new(4.0, 2.0, 0.0).normalize() * 1.5));
     assert!((chosen.noise - 0.6).abs() < 1e-6);
     assert_eq!(fresh(&Attack { within: 3.9, ..attack }, &view), GuideOutput::default());
+    let above = fresh(&Attack { height: 1.0, ..attack }, &view).velocity;
+    assert!(above.z > 0.3 && (above.length() - 1.5).abs() < 1e-5, "{above}");
     // a third of the insects lead, the same in every step
     let third = Attack { leaders: 0.333, follow: 2.0, ..attack };
     let leads = |number: u32, step: u64| {
