@@ -117,6 +117,7 @@ impl Moments {
     fn show(&self, spots: Range<usize>, frame: &mut Frame) {
         frame.total = self.total;
         frame.accounts.clear();
+        frame.fields.clear();
         frame.bodies.clear();
         frame.bodies.extend(self.spots[spots].iter().map(|spot| self.body(spot)));
     }

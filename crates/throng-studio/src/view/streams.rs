@@ -81,15 +81,18 @@ impl StreamMap {
             return Default::default();
         }
         let only = currents.only.filter(|&at| at < flows.len());
-        let still = flows.iter().enumerate().all(|(at, flow)| flow.still || only.is_some_and(|only| only != at));
+        // the shares of several fields move with the agents
+        let still = flows.len() == 1
+            && flows.iter().enumerate().all(|(at, flow)| flow.still || only.is_some_and(|only| only != at));
         let turn = if still { 0 } else { (shown.time() * RATE) as u64 };
         let seen = seen(projector, size, shown.bounds);
-        let (setting, first, dear) = (shown.setting.clone(), shown.first.clone(), currents.clone());
+        let (setting, first, now) = (shown.setting.clone(), shown.first.clone(), shown.frame.clone());
+        let dear = currents.clone();
         let make = move || {
             let flows = setting.flows.iter().enumerate().filter(|(at, _)| only.is_none_or(|only| only == *at));
             let setting =
                 throng_record::Setting { flows: flows.map(|(_, flow)| flow.clone()).collect(), ..(*setting).clone() };
-            let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, turn as f64 / RATE);
+            let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, &now);
             let layer = marks.as_ref().map(|marks| Arc::new(geometry(marks, setting.origin)));
             StreamSheet { layer: layer.unwrap_or_default(), fastest: marks.and_then(|marks| marks.fastest) }
         };
@@ -196,7 +199,8 @@ mod tests {
         let setting = Setting { flows: vec![Flow::of(Arc::new(field))], origin, ..Setting::default() };
         let theme = Theme::light();
         let currents = Currents { streams: Streams::Arrows, speed: true, only: None, theme: theme.clone() };
-        let marks = FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), 0.0).unwrap();
+        let marks =
+            FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), &Frame::default()).unwrap();
         let ground = geometry(&marks, origin);
         let picture = ground.picture.as_ref().unwrap();
         let [width, height] = picture.size;
