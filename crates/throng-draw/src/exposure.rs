@@ -163,7 +163,7 @@ mod tests {
                 "one picture stays the same"
             );
         }
-        [0, 0xff_ffff].map(|hex| exposure.add(&Image::new(2, 1, Color::rgb(hex))));
+        [0, 0xff_ffff].into_iter().for_each(|hex| exposure.add(&Image::new(2, 1, Color::rgb(hex))));
         exposure.develop(&mut image);
         // half of the light is 188 in sRGB, not 128
         assert_eq!(image.pixel(0, 0), Color::rgb(0xbc_bcbc));

@@ -194,7 +194,7 @@ impl Sheets {
     }
 
     fn draw(&mut self) {
-        /// The length of pieces of streamlines whose opacity differs, in units of the layout.
+        /// The length of pieces of streamlines, which differ in opacity, in units of the layout.
         const CUT: f32 = 12.0;
         self.over.clear();
         self.parts = vec![Vec::new(); self.shown.len()];

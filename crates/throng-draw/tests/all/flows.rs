@@ -328,14 +328,14 @@ fn a_field_that_adapts_is_drawn_as_it_is_now() {
 fn recordings_draw_fields_that_adapt_to_the_recorded_agents() {
     let style = Style { goals: false, ..drawing(&[FlowLayer::Arrows]) };
     let setting = adapting();
-    let nobody = |frame: Frame| Frame { bodies: Vec::new(), ..frame };
+    let empty = |frame: Frame| Frame { bodies: Vec::new(), ..frame };
     let mut painter = Painter::new(&setting, &style, &moment(0)).unwrap();
     // two agents at 0, 0.5 and 1 s turn it by 6 times 0.7
     (0..=25).for_each(|k| painter.follow(&moment(k)));
-    let later = painter.paint(&nobody(Frame { time: 1.01, ..moment(25) })).clone();
+    let later = painter.paint(&empty(Frame { time: 1.01, ..moment(25) })).clone();
     let turned = move |_: Vec3, _: f64| Vec2::from_angle(0.7 * 6.0).extend(0.0);
     let wanted = Setting { flows: place(turned).flows, ..setting.clone() };
-    let wanted = Painter::new(&wanted, &style, &moment(0)).unwrap().paint(&nobody(moment(25))).clone();
+    let wanted = Painter::new(&wanted, &style, &moment(0)).unwrap().paint(&empty(moment(25))).clone();
     assert!(later == wanted);
 }
 

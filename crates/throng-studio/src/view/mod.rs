@@ -171,7 +171,11 @@ impl ViewOptions {
         Style {
             view: plan.then(|| self.eye.seen(size)),
             projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
-            viewpoint: self.eye.viewpoint(selected),
+            viewpoint: match &self.guide {
+                Some(_) => coloring.viewpoint.clone(),
+                None => self.eye.viewpoint(selected),
+            },
+            flow: streams::flow(&settings.layers, coloring.flow.clone()),
             trails: settings.trails,
             forms,
             annotations: match selected.filter(|_| settings.annotations) {

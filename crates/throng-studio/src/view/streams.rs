@@ -2,6 +2,7 @@
 
 use super::derived::Derived;
 use super::geometry::{Disc, Geometry, GroundPicture, Stroke};
+use super::layers::Layers;
 use crate::play::RunMoment;
 use eframe::egui::Context;
 use glam::{DVec2, Vec2};
@@ -101,16 +102,26 @@ impl StreamMap {
     }
 }
 
-fn style(currents: &Currents, seen: WorldBox) -> Style {
-    let size = seen.max - seen.min;
-    let [width, height] = (size * (SIDE / size.max_element())).to_array().map(|side| side.clamp(16.0, SIDE) as u32);
-    let lines = match currents.streams {
+/// Returns how a recording draws fields: as the scene does, if the view draws fields; without the scene's, as the view.
+pub fn flow(layers: &Layers, said: Option<FlowStyle>) -> Option<FlowStyle> {
+    let drawn = drawn(layers.streams, layers.stream_speed);
+    (!drawn.is_empty()).then(|| said.unwrap_or_else(|| FlowStyle::of(drawn)))
+}
+
+/// Returns the layers of the drawing of fields.
+fn drawn(streams: Streams, speed: bool) -> Vec<FlowLayer> {
+    let lines = match streams {
         Streams::None => None,
         Streams::Arrows => Some(FlowLayer::Arrows),
         Streams::Lines => Some(FlowLayer::Streamlines),
     };
-    let speed = currents.speed.then_some(FlowLayer::Speed);
-    let flow = Some(FlowStyle::of(lines.into_iter().chain(speed).collect::<Vec<_>>()));
+    lines.into_iter().chain(speed.then_some(FlowLayer::Speed)).collect()
+}
+
+fn style(currents: &Currents, seen: WorldBox) -> Style {
+    let size = seen.max - seen.min;
+    let [width, height] = (size * (SIDE / size.max_element())).to_array().map(|side| side.clamp(16.0, SIDE) as u32);
+    let flow = Some(FlowStyle::of(drawn(currents.streams, currents.speed)));
     Style { width, height, flow, view: Some(seen), legend: false, theme: currents.theme.clone(), ..Style::default() }
 }
 
