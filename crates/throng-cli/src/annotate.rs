@@ -30,31 +30,10 @@ impl AnnotateArgs {
     pub fn annotations(&self, scene: &Scene) -> Annotations {
         let kinds = match (&self.annotate, &scene.view.annotate) {
             (Some(kinds), _) if !kinds.is_empty() => kinds.clone(),
-            (None, Annotate::Kinds(kinds)) => kinds.iter().map(|&kind| drawn(kind)).collect(),
+            (None, Annotate::Kinds(_)) => Annotations::said(scene).kinds,
             (None, Annotate::All(false)) if self.annotate_agents.is_none() => Vec::new(),
             _ => Annotation::ALL.to_vec(),
         };
         Annotations { kinds, agents: self.annotate_agents.clone() }
-    }
-}
-
-/// Converts an annotation of a scene to one of the drawing.
-fn drawn(kind: throng_scene::Annotation) -> Annotation {
-    use throng_scene::Annotation as Named;
-    match kind {
-        Named::Neighbourhoods => Annotation::Neighbourhoods,
-        Named::Trails => Annotation::Trails,
-        Named::Paths => Annotation::Paths,
-        Named::VelocityObstacles => Annotation::VelocityObstacles,
-        Named::Constructions => Annotation::Constructions,
-        Named::Feelers => Annotation::Feelers,
-        Named::Flow => Annotation::Flow,
-        Named::Predictions => Annotation::Predictions,
-        Named::Targets => Annotation::Targets,
-        Named::Threats => Annotation::Threats,
-        Named::Preferred => Annotation::Preferred,
-        Named::Velocity => Annotation::Velocity,
-        Named::Terms => Annotation::Terms,
-        Named::Force => Annotation::Force,
     }
 }

@@ -9,7 +9,7 @@ use throng_draw::{FlowLayer, FlowStyle};
 #[command(next_help_heading = "Pictures")]
 pub struct FieldArgs {
     /// Draws the fields that lead groups, in plan view: the default layers (lic, streamlines, anchors, critical), or
-    /// these
+    /// these [default: the scene's `view.field`]
     #[arg(long, value_name = "LAYER,...", value_parser = layers(), value_delimiter = ',', num_args = 0.., require_equals = true)]
     pub field: Option<Vec<FlowLayer>>,
 }

@@ -5,7 +5,7 @@ use crate::field::FieldArgs;
 use crate::source::parse_four;
 use clap::{Args, ValueEnum};
 use glam::DVec2;
-use throng_draw::{ColorBy, Following, Motion, Projection, Style, WorldBox, columns, title_height};
+use throng_draw::{ColorBy, Following, Motion, Projection, Style, Theme, WorldBox, columns, title_height};
 use throng_scene::Scene;
 
 /// The largest size of a sheet without a given size, pixels; such a sheet is about twice as wide as high.
@@ -47,6 +47,10 @@ pub struct LookArgs {
     /// Leaves out the notch that marks the heading of an agent
     #[arg(long)]
     pub no_headings: bool,
+
+    /// Light on dark
+    #[arg(long)]
+    pub dark: bool,
 
     /// How fields are drawn.
     #[command(flatten)]
@@ -95,7 +99,7 @@ impl LookArgs {
     /// # Errors
     /// The camera's view is empty.
     pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
-        let said = Style::said(scene);
+        let said = Style::themed(scene, if self.dark { Theme::dark() } else { Theme::light() });
         let mut viewpoint = said.viewpoint.clone();
         let mut projection = self.projection.map(ProjectionArg::projection).or(said.projection);
         let given = match &self.camera {
@@ -136,7 +140,7 @@ impl LookArgs {
                 ColorArg::Density => ColorBy::Density,
                 ColorArg::TimeToGoal => ColorBy::TimeToGoal,
             },
-            flow: self.field.style(),
+            flow: self.field.style().or_else(|| said.flow.clone()),
             headings: !self.no_headings,
             ..said
         })

@@ -1,9 +1,15 @@
 //! Options that several commands share.
 
+use crate::failure::Failure;
 use crate::look::{LookArgs, parse_not_negative, parse_positive};
 use clap::Args;
-use throng_draw::Still;
+use glam::DVec2;
+use throng_draw::{MotionBlur, Still, Style};
 use throng_scene::{Scene, Until};
+
+/// The size and the rate of films for showing.
+const BEAUTY_SIZE: (u32, u32) = (1920, 1080);
+const BEAUTY_RATE: f64 = 60.0;
 
 /// Options for the end of a run.
 #[derive(Args, Debug)]
@@ -63,13 +69,19 @@ impl ThreadArgs {
 /// Options for the moments that pictures show, and their look.
 #[derive(Args, Debug)]
 pub struct FilmArgs {
-    /// The moment that .png and .svg show, seconds [default: the last]
+    /// The moment that .png and .svg show, seconds [default: the last; `compare` chooses a telling one]
     #[arg(long, value_name = "SECONDS", value_parser = parse_not_negative, help_heading = "Pictures")]
     pub frame: Option<f64>,
 
     /// Pictures per second of video [default: the scene's `view.fps`, else 25]
     #[arg(long, value_name = "N", value_parser = parse_rate, help_heading = "Pictures")]
     pub fps: Option<f64>,
+
+    /// Films for showing: 1920x1080, 60 pictures per second, with motion blur (a shutter of 180°). N is the number of
+    /// times at which each picture shows the scene [default: 8]. --size and --fps take precedence
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "8",
+        value_parser = clap::value_parser!(u32).range(1..=256), help_heading = "Pictures")]
+    pub beauty: Option<u32>,
 
     /// Seconds of the scene per second of video
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]
@@ -83,7 +95,19 @@ pub struct FilmArgs {
 impl FilmArgs {
     /// Returns the pictures per second of video.
     pub fn rate(&self, scene: &Scene) -> f64 {
-        self.fps.or(scene.view.fps).unwrap_or(25.0)
+        self.fps.or(self.beauty.map(|_| BEAUTY_RATE)).or(scene.view.fps).unwrap_or(25.0)
+    }
+
+    /// Returns the style ([`LookArgs::style`]), with motion blur and the size of `--beauty`.
+    ///
+    /// # Errors
+    /// Those of [`LookArgs::style`].
+    pub fn style(&self, scene: &Scene, bounds: [DVec2; 2]) -> Result<Style, Failure> {
+        let style = self.look.style(scene, bounds)?;
+        let Some(samples) = self.beauty else { return Ok(style) };
+        let (width, height) = self.look.size.unwrap_or(BEAUTY_SIZE);
+        let blur = Some(MotionBlur { interval: self.speed_up / self.rate(scene), samples });
+        Ok(Style { width, height, blur, ..style })
     }
 
     /// Returns the moment that single pictures show.

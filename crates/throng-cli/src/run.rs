@@ -73,7 +73,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     if !args.no_files {
         world.request_traces(annotations.asked());
     }
-    let style = Style { annotations, ..args.film.look.style(scene, built.bounds)? };
+    let style = Style { annotations, ..args.film.style(scene, built.bounds)? };
     let choice = args.choice.choice();
     let plan = Plan {
         setting: &loaded.setting(&world, &built)?,

@@ -1,5 +1,6 @@
 //! Colours, and the palette of groups.
 
+use std::sync::LazyLock;
 use throng_record::color;
 
 /// A colour with 8 bits per channel, sRGB, alpha not premultiplied.
@@ -36,11 +37,64 @@ impl Color {
         Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b), a: mix(self.a, other.a) }
     }
 
+    /// Returns this colour as it looks on a ground.
+    pub fn over(self, ground: Self) -> Self {
+        Self { a: 255, ..ground.mix(Self { a: 255, ..self }, f32::from(self.a) / 255.0) }
+    }
+
+    /// Returns the contrast with another colour, 1 to 21, by the formula of WCAG 2.2 (relative luminance). Both are opaque.
+    ///
+    /// ```
+    /// use throng_draw::Color;
+    /// let contrast = Color::rgb(0x76_7676).contrast(Color::rgb(0xff_ffff));
+    /// assert!((contrast - 4.54).abs() < 0.01, "the lightest grey for type on white");
+    /// ```
+    pub fn contrast(self, other: Self) -> f64 {
+        let (a, b) = (self.luminance() + 0.05, other.luminance() + 0.05);
+        (a / b).max(b / a)
+    }
+
+    /// Returns the relative luminance, 0 to 1.
+    fn luminance(self) -> f64 {
+        let [r, g, b] = [self.r, self.g, self.b].map(|value| LIGHT[usize::from(value)]);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    /// Returns this colour, mixed with that of the type as little as a contrast of `least` with all of these grounds needs.
+    pub fn legible(self, grounds: &[Self], text: Self, least: f64) -> Self {
+        const STEPS: u8 = 20;
+        let mixed = (0..=STEPS).map(|step| self.mix(text, f32::from(step) / f32::from(STEPS)));
+        let is_clear = |color: &Self| grounds.iter().all(|&ground| color.over(ground).contrast(ground) >= least);
+        mixed.into_iter().find(is_clear).unwrap_or(text)
+    }
+
     /// Returns `#rrggbb`, without the opacity.
     pub fn hex(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.r, self.g, self.b)
     }
 }
+
+/// The linear light of each value of sRGB, 0 to 1.
+pub(crate) static LIGHT: LazyLock<[f64; 256]> = LazyLock::new(|| {
+    std::array::from_fn(|value| {
+        let value = value as f64 / 255.0;
+        if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
+    })
+});
+
+/// The colours of groups and goals on dark ground, in the order of [`PALETTE`] and with its hues: each has a contrast of
+/// at least 3.6 with the ground of [`Theme::dark`](crate::Theme::dark), and they are distinguishable for the three kinds of
+/// colour blindness.
+pub const PALETTE_ON_DARK: [Color; 8] = [
+    Color::rgb(0x5184d8),
+    Color::rgb(0xec9a39),
+    Color::rgb(0x2fb780),
+    Color::rgb(0xbb7eb9),
+    Color::rgb(0xb7cff5),
+    Color::rgb(0x83787f),
+    Color::rgb(0xe6e77c),
+    Color::rgb(0xd05f33),
+];
 
 /// The colours of groups and goals, in order ([`throng_record::color::PALETTE`]). A test checks that they are
 /// distinguishable for the three kinds of colour blindness.
@@ -127,10 +181,12 @@ mod tests {
     #[test]
     fn the_palette_is_distinguishable_for_colour_blind_people() {
         for (n, eye) in EYES.iter().enumerate() {
-            for (i, &a) in PALETTE.iter().enumerate() {
-                for (j, &b) in PALETTE[..i].iter().enumerate() {
-                    let d = difference(eye, a, b);
-                    assert!(d >= 18.0, "eye {n}: colours {j} and {i} differ by only {d:.1}");
+            for palette in [PALETTE, PALETTE_ON_DARK] {
+                for (i, &a) in palette.iter().enumerate() {
+                    for (j, &b) in palette[..i].iter().enumerate() {
+                        let d = difference(eye, a, b);
+                        assert!(d >= 18.0, "eye {n}: colours {j} and {i} differ by only {d:.1}");
+                    }
                 }
             }
         }

@@ -1,9 +1,10 @@
 //! Films: a painter and a sink in one.
 
+use crate::exposure::between;
 use crate::picture::Picture;
 use crate::sheet::SheetPainter;
 use crate::sink::{Ahead, FrameSink, Kind, sink};
-use crate::{Error, Sheet, Style};
+use crate::{Error, MotionBlur, Sheet, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output};
 
@@ -46,8 +47,71 @@ pub struct Film {
 enum Target {
     /// All moments are painted.
     Moving(Box<dyn FrameSink>),
+    /// All pictures are exposed to the motion between the moments.
+    Exposed(Box<dyn FrameSink>, Shutter),
     /// One moment is painted.
     Still { which: Still, kind: Kind, picture: Option<Picture>, last: Vec<Frame>, output: Output },
+}
+
+/// The state of a film with motion blur.
+struct Shutter {
+    blur: MotionBlur,
+    /// The time of the first picture, seconds.
+    start: f64,
+    /// The last moment.
+    before: Vec<Frame>,
+    /// The picture that is exposed, and the number of its samples so far.
+    picture: u64,
+    sample: u32,
+    /// The frames of the last sample.
+    last: Vec<Frame>,
+}
+
+impl Shutter {
+    /// Exposes pictures up to a moment.
+    fn expose(&mut self, frames: &[&Frame], painter: &mut SheetPainter, sink: &mut dyn FrameSink) -> Result<(), Error> {
+        let now = latest(frames.iter().copied());
+        if self.before.is_empty() {
+            self.start = now;
+        }
+        while !self.before.is_empty() {
+            let time = self.blur.time(self.start, self.picture, self.sample);
+            if time > now {
+                break;
+            }
+            let pairs = self.before.iter().zip(frames);
+            self.last = pairs.map(|(before, now)| between(before, now, time)).collect();
+            self.take(painter, sink)?;
+        }
+        self.before.resize_with(frames.len(), Frame::default);
+        self.before.iter_mut().zip(frames).for_each(|(before, now)| before.clone_from(now));
+        Ok(())
+    }
+
+    /// Adds the frames of a sample, and writes the picture if it is complete.
+    fn take(&mut self, painter: &mut SheetPainter, sink: &mut dyn FrameSink) -> Result<(), Error> {
+        painter.expose(&self.last);
+        self.sample += 1;
+        if self.sample >= self.blur.samples {
+            (self.sample, self.picture) = (0, self.picture + 1);
+            sink.push(painter.develop(&self.last))?;
+        }
+        Ok(())
+    }
+
+    /// Completes the last picture: at the end everything stands still. A film of one moment has one picture.
+    fn end(&mut self, painter: &mut SheetPainter, sink: &mut dyn FrameSink) -> Result<(), Error> {
+        while self.sample > 0 || self.picture == 0 {
+            self.last.clone_from(&self.before);
+            self.take(painter, sink)?;
+        }
+        Ok(())
+    }
+}
+
+/// Returns the time of the latest frame.
+fn latest<'a>(frames: impl Iterator<Item = &'a Frame>) -> f64 {
+    frames.map(|frame| frame.time).fold(f64::NEG_INFINITY, f64::max)
 }
 
 impl Film {
@@ -81,7 +145,12 @@ impl Film {
         style: &Style,
     ) -> Result<Self, Error> {
         Error::check_size(style.width, style.height)?;
-        let target = Target::Moving(Box::new(Ahead::start(sink)));
+        let sink = Box::new(Ahead::start(sink));
+        let shutter = |blur| Shutter { blur, start: 0.0, before: Vec::new(), picture: 0, sample: 0, last: Vec::new() };
+        let target = match style.blur {
+            Some(blur) => Target::Exposed(sink, shutter(blur)),
+            None => Target::Moving(sink),
+        };
         let path = path.as_ref().to_path_buf();
         Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
     }
@@ -93,6 +162,17 @@ impl Film {
             *which = moment;
         }
         self
+    }
+
+    /// Fits the view to a moment of each panel, without showing it. Has no effect once a moment has been pushed.
+    ///
+    /// # Errors
+    /// The size of a panel is outside its limits.
+    pub fn fit_to(&mut self, frames: &[&Frame]) -> Result<(), Error> {
+        if self.painter.is_none() {
+            self.painter = Some(SheetPainter::new(&self.sheet, &self.style, frames)?);
+        }
+        Ok(())
     }
 
     /// Returns the number of pushed moments.
@@ -122,6 +202,7 @@ impl Film {
         self.count += 1;
         match &mut self.target {
             Target::Moving(sink) => sink.push(painter.paint(frames)),
+            Target::Exposed(sink, shutter) => shutter.expose(frames, painter, &mut **sink),
             Target::Still { picture: Some(_), .. } => Ok(()),
             Target::Still { which, kind, picture, last, .. } => {
                 let now = match *which {
@@ -133,12 +214,30 @@ impl Film {
                     *picture = Some(picture_of(painter, *kind, frames));
                 } else {
                     painter.follow(frames);
-                    last.resize_with(frames.len(), Frame::default);
-                    last.iter_mut().zip(frames).for_each(|(last, frame)| last.clone_from(frame));
+                    keep(last, frames);
                 }
                 Ok(())
             }
         }
+    }
+
+    /// Passes a moment between two pictures: trails, footfalls and wheels follow it, and motion blur shows it. Moments
+    /// before the first picture have no effect.
+    ///
+    /// # Errors
+    /// A picture cannot be written or encoded.
+    pub fn follow_all(&mut self, frames: &[&Frame]) -> Result<(), Error> {
+        let Some(painter) = &mut self.painter else { return Ok(()) };
+        match &mut self.target {
+            Target::Moving(_) => painter.follow(frames),
+            Target::Exposed(sink, shutter) => shutter.expose(frames, painter, &mut **sink)?,
+            Target::Still { picture: Some(_), .. } => {}
+            Target::Still { last, .. } => {
+                painter.follow(frames);
+                keep(last, frames);
+            }
+        }
+        Ok(())
     }
 
     /// Completes the file and renames it to its final name.
@@ -149,11 +248,21 @@ impl Film {
         let Some(mut painter) = self.painter else { return Err(Error::Empty { path: self.path }) };
         let (kind, picture, last, output) = match self.target {
             Target::Moving(sink) => return sink.finish(),
+            Target::Exposed(mut sink, mut shutter) => {
+                shutter.end(&mut painter, &mut *sink)?;
+                return sink.finish();
+            }
             Target::Still { kind, picture, last, output, .. } => (kind, picture, last, output),
         };
         let picture = picture.unwrap_or_else(|| picture_of(&mut painter, kind, &last.iter().collect::<Vec<_>>()));
         picture.write(output)
     }
+}
+
+/// Makes `last` a copy of the frames.
+fn keep(last: &mut Vec<Frame>, frames: &[&Frame]) {
+    last.resize_with(frames.len(), Frame::default);
+    last.iter_mut().zip(frames).for_each(|(last, frame)| last.clone_from(frame));
 }
 
 fn picture_of(painter: &mut SheetPainter, kind: Kind, frames: &[&Frame]) -> Picture {

@@ -1,20 +1,29 @@
 //! The style of pictures from a scene.
 
-use crate::{AgentShape, Color, Following, Motion, Projection, Shape, Style, Viewpoint, WorldBox};
+use crate::{
+    AgentShape, Annotation, Annotations, Color, FlowLayer, FlowStyle, Following, Motion, Projection, Shape, Style,
+    Theme, Viewpoint, WorldBox,
+};
 use glam::DVec2;
-use throng_scene::{Camera, CameraKey, Colour, Scene};
+use throng_scene::{Annotate, Camera, CameraKey, Colour, DrawnFields, FieldLayer, Scene};
 
 impl Style {
     /// Returns the style from the scene's `[view]` and its groups, with defaults for the rest.
     pub fn said(scene: &Scene) -> Self {
+        Self::themed(scene, Theme::light())
+    }
+
+    /// Returns the style from the scene's `[view]` and its groups, with this theme, and defaults for the rest. Colours of
+    /// the ground and of obstacles in `[view]` are for a light theme; a dark theme keeps its own.
+    pub fn themed(scene: &Scene, mut theme: Theme) -> Self {
         let (view, default) = (&scene.view, Self::default());
-        let mut theme = default.theme.clone();
+        let is_dark = theme.is_dark();
         for (place, said) in [
             (&mut theme.outside, view.background),
             (&mut theme.ground, view.ground),
             (&mut theme.obstacle, view.obstacles),
         ] {
-            *place = said.map_or(*place, color);
+            *place = said.filter(|_| !is_dark).map_or(*place, color);
         }
         let corners = view.min.zip(view.max).map(|(a, b)| (DVec2::from(a), DVec2::from(b)));
         Self {
@@ -30,9 +39,43 @@ impl Style {
             forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
             lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
             goals: view.goals.unwrap_or(default.goals),
+            flow: flow(&view.field),
             theme,
             ..default
         }
+    }
+}
+
+impl Annotations {
+    /// Returns the annotations of the scene's `[view]`, of all agents.
+    pub fn said(scene: &Scene) -> Self {
+        let kinds = match &scene.view.annotate {
+            Annotate::Kinds(kinds) => kinds.iter().map(|&kind| drawn(kind)).collect(),
+            Annotate::All(true) => Annotation::ALL.to_vec(),
+            Annotate::All(false) => Vec::new(),
+        };
+        Self { kinds, agents: None }
+    }
+}
+
+/// Converts an annotation of a scene to one of the drawing.
+fn drawn(kind: throng_scene::Annotation) -> Annotation {
+    use throng_scene::Annotation as Named;
+    match kind {
+        Named::Neighbourhoods => Annotation::Neighbourhoods,
+        Named::Trails => Annotation::Trails,
+        Named::Paths => Annotation::Paths,
+        Named::VelocityObstacles => Annotation::VelocityObstacles,
+        Named::Constructions => Annotation::Constructions,
+        Named::Feelers => Annotation::Feelers,
+        Named::Flow => Annotation::Flow,
+        Named::Predictions => Annotation::Predictions,
+        Named::Targets => Annotation::Targets,
+        Named::Threats => Annotation::Threats,
+        Named::Preferred => Annotation::Preferred,
+        Named::Velocity => Annotation::Velocity,
+        Named::Terms => Annotation::Terms,
+        Named::Force => Annotation::Force,
     }
 }
 
@@ -49,6 +92,27 @@ fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
         Some(throng_scene::AgentShape::Robot) => AgentShape::Shaped(Shape::Robot),
         Some(throng_scene::AgentShape::Person) => AgentShape::Shaped(Shape::Walker),
         Some(throng_scene::AgentShape::Body) | None => AgentShape::Body,
+    }
+}
+
+/// Returns the style of fields; `None` if they are not drawn.
+fn flow(said: &DrawnFields) -> Option<FlowStyle> {
+    match said {
+        DrawnFields::Usual(drawn) => drawn.then(FlowStyle::default),
+        DrawnFields::Layers(layers) => {
+            Some(FlowStyle::of(layers.iter().map(|&layer| layer_of(layer)).collect::<Vec<_>>()))
+        }
+    }
+}
+
+fn layer_of(layer: FieldLayer) -> FlowLayer {
+    match layer {
+        FieldLayer::Speed => FlowLayer::Speed,
+        FieldLayer::Lic => FlowLayer::Lic,
+        FieldLayer::Streamlines => FlowLayer::Streamlines,
+        FieldLayer::Arrows => FlowLayer::Arrows,
+        FieldLayer::Anchors => FlowLayer::Anchors,
+        FieldLayer::Critical => FlowLayer::Critical,
     }
 }
 

@@ -1,8 +1,8 @@
 //! The look of agents: colours by group, speed or goal, modified by status.
 
 use crate::cells::Cells;
-use crate::color::{PALETTE, palette, ramp, wheel};
-use crate::{AgentShape, Color, ColorBy, Shape, Style};
+use crate::color::{ramp, wheel};
+use crate::{AgentShape, Color, ColorBy, Shape, Style, Theme};
 use glam::DVec2;
 use throng::{Goal, Status};
 use throng_record::{Body, Frame, Setting};
@@ -16,9 +16,7 @@ const DENSE: f32 = 4.0;
 #[derive(Clone, Debug)]
 pub struct Look {
     by: ColorBy,
-    ground: Color,
-    /// The colour that edges are mixed with: dark on light ground, light on dark.
-    rim: Color,
+    theme: Theme,
     fastest: f32,
     highest: f32,
     /// The colours of groups that have their own.
@@ -58,13 +56,12 @@ impl Look {
         let middles = setting.goals.iter().map(Goal::middle);
         let mut look = Self {
             by: style.color_by,
-            ground: style.theme.ground,
-            rim: style.theme.text,
+            theme: style.theme.clone(),
             fastest,
             highest,
             groups: style.groups.clone(),
             forms: style.forms.clone(),
-            goals: goal_colors(&setting.goals).into_iter().zip(middles).collect(),
+            goals: goal_colors(&setting.goals, &style.theme).into_iter().zip(middles).collect(),
             longest: 1.0,
             cells: Cells::default(),
         };
@@ -115,9 +112,14 @@ impl Look {
         self.forms.iter().any(|form| matches!(form, AgentShape::Shaped(_)))
     }
 
+    /// Returns the colours of everything but the agents.
+    pub fn theme(&self) -> &Theme {
+        &self.theme
+    }
+
     /// Returns the colour of a group.
     pub fn group(&self, index: usize) -> Color {
-        self.groups.get(index).copied().flatten().unwrap_or_else(|| palette(index))
+        self.groups.get(index).copied().flatten().unwrap_or_else(|| self.theme.group(index))
     }
 
     /// Returns the value at the end of the ramp and its unit, if colours are a ramp.
@@ -154,20 +156,27 @@ impl Look {
 
     /// Returns the colours of an agent for a given colour and status.
     pub fn coat_of(&self, color: Color, status: Status) -> Coat {
-        let rim = color.mix(self.rim, 0.42);
+        // The outline is darker than the inside on light ground, and lighter on dark ground.
+        let rim = self.theme.ink(color.mix(self.theme.text, 0.42));
+        let ground = self.theme.ground;
         match status {
-            Status::Arrived => Coat { fill: color.mix(self.ground, 0.55), rim: rim.mix(self.ground, 0.45) },
-            Status::Stranded => Coat { fill: self.ground, rim: color },
+            Status::Arrived => Coat { fill: color.mix(ground, 0.55), rim: rim.mix(ground, 0.45) },
+            Status::Stranded => Coat { fill: ground, rim: self.theme.ink(color) },
             Status::Walking | Status::Waiting => Coat { fill: color, rim },
         }
+    }
+
+    /// Returns the colour of lines of an agent, such as its trail: its colour, with a contrast with the ground.
+    pub fn ink(&self, body: &Body) -> Color {
+        self.theme.ink(self.color(body))
     }
 }
 
 /// Returns a colour for each goal. If the palette has too few colours, goals are coloured by their direction from the
 /// middle.
-fn goal_colors(goals: &[Goal]) -> Vec<Color> {
-    if goals.len() <= PALETTE.len() {
-        return (0..goals.len()).map(palette).collect();
+fn goal_colors(goals: &[Goal], theme: &Theme) -> Vec<Color> {
+    if goals.len() <= theme.palette.len() {
+        return (0..goals.len()).map(|index| theme.group(index)).collect();
     }
     let middles: Vec<DVec2> = goals.iter().map(Goal::middle).collect();
     let center = middles.iter().filter(|m| m.is_finite()).sum::<DVec2>() / goals.len() as f64;

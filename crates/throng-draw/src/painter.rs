@@ -1,5 +1,6 @@
 //! Paints pictures of moments.
 
+use crate::exposure::Exposure;
 use crate::flow::Sheets;
 use crate::insect::{self, Crowd};
 use crate::legend::{Layout, Scale};
@@ -11,9 +12,7 @@ use crate::space::{Birds, People, SpaceScene};
 use crate::text::Type;
 use crate::trail::{AgentTrail, Brush, Trail, Trails};
 use crate::vehicle::Vehicles;
-use crate::{
-    AgentShape, Annotation, Camera, Color, Error, Image, Projection, Style, WorldBox, annotate, place, raster,
-};
+use crate::{AgentShape, Annotation, Camera, Color, Error, Image, Projection, Style, annotate, place, raster};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
 use throng_record::{Body, Frame, Setting};
@@ -80,6 +79,7 @@ pub struct Painter {
     legend: Vec<Primitive>,
     background: Image,
     image: Image,
+    exposure: Exposure,
 }
 
 impl Painter {
@@ -93,21 +93,19 @@ impl Painter {
         Error::check_size(width, height)?;
         let layout = Layout::new(style);
         let (low, high) = layout.room(style.legend);
-        let everything = WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) };
-        let view = style.view.or_else(|| WorldBox::of(setting, first)).unwrap_or(everything);
-        // A single agent is not enlarged to fill the picture.
-        let view = if style.view.is_some() { view } else { view.at_least(4.0) };
+        let view = style.ground(setting, first);
         let look = Look::new(setting, style, first);
         let mut typeface = Type::of(&style.typeface);
         let base = if setting.walkable.is_empty() { style.theme.ground } else { style.theme.outside };
-        let usual = if setting.in_space { Projection::Perspective } else { Projection::Plan };
         let mut flows = None;
-        let (view, floor, place, scale) = match style.projection.unwrap_or(usual) {
+        let (view, floor, place, scale) = match style.projection(setting) {
             Projection::Plan => {
                 let camera = Camera::fit(view, low, high);
                 let floor = place::floor(setting, &style.theme, &camera, layout.unit);
                 let place = place::marks(setting, style, &camera, layout.unit, first);
-                flows = Sheets::new(setting, style, camera, &layout, &look);
+                let mut below = Image::new(width, height, base);
+                raster::draw(&mut below, &mut typeface, &floor);
+                flows = Sheets::new(setting, style, camera, &layout, &look, Some(below));
                 (Perspective::Plan(camera), floor, place, Scale::Bar(camera.scale))
             }
             Projection::Perspective => {
@@ -141,6 +139,7 @@ impl Painter {
             flows,
             legend,
             image: background.clone(),
+            exposure: Exposure::default(),
             background,
         })
     }
@@ -175,12 +174,16 @@ impl Painter {
             }
         };
         self.look.see(frame);
+        if let Some(flows) = &mut self.flows {
+            flows.follow(frame);
+        }
         let (look, wanted) = (&self.look, &self.style.annotations);
-        let color = |body: &Body| look.color(body);
-        let insect = |is: bool| move |body: &Body| ((look.form(body) == AgentShape::Insect) == is).then(|| color(body));
-        self.trails.follow(frame, f64::from(self.style.trails), spacing, insect(false));
+        let (color, ink) = (|body: &Body| look.color(body), |body: &Body| look.ink(body));
+        let insect = |body: &Body| look.form(body) == AgentShape::Insect;
+        self.trails.follow(frame, f64::from(self.style.trails), spacing, |body| (!insect(body)).then(|| ink(body)));
         if look.has(AgentShape::Insect) {
-            self.blur.follow(frame, f64::from(self.style.shutter), 0.4 * spacing, insect(true));
+            self.blur
+                .follow(frame, f64::from(self.style.shutter), 0.4 * spacing, |body| insect(body).then(|| color(body)));
         }
         if look.has_shapes() {
             self.strides.follow(frame);
@@ -191,7 +194,7 @@ impl Painter {
             self.birds.follow(frame, look);
         }
         if wanted.kinds.contains(&Annotation::Trails) {
-            self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| color(body)));
+            self.ways.follow(frame, WAYS, spacing, |body| wanted.concern(body).then(|| ink(body)));
         }
         self.seen.extend(wanted.in_frame(frame));
     }
@@ -199,7 +202,7 @@ impl Painter {
     /// Updates the visible fields to a moment.
     pub(crate) fn settle(&mut self, frame: &Frame) {
         let Some(flows) = &mut self.flows else { return };
-        if flows.turn(frame.time) {
+        if flows.turn(frame) {
             self.background.clear(self.base);
             for marks in [&self.floor, &flows.marks, &self.place] {
                 raster::draw(&mut self.background, &mut self.typeface, marks);
@@ -218,6 +221,25 @@ impl Painter {
         &self.image
     }
 
+    /// Exposes the picture to a moment: adds it to the picture that [`develop`](Self::develop) returns.
+    pub(crate) fn expose(&mut self, frame: &Frame) {
+        self.follow(frame);
+        self.settle(frame);
+        self.image.copy_from(&self.background);
+        for (_, marks) in self.world(frame) {
+            raster::draw(&mut self.image, &mut self.typeface, &marks);
+        }
+        self.exposure.add(&self.image);
+    }
+
+    /// Paints the mean of the moments to which the picture has been exposed, with the legend of `frame`.
+    pub(crate) fn develop(&mut self, frame: &Frame) -> &Image {
+        self.exposure.develop(&mut self.image);
+        let legend = self.legend(frame);
+        raster::draw(&mut self.image, &mut self.typeface, &legend);
+        &self.image
+    }
+
     /// Returns the last painted picture.
     pub(crate) fn image(&self) -> &Image {
         &self.image
@@ -225,11 +247,23 @@ impl Painter {
 
     /// Returns everything above the constant place at a moment, in named parts.
     pub(crate) fn moment(&self, frame: &Frame) -> Vec<(&'static str, Vec<Primitive>)> {
+        let mut parts = self.world(frame);
+        parts.push(("legend", self.legend(frame)));
+        parts
+    }
+
+    /// Returns everything above the constant place at a moment except the legend, in named parts.
+    fn world(&self, frame: &Frame) -> Vec<(&'static str, Vec<Primitive>)> {
         let mut parts = match &self.view {
             Perspective::Plan(camera) => self.plan(camera, frame),
             Perspective::Space(stage) => self.scene(stage, frame),
         };
         parts.push(("annotations", self.annotations(frame)));
+        parts
+    }
+
+    /// Returns the legend at a moment.
+    fn legend(&self, frame: &Frame) -> Vec<Primitive> {
         let mut legend = self.legend.clone();
         if self.style.legend {
             let seen: Vec<Annotation> = self.seen.iter().copied().collect();
@@ -238,8 +272,7 @@ impl Painter {
             legend.extend(self.layout.key(&rows, &self.style, &self.typeface));
             legend.extend(self.layout.moment(frame, &self.style, &self.typeface));
         }
-        parts.push(("legend", legend));
-        parts
+        legend
     }
 
     /// Returns how a moment's insects are drawn.

@@ -16,6 +16,9 @@ const SMALL_BODY: f32 = 2.0;
 /// a station would be a speck.
 const SMALL_AREA: f32 = 12.0;
 
+/// The opacity of the outlines of goal areas.
+pub(crate) const GOAL: f32 = 0.8;
+
 /// The width of the lines on the ground, in units of the layout.
 pub(crate) const LINE: f32 = 1.2;
 
@@ -172,7 +175,7 @@ fn goal_areas(setting: &Setting, style: &Style, camera: &Camera, unit: f32, mark
         marks.push(Primitive::Area { rings: vec![points.clone()], fill: color.alpha(tint) });
         let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
-        let stroke = Stroke { width: 1.1 * unit, color: color.alpha(0.8), dash: Some(4.0 * unit) };
+        let stroke = Stroke { width: 1.1 * unit, color: color.alpha(GOAL), dash: Some(4.0 * unit) };
         marks.push(Primitive::Line { points, closed: true, stroke });
         if (high - low).max_element() < SMALL_AREA * unit {
             let stroke = Stroke::plain(1.6 * unit, color);

@@ -43,6 +43,6 @@ impl Ribbon {
 
     /// Returns the stroke of the spine.
     pub fn stroke(theme: &Theme, unit: f32) -> Stroke {
-        Stroke::plain(unit, theme.goal.alpha(0.45))
+        Stroke::plain(unit, theme.goal.alpha(0.8))
     }
 }

@@ -121,6 +121,26 @@ impl SheetPainter {
                 self.image.lay(picture, *corner);
             }
         }
+        self.painted()
+    }
+
+    /// Exposes the picture of each panel to a moment.
+    pub(crate) fn expose(&mut self, frames: &[Frame]) {
+        self.panels.iter_mut().zip(frames).for_each(|(panel, frame)| panel.painter.expose(frame));
+    }
+
+    /// Paints the mean of the moments to which the pictures of the panels have been exposed.
+    pub(crate) fn develop(&mut self, frames: &[Frame]) -> &Image {
+        for (Panel { painter, corner }, frame) in self.panels.iter_mut().zip(frames) {
+            let picture = painter.develop(frame);
+            if !self.whole {
+                self.image.lay(picture, *corner);
+            }
+        }
+        self.painted()
+    }
+
+    fn painted(&self) -> &Image {
         match self.panels.first() {
             Some(panel) if self.whole => panel.painter.image(),
             _ => &self.image,

@@ -1,6 +1,7 @@
 //! The style of pictures.
 
-use crate::{Annotations, Color, FlowStyle, Shape, Typeface, Viewpoint, WorldBox};
+use crate::color::{PALETTE, PALETTE_ON_DARK};
+use crate::{Annotations, Color, FlowStyle, MotionBlur, Shape, Typeface, Viewpoint, WorldBox};
 use glam::DVec2;
 
 /// The style of pictures. The default is a light picture of 640 by 480 pixels.
@@ -28,6 +29,8 @@ pub struct Style {
     /// The exposure time of pictures of insects, seconds. The streak of an insect is its way in this time; 0 for no
     /// streaks.
     pub shutter: f32,
+    /// The motion blur of films; `None` for sharp pictures.
+    pub blur: Option<MotionBlur>,
     /// The annotations of agents.
     pub annotations: Annotations,
     /// The style of the fields that lead groups, in plan view; `None` hides them.
@@ -59,6 +62,7 @@ impl Default for Style {
             groups: Vec::new(),
             forms: Vec::new(),
             shutter: 0.16,
+            blur: None,
             annotations: Annotations::default(),
             flow: None,
             headings: true,
@@ -136,6 +140,8 @@ pub struct Theme {
     pub quiet: Color,
     /// The notch that marks the heading.
     pub notch: Color,
+    /// The colours of groups and goals without their own, in order.
+    pub palette: [Color; 8],
 }
 
 impl Theme {
@@ -145,12 +151,34 @@ impl Theme {
             outside: Color::rgb(0xe6e4df),
             ground: Color::rgb(0xf6f5f1),
             obstacle: Color::rgb(0xcfccc4),
-            edge: Color::rgb(0xa9a59b),
-            goal: Color::rgb(0x7d8a99),
+            edge: Color::rgb(0x827e75),
+            goal: Color::rgb(0x5c6877),
             text: Color::rgb(0x33383f),
-            quiet: Color::rgb(0x737880),
+            quiet: Color::rgb(0x5f646c),
             notch: Color::rgb(0xffffff),
+            palette: PALETTE,
         }
+    }
+
+    /// Returns the colour of the group or goal `index`: the palette, repeated in three paler rounds.
+    pub fn group(&self, index: usize) -> Color {
+        let pale = 0.25 * (index / self.palette.len()).min(3) as f32;
+        self.palette[index % self.palette.len()].mix(Color::rgb(0xff_ffff), pale)
+    }
+
+    /// Returns this colour, mixed with that of the type as little as a contrast of 3 with the ground, and with the ground
+    /// outside, needs: WCAG's least contrast of marks.
+    pub fn ink(&self, color: Color) -> Color {
+        color.legible(&[self.ground, self.outside], self.text, Self::MARKS)
+    }
+
+    /// The least contrast of marks and of type with the ground (WCAG 2.2, 1.4.11 and 1.4.3).
+    pub(crate) const MARKS: f64 = 3.0;
+
+    /// Whether the ground is darker than the type on it.
+    pub fn is_dark(&self) -> bool {
+        let light = |color: Color| u32::from(color.r) + u32::from(color.g) + u32::from(color.b);
+        light(self.ground) < light(self.text)
     }
 
     /// Returns a theme of dark blues.
@@ -159,11 +187,68 @@ impl Theme {
             outside: Color::rgb(0x14171c),
             ground: Color::rgb(0x20252c),
             obstacle: Color::rgb(0x3a414b),
-            edge: Color::rgb(0x5a6471),
+            edge: Color::rgb(0x6d7885),
             goal: Color::rgb(0x8d9aab),
             text: Color::rgb(0xe3e6ea),
             quiet: Color::rgb(0x98a1ac),
             notch: Color::rgb(0x14171c),
+            palette: PALETTE_ON_DARK,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Look;
+    use crate::color::{ramp, wheel};
+    use crate::ribbon::Ribbon;
+    use throng::Status;
+    use throng_record::{Frame, Setting};
+
+    /// WCAG's least contrast of type.
+    const TYPE: f64 = 4.5;
+
+    #[test]
+    fn everything_with_a_meaning_has_the_contrast_of_wcag_on_both_grounds() {
+        for theme in [Theme::light(), Theme::dark()] {
+            let mut low = Vec::new();
+            let mut check = |what: &str, color: Color, least: f64| {
+                for ground in [theme.ground, theme.outside] {
+                    let contrast = color.over(ground).contrast(ground);
+                    if contrast < least {
+                        low.push(format!("{what}, {}: {contrast:.2}", color.hex()));
+                    }
+                }
+            };
+            check("type", theme.text, TYPE);
+            check("secondary type", theme.quiet, TYPE);
+            check("walls, and edges of obstacles and of the ground", theme.edge, Theme::MARKS);
+            check("goals", theme.goal, Theme::MARKS);
+            check("outlines of goal areas", theme.goal.alpha(crate::place::GOAL), Theme::MARKS);
+            check("paths", Ribbon::stroke(&theme, 1.0).color, Theme::MARKS);
+            let style = Style { theme: theme.clone(), ..Style::default() };
+            let look = Look::new(&Setting::default(), &style, &Frame::default());
+            let groups = (0..32).map(|index| theme.group(index));
+            let others = (0..=20).flat_map(|k| [ramp(k as f32 / 20.0), wheel(k as f32 / 20.0)]);
+            for color in groups.chain(others) {
+                // The outline of an agent bounds it; agents that have arrived are pale, because nothing depends on them.
+                check("agents", look.coat_of(color, Status::Walking).rim, Theme::MARKS);
+                check("agents that cannot reach their goals", look.coat_of(color, Status::Stranded).rim, Theme::MARKS);
+                check("trails where they are new", theme.ink(color), Theme::MARKS);
+                check("lines of fields", crate::flow::line(color, &theme), Theme::MARKS);
+            }
+            check("lines of a single field", crate::flow::line(crate::flow::alone(&theme), &theme), Theme::MARKS);
+            check("points that trap agents", crate::flow::warning(&theme), Theme::MARKS);
+            assert!(low.is_empty(), "{low:#?}");
+        }
+    }
+
+    #[test]
+    fn the_colours_of_groups_are_visible_inside_as_well_on_dark_ground() {
+        let theme = Theme::dark();
+        for color in theme.palette {
+            assert!(color.contrast(theme.ground) >= Theme::MARKS, "{}", color.hex());
         }
     }
 }

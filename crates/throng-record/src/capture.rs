@@ -1,5 +1,6 @@
 //! The setting and the frames of a world.
 
+use crate::frame::AdaptedField;
 use crate::{Body, Flow, Frame, Setting};
 use throng::World;
 use throng::motion::Vehicle;
@@ -52,6 +53,12 @@ impl Frame {
         self.accounts.clear();
         self.explanations.clear();
         self.accounts.extend_from_slice(world.relative_traces());
+        self.fields.clear();
+        let adapted = |group: usize| {
+            let field = world.adapted_field(group)?.clone();
+            Some(AdaptedField { group: group as u32, field })
+        };
+        self.fields.extend((0..world.groups().len()).filter_map(adapted));
         let body = |row: usize| Body {
             number: agents.number[row],
             group: agents.group[row].index() as u32,

@@ -2,8 +2,8 @@
 
 use std::fmt;
 use std::sync::Arc;
+use throng::World;
 use throng::field::Field;
-use throng::{Group, World};
 use throng_field::Anchor;
 
 /// A field that guides groups, with its anchors.
@@ -24,6 +24,9 @@ pub struct Flow {
     pub anchors: Vec<Anchor>,
     /// The groups that the field guides: indices into [`Setting::groups`](crate::Setting::groups).
     pub groups: Vec<u32>,
+    /// Whether the field governs its groups and adapts to the positions of the agents if it is [`Adaptive`](throng::field::Adaptive). `false`: behaviours
+    /// of its groups follow it.
+    pub governs: bool,
     /// Whether the field is constant in time, so that a viewer need not sample it again at every frame. `false` if
     /// unknown.
     pub still: bool,
@@ -32,17 +35,27 @@ pub struct Flow {
 impl Flow {
     /// Returns a field without groups and anchors.
     pub fn of(field: Arc<dyn Field>) -> Self {
-        Self { field, anchors: Vec::new(), groups: Vec::new(), still: false }
+        Self { field, anchors: Vec::new(), groups: Vec::new(), governs: false, still: false }
     }
 
-    /// Returns the fields that govern the groups of a world ([`Guidance::field`](throng::agent::Guidance::field)), each once.
+    /// Returns the fields that govern the groups of a world ([`Guidance::field`](throng::agent::Guidance::field)), and those that their behaviours follow
+    /// ([`Behaviour::fields`](throng::steer::Behaviour::fields)), each once.
     pub fn all(world: &World) -> Vec<Self> {
         let mut flows: Vec<Self> = Vec::new();
-        let governed = |(index, group): (u32, &Group)| Some((index, group.guidance.field.as_ref()?.field.clone()));
-        for (group, field) in (0..).zip(world.groups()).filter_map(governed) {
-            match flows.iter_mut().find(|flow| Arc::ptr_eq(&flow.field, &field)) {
-                Some(flow) => flow.groups.push(group),
-                None => flows.push(Self { groups: vec![group], ..Self::of(field) }),
+        let mut add = |group: u32, field: &Arc<dyn Field>, governs: bool| match flows
+            .iter_mut()
+            .find(|flow| flow.governs == governs && Arc::ptr_eq(&flow.field, field))
+        {
+            Some(flow) if flow.groups.contains(&group) => {}
+            Some(flow) => flow.groups.push(group),
+            None => flows.push(Self { groups: vec![group], governs, ..Self::of(field.clone()) }),
+        };
+        for (index, group) in (0..).zip(world.groups()) {
+            if let Some(governed) = &group.guidance.field {
+                add(index, &governed.field, true);
+            }
+            if let Some(behaviour) = &group.guidance.behaviour {
+                behaviour.fields(&mut |field| add(index, field, false));
             }
         }
         flows
@@ -52,16 +65,20 @@ impl Flow {
 /// Equal flows share the same field object, not an equal one; all else is compared by value.
 impl PartialEq for Flow {
     fn eq(&self, other: &Self) -> bool {
-        let beside = |flow: &Self| (flow.still, flow.groups.clone(), flow.anchors.clone());
+        let beside = |flow: &Self| (flow.still, flow.governs, flow.groups.clone(), flow.anchors.clone());
         Arc::ptr_eq(&self.field, &other.field) && beside(self) == beside(other)
     }
 }
 
 impl fmt::Debug for Flow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { anchors, groups, still, .. } = self;
+        let Self { anchors, groups, governs, still, .. } = self;
         let mut out = f.debug_struct("Flow");
-        out.field("anchors", anchors).field("groups", groups).field("still", still).finish_non_exhaustive()
+        out.field("anchors", anchors)
+            .field("groups", groups)
+            .field("governs", governs)
+            .field("still", still)
+            .finish_non_exhaustive()
     }
 }
 
@@ -69,6 +86,7 @@ impl fmt::Debug for Flow {
 mod tests {
     use super::*;
     use glam::Vec3;
+    use throng::Group;
     use throng::Settings;
     use throng::agent::Guidance;
     use throng::field::Governed;

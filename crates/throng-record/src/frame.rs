@@ -4,7 +4,9 @@ use crate::Flow;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::borrow::Cow;
 use std::f32::consts::{PI, TAU};
+use std::fmt;
 use std::sync::Arc;
+use throng::field::Field;
 use throng::motion::Basis;
 use throng::space::Pathway;
 use throng::space::surface::{Barrier, Bounds, SeenFrom, Surface};
@@ -88,6 +90,30 @@ pub struct Frame {
     pub total: usize,
     /// The score of the game ([`World::standing`](throng::World::standing)); empty without rules.
     pub standing: String,
+    /// The present states of fields that adapt to the positions of the agents, by group. Files do not hold them.
+    pub fields: Vec<AdaptedField>,
+}
+
+/// The present state of a field that adapts to the positions of the agents ([`throng::field::Adaptive`]).
+#[derive(Clone)]
+pub struct AdaptedField {
+    /// The group that the field governs, an index into [`Setting::groups`].
+    pub group: u32,
+    /// The field; positions are relative to [`Setting::origin`].
+    pub field: Arc<dyn Field>,
+}
+
+/// Equal states share the same field object.
+impl PartialEq for AdaptedField {
+    fn eq(&self, other: &Self) -> bool {
+        self.group == other.group && Arc::ptr_eq(&self.field, &other.field)
+    }
+}
+
+impl fmt::Debug for AdaptedField {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AdaptedField").field("group", &self.group).finish_non_exhaustive()
+    }
 }
 
 /// An agent at a time.

@@ -38,7 +38,7 @@ pub use cell::Cell;
 pub use choice::{Choice, ChoiceError};
 pub use flow::Flow;
 pub use formats::{Column, Format, FormatFlaw, Reading, Writer, csv};
-pub use frame::{Body, Frame, Setting, Shell};
+pub use frame::{AdaptedField, Body, Frame, Setting, Shell};
 pub use map::map;
 pub use moments::Moments;
 pub use output::{Hand, Output, OutputError};

@@ -55,8 +55,7 @@ fn characters(_: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
     Ok(Vec::new())
 }
 
-/// Returns the fields that govern groups, with their anchors. If no group is governed, returns the fields of the scene,
-/// which behaviours may follow.
+/// Returns the fields that guide groups, with their anchors. If no field guides a group, returns the fields of the scene.
 fn flows(world: &World, built: &Built) -> Vec<Flow> {
     let mut flows = Flow::all(world);
     flows.iter_mut().flat_map(|flow| &mut flow.groups).for_each(|group| *group = group.saturating_sub(1));
@@ -90,6 +89,9 @@ pub fn capture(world: &World, frame: &mut Frame) {
     frame.capture(world);
     for body in &mut frame.bodies {
         body.group = body.group.saturating_sub(1);
+    }
+    for adapted in &mut frame.fields {
+        adapted.group = adapted.group.saturating_sub(1);
     }
 }
 

@@ -118,6 +118,7 @@ impl Moments {
         frame.total = self.total;
         frame.accounts.clear();
         frame.explanations.clear();
+        frame.fields.clear();
         frame.bodies.clear();
         frame.bodies.extend(self.spots[spots].iter().map(|spot| self.body(spot)));
     }

@@ -12,6 +12,7 @@ use crate::direct::{Director, Tool};
 use crate::document::Document;
 use crate::keep::{Draft, Leaving, Unfinished, remember, remembered};
 use crate::keys::{self, Action};
+use crate::opened::Opened;
 use crate::outside::Files;
 use crate::panels::{self, ExplanationWindow, Gallery, Meters, TextRequest, Tuned, Tuning};
 use crate::play::{Command, Player, RunMoment, Speed, Trouble};
@@ -27,6 +28,8 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 /// The studio application.
 pub struct App {
     settings: Settings,
+    /// The settings that the scene has given.
+    opened: Opened,
     options: Options,
     document: Document,
     player: Player,
@@ -91,6 +94,7 @@ impl App {
             outside: crate::outside::Outside::new(&document),
             files,
             settings,
+            opened: Opened::new(&options.with),
             document,
             views: Default::default(),
             gallery: Gallery::default(),
@@ -375,6 +379,9 @@ impl eframe::App for App {
             // a web page has no thread that wakes it, so request the frame that shows the result
             ctx.request_repaint();
         }
+        if let Some(shown) = &shown {
+            self.opened.open(&shown.name, &shown.scene, &mut self.settings);
+        }
         for action in std::mem::take(&mut self.actions) {
             self.act(action, shown.as_deref());
         }
@@ -401,7 +408,7 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        remember(storage, eframe::APP_KEY, &self.settings);
+        remember(storage, eframe::APP_KEY, &self.opened.own(&self.settings));
         remember(storage, Draft::KEY, &Draft::of(&self.document));
     }
 

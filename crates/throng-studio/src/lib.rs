@@ -22,6 +22,7 @@ pub mod direct;
 pub mod document;
 pub mod keep;
 pub mod keys;
+mod opened;
 mod outside;
 #[cfg(target_arch = "wasm32")]
 pub mod page;

@@ -3,7 +3,8 @@
 use crate::play::Speed;
 use crate::view::{Coloring, Layers, Marks};
 use serde::{Deserialize, Serialize};
-use throng_draw::Theme;
+use throng_draw::{Style, Theme};
+use throng_scene::Scene;
 
 /// The settings of the user.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -94,6 +95,11 @@ impl Settings {
     /// Whether agents that are people are drawn as walking people, in a plan or in a view in space.
     pub fn draws_people(&self, plan: bool) -> bool {
         !plan && self.layers.people && self.marks == Marks::Fitting
+    }
+
+    /// Returns the colours of everything but the agents, with those that a scene gives.
+    pub fn theme_of(&self, scene: &Scene) -> Theme {
+        Style::themed(scene, self.theme()).theme
     }
 
     /// Returns the colours of everything but the agents.

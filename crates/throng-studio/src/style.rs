@@ -2,7 +2,7 @@
 
 use eframe::egui::style::Spacing;
 use eframe::egui::{Color32, Context, CornerRadius, FontFamily, FontId, Shadow, Stroke, TextStyle, Visuals};
-use throng_draw::{Color, PALETTE, Theme};
+use throng_draw::{Color, Theme};
 
 /// Converts a colour of pictures to a colour of panels.
 pub fn color(color: Color) -> Color32 {
@@ -17,7 +17,7 @@ pub fn panel(theme: &Theme) -> Color {
 /// Applies the colours of a theme to the panels. On a touch screen, buttons are larger.
 pub fn apply(ctx: &Context, theme: &Theme, dark: bool, touch: bool) {
     let mut visuals = if dark { Visuals::dark() } else { Visuals::light() };
-    let accent = PALETTE[0];
+    let accent = theme.palette[0];
     let line = Stroke::new(1.0, color(theme.edge.alpha(0.35)));
     let (panel, raised) = (color(panel(theme)), color(theme.outside));
     visuals.panel_fill = panel;
@@ -29,7 +29,7 @@ pub fn apply(ctx: &Context, theme: &Theme, dark: bool, touch: bool) {
     visuals.faint_bg_color = raised;
     visuals.selection.bg_fill = color(accent.alpha(if dark { 0.55 } else { 0.22 }));
     visuals.selection.stroke = Stroke::new(1.0, color(if dark { theme.text } else { accent }));
-    visuals.hyperlink_color = color(accent);
+    visuals.hyperlink_color = color(accent.legible(&[self::panel(theme)], theme.text, 4.5));
     let widgets = &mut visuals.widgets;
     for widget in [
         &mut widgets.noninteractive,

@@ -21,6 +21,7 @@ pub(crate) use state::State;
 
 use crate::Position;
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
+use crate::field::Field;
 use crate::intend::TraceRequest;
 use crate::navigate::{Goal, Journey, Script, Unreachable};
 use crate::perceive::{Grid, SimdLevel};
@@ -28,6 +29,7 @@ use crate::space::Place;
 use crate::step::{Pipeline, Stage};
 use glam::{DVec2, DVec3, Vec3};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// How a step is divided into sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -179,6 +181,13 @@ impl World {
     /// Returns all groups, by index, as they were given.
     pub fn groups(&self) -> &[Group] {
         &self.state.groups
+    }
+
+    /// Returns the present state of the field of a group, by index, if the field adapts to the positions of the agents
+    /// ([`Adaptive`](crate::field::Adaptive)). Positions are relative to the world's origin. Returns `None` for other
+    /// groups and before the first step.
+    pub fn adapted_field(&self, group: usize) -> Option<&Arc<dyn Field>> {
+        self.state.adapted.get(group)?.as_ref().map(|adapted| &adapted.field)
     }
 
     /// Returns all goals, by index.

@@ -11,6 +11,7 @@ mod outputs;
 mod race;
 mod sheet;
 mod table;
+mod telling;
 mod worker;
 
 pub use args::{COMPARE, COMPARE_SHORT, CompareArgs};

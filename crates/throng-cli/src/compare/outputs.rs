@@ -3,12 +3,15 @@
 use super::figures::CompareResults;
 use super::html::ComparePage;
 use super::race::{ComparePlan, ModelRun};
+use super::telling::TellingPicture;
 use super::{CompareArgs, sheet, table};
 use crate::failure::Failure;
 use crate::files::{self, distinct, is};
 use std::path::PathBuf;
 use std::sync::Arc;
+use throng_draw::Still;
 use throng_draw::record::{Files, Pace, Recorder};
+use throng_draw::sink::Kind;
 use throng_record::{Choice, Frame, Output};
 
 /// A function that formats the table for a file.
@@ -19,6 +22,8 @@ pub struct CompareOutputs {
     paths: Vec<PathBuf>,
     /// Pictures and videos; `None` once they are complete.
     films: Option<Files>,
+    /// Pictures of the moment at which the models differ most.
+    telling: Vec<TellingPicture>,
     pages: Vec<(Output, ComparePage)>,
     /// Files that hold the table, and the functions that format it.
     tables: Vec<(Output, TableFormat)>,
@@ -32,7 +37,7 @@ impl CompareOutputs {
     pub fn create(args: &CompareArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<Self, Failure> {
         let paths = args.output.clone();
         distinct(&paths)?;
-        let (mut films, mut pages) = (Vec::new(), Vec::new());
+        let (mut films, mut pages, mut telling) = (Vec::new(), Vec::new(), Vec::new());
         let mut tables: Vec<(Output, TableFormat)> = Vec::new();
         let rate = args.film.rate(&plan.loaded.scene);
         for path in &paths {
@@ -45,16 +50,23 @@ impl CompareOutputs {
             } else {
                 let (sheet, style) = sheet::sheet(&args.film, plan, runs)?;
                 let film = files::film(path, sheet, &style, rate, &["html", "md", "csv"])?;
-                films.push(Recorder::film(film.still(args.film.still())));
+                let given = args.film.frame.or(plan.loaded.scene.view.moment);
+                match given {
+                    None if matches!(Kind::of(path), Ok(Kind::Png | Kind::Svg)) => {
+                        telling.push(TellingPicture::new(film, style.trails, runs)?);
+                    }
+                    _ => films.push(Recorder::film(film.still(given.map_or(Still::Last, Still::Time)))),
+                }
             }
         }
         let films = Files::new(films, Pace::new(0.0, args.film.speed_up / rate), &Choice::default());
-        Ok(Self { paths, films: Some(films), pages, tables })
+        Ok(Self { paths, films: Some(films), telling, pages, tables })
     }
 
     /// Whether the outputs need the moments of the runs, not only their results.
     pub fn watch(&self) -> bool {
-        self.films.as_ref().is_some_and(|films| !films.is_empty()) || !self.pages.is_empty()
+        let films = self.films.as_ref().is_some_and(|films| !films.is_empty());
+        films || !self.telling.is_empty() || !self.pages.is_empty()
     }
 
     /// Adds the runs' current moment. Called before the first step and after every step.
@@ -65,6 +77,7 @@ impl CompareOutputs {
         if let Some(films) = &mut self.films {
             films.push_all(now(runs), runs[0].world.settings().step, || frames(runs))?;
         }
+        self.telling.iter_mut().for_each(|picture| picture.push(runs));
         self.pages.iter_mut().for_each(|(_, page)| page.push(runs));
         Ok(())
     }
@@ -75,6 +88,7 @@ impl CompareOutputs {
     /// A file cannot be written.
     pub fn end(&mut self, runs: &[ModelRun]) -> Result<(), Failure> {
         self.pages.iter_mut().for_each(|(_, page)| page.end(runs));
+        std::mem::take(&mut self.telling).into_iter().try_for_each(TellingPicture::finish)?;
         Ok(self.films.take().map_or(Ok(()), |films| films.finish_all(now(runs), || frames(runs)))?)
     }
 

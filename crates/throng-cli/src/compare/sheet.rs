@@ -21,7 +21,7 @@ pub fn sheet(args: &FilmArgs, plan: &ComparePlan, runs: &[ModelRun]) -> Result<(
         _ => format!("{}, seed {}", plan.loaded.title(), plan.seeds[0]),
     };
     let bounds = runs[0].built.bounds;
-    let style = args.look.style(&plan.loaded.scene, bounds)?;
+    let style = args.style(&plan.loaded.scene, bounds)?;
     let (style, columns) = args.look.side_by_side(style, runs.len(), "models", bounds)?;
     Ok((Sheet { title, panels, columns }, style))
 }

@@ -58,7 +58,7 @@ pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
     }
     let choice = args.choice.choice();
     let [min, max] = recording.bounds();
-    let mut style = args.film.look.style(&recording.scene, [min, max])?;
+    let mut style = args.film.style(&recording.scene, [min, max])?;
     // The view holds all positions of the recording from the first picture on.
     style.view.get_or_insert(WorldBox { min, max });
     let plan = Plan {

@@ -81,7 +81,7 @@ pub fn stage(args: &ReplayArgs, scene: &Scene, cast: &RecordedPeople, map: &Map)
 pub fn style(args: &ReplayArgs, scene: &Scene, cast: &RecordedPeople) -> Result<Style, Failure> {
     let [low, high] = bounds(cast);
     let shown = WorldBox { min: low - MARGIN, max: high + MARGIN };
-    let style = args.film.look.style(scene, [shown.min, shown.max])?;
+    let style = args.film.style(scene, [shown.min, shown.max])?;
     Ok(Style { view: style.view.or(Some(shown)), ..style })
 }
 

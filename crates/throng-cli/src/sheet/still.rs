@@ -59,6 +59,7 @@ fn style(scene: &Scene, look: &Look) -> LookArgs {
         trails: look.trails.or(scene.view.trails).or(Some(TRAILS)),
         color: ColorArg::Group,
         no_headings: false,
+        dark: false,
         field: look.field.clone(),
     }
 }

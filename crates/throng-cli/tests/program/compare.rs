@@ -350,3 +350,29 @@ fn mistakes_of_bounds_appear_before_anything_runs() {
     refuses("--junit grades.xml", "--bounds <FILE>");
     refuses("--bounds no.toml", "there is no file no.toml");
 }
+
+#[test]
+fn the_picture_shows_the_moment_at_which_the_models_differ_most() {
+    let folder = folder();
+    let scene = format!("{WALK}[time]\nuntil = \"limit\"\nlimit = 8\n");
+    std::fs::write(folder.path().join("walk.toml"), &scene).unwrap();
+    std::fs::write(folder.path().join("given.toml"), format!("{scene}[view]\nmoment = 3.0\n")).unwrap();
+    let models = "--models orca,none -q";
+    let time = |arguments: &str| {
+        call(folder.path(), &format!("compare {arguments} {models} -o picture.svg")).success();
+        let svg = read(folder.path(), "picture.svg");
+        let shown = svg.split(" s</text>").next().and_then(|text| text.rsplit('>').next()).unwrap().to_owned();
+        shown.parse::<f64>().unwrap_or_else(|_| panic!("{shown}"))
+    };
+    assert_eq!(time("walk.toml --frame 2"), 2.0);
+    assert_eq!(time("given.toml"), 3.0);
+    assert_eq!(time("given.toml --frame 1"), 1.0);
+    assert_eq!(time("walk.toml"), 8.0, "they never differ: the last moment");
+    let crossing = time("headon");
+    let last =
+        json(folder.path(), "compare headon --models orca,none")["models"][0]["median"]["time"].as_f64().unwrap();
+    assert!(
+        crossing > 1.0 && crossing < last - 1.0,
+        "they differ most where they pass each other: {crossing} of {last} s"
+    );
+}

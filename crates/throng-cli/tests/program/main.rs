@@ -13,6 +13,8 @@ mod measure;
 mod mistakes;
 #[cfg(target_os = "linux")]
 mod pages;
+#[cfg(target_os = "linux")]
+mod pictures;
 mod recorded;
 mod reference;
 mod replay;

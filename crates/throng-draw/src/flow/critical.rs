@@ -1,7 +1,6 @@
 //! Symbols of critical points: isolated zeros of a field, by their kind.
 
 use super::blade::{blade, head};
-use super::speed::is_dark;
 use super::{Lay, Vec2};
 use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
@@ -11,7 +10,7 @@ use throng_field::Critical;
 /// The radius of a symbol, in units of the layout.
 pub(super) const RADIUS: f32 = 8.5;
 /// The colour of points that trap agents, on light and on dark ground.
-const WARNING: [Color; 2] = [Color::rgb(0xc8372d), Color::rgb(0xf0705f)];
+pub(super) const WARNING: [Color; 2] = [Color::rgb(0xc8372d), Color::rgb(0xf0705f)];
 /// The maximum number of symbols: a field of noise has more.
 const MOST: usize = 300;
 /// The distance at which the surrounding field is tested, in units of the layout. Without flow there, the point is not
@@ -97,7 +96,7 @@ impl Symbol {
 
     /// Returns the symbol around a pixel.
     pub fn marks(&self, at: Vec2, radius: f32, theme: &Theme) -> Vec<Primitive> {
-        let color = if self.kind.traps() { WARNING[usize::from(is_dark(theme))] } else { theme.text };
+        let color = if self.kind.traps() { WARNING[usize::from(theme.is_dark())] } else { theme.text };
         let mut pen = SymbolPen { at, radius, color, marks: Vec::new() };
         pen.marks.push(Primitive::Disc { center: at, radius: 1.22 * radius, fill: theme.ground.alpha(0.88) });
         let quarters = || (0..4).map(|k| Vec2::from_angle((k as f32 + 0.5) * FRAC_PI_2));

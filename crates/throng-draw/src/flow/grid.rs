@@ -2,8 +2,8 @@
 
 use super::{Canvas, Lay};
 use glam::{DVec2, Vec2};
+use throng::field::Field;
 use throng_field::Sampled;
-use throng_record::Flow;
 
 /// The width of the sampling cells, in units of the layout.
 const CELL: f32 = 2.0;
@@ -28,7 +28,7 @@ pub(super) struct Grid {
 
 impl Grid {
     /// Samples the field at a time; `None` if the picture does not show a part of the world.
-    pub fn of(flow: &Flow, canvas: &Canvas, time: f64) -> Option<Self> {
+    pub fn of(field: &dyn Field, canvas: &Canvas, time: f64) -> Option<Self> {
         let cell = (CELL * canvas.unit).max(1.0);
         let metres = f64::from(cell) / canvas.camera.scale;
         // The corners avoid round coordinates, where fields are more often exactly zero.
@@ -39,7 +39,7 @@ impl Grid {
             canvas.camera.center + DVec2::new(offset.x, -offset.y) - canvas.origin
         };
         let [left, right] = [Vec2::new(low.x, high.y), Vec2::new(high.x, low.y)].map(place);
-        let sampled = Sampled::of(&*flow.field, left, right, metres, time).ok()?;
+        let sampled = Sampled::of(field, left, right, metres, time).ok()?;
         let (columns, rows) = (sampled.columns(), sampled.rows());
         let flip = |v: &Vec2| Vec2::new(v.x, -v.y).clamp(Vec2::splat(-FASTEST), Vec2::splat(FASTEST));
         let flows = sampled.velocities().chunks_exact(columns).rev().flatten().map(flip).collect();

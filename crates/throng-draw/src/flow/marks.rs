@@ -19,7 +19,7 @@ use throng_record::{Frame, Setting};
 /// let setting = Setting { flows: vec![Flow::of(Arc::new(whirl))], ..Setting::default() };
 /// let view = Some(WorldBox { min: DVec2::splat(-5.0), max: DVec2::splat(5.0) });
 /// let style = Style { flow: Some(FlowStyle::of([FlowLayer::Arrows])), view, ..Style::default() };
-/// let drawn = FlowMarks::new(&setting, &style, &Frame::default(), 0.0).unwrap();
+/// let drawn = FlowMarks::new(&setting, &style, &Frame::default(), &Frame::default()).unwrap();
 /// assert!(drawn.marks.len() > 50 && drawn.fastest.unwrap() > 5.0);
 /// ```
 #[derive(Clone, Debug)]
@@ -33,14 +33,16 @@ pub struct FlowMarks {
 }
 
 impl FlowMarks {
-    /// Returns the fields at a time as a picture in this style shows them, for a recording that begins with `first`.
+    /// Returns the fields at the moment `now` as a picture in this style shows them, for a recording that begins with
+    /// `first`. The opacity of primitives of several fields falls with the distance from the agents of their groups.
     /// Returns `None` if there are no fields or the style does not draw them.
-    pub fn new(setting: &Setting, style: &Style, first: &Frame, time: f64) -> Option<Self> {
+    pub fn new(setting: &Setting, style: &Style, first: &Frame, now: &Frame) -> Option<Self> {
         let view = style.view.or_else(|| WorldBox::of(setting, first))?;
         let camera = Camera::fit(view, Vec2::ZERO, Vec2::new(style.width as f32, style.height as f32));
         let look = Look::new(setting, style, first);
-        let mut sheets = Sheets::new(setting, style, camera, &Layout::new(style), &look)?;
-        sheets.turn(time);
+        let mut sheets = Sheets::new(setting, style, camera, &Layout::new(style), &look, None)?;
+        sheets.follow(now);
+        sheets.turn(now);
         Some(Self { fastest: sheets.fastest(), marks: sheets.marks, camera })
     }
 }

@@ -9,6 +9,7 @@ mod grid;
 mod key;
 mod marks;
 mod mask;
+mod shares;
 mod sheets;
 mod speed;
 mod streamlines;
@@ -157,6 +158,8 @@ struct Lay<'a> {
     fastest: f32,
     /// The index of this field and the number of fields, which share the space.
     turn: (usize, usize),
+    /// The length of the pieces into which streamlines are cut, pixels; `None` for whole lines.
+    cut: Option<f32>,
 }
 
 impl Lay<'_> {
@@ -182,6 +185,24 @@ impl Lay<'_> {
         let t = ((self.part(flow) - Self::STILL) / (WHOLE - Self::STILL)).clamp(0.0, 1.0);
         t * t * (3.0 - 2.0 * t)
     }
+}
+
+/// Returns the colour of a single field, which is neutral.
+pub(crate) fn alone(theme: &Theme) -> Color {
+    theme.goal.mix(theme.text, 0.45)
+}
+
+/// Returns the colour of streamlines of a field in a colour: clear of the ground in spite of their opacity.
+pub(crate) fn line(ink: Color, theme: &Theme) -> Color {
+    let grounds = [theme.ground, theme.outside];
+    let text = theme.text.alpha(streamlines::OPACITY);
+    ink.alpha(streamlines::OPACITY).legible(&grounds, text, Theme::MARKS)
+}
+
+/// Returns the colour of points that trap agents.
+#[cfg(test)]
+pub(crate) fn warning(theme: &Theme) -> Color {
+    critical::WARNING[usize::from(theme.is_dark())]
 }
 
 /// Returns a pseudorandom number in [0, 1) for a cell, by the finaliser of MurmurHash3.

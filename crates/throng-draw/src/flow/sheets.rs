@@ -1,17 +1,22 @@
 //! The fields of one recording, redrawn when they change.
 
+use super::alone;
 use super::critical::{RADIUS, Symbol, symbols};
 use super::grid::fastest;
 use super::key::Said;
+use super::shares::Shares;
 use super::{Canvas, FlowLayer, FlowStyle, Grid, Lay, Mask};
 use super::{anchors::anchors, arrows::arrows, speed::speed, streamlines::streamlines, texture::texture};
 use crate::annotate::Row;
 use crate::legend::Layout;
 use crate::look::Look;
 use crate::primitive::Primitive;
-use crate::{Camera, Color, Style, Theme};
-use glam::Vec2;
-use throng_record::{Flow, Setting};
+use crate::text::{Type, Typeface};
+use crate::{Camera, Color, Image, Style, Theme, raster};
+use glam::{DVec2, Vec2};
+use std::sync::Arc;
+use throng::field::Field;
+use throng_record::{AdaptedField, Flow, Frame, Setting};
 
 /// A field with its state.
 #[derive(Clone, Debug)]
@@ -22,6 +27,46 @@ struct DrawnField {
     grid: Option<Grid>,
     /// The time at which it was last sampled.
     time: Option<f64>,
+    /// The present state of a field that adapts to the crowd.
+    adapted: Option<AdaptedField>,
+    /// The memory of such a field, and the index of the interval of its last update, if frames do not hold its state:
+    /// files do not.
+    memory: Option<(Vec<f32>, f64)>,
+}
+
+impl DrawnField {
+    /// Updates the memory with the positions in a frame, once in each interval. Returns the new state of the field;
+    /// `None` in an interval with an update.
+    fn notice(&mut self, frame: &Frame, origin: DVec2) -> Option<Arc<dyn Field>> {
+        let adaptive = self.flow.field.adaptive()?;
+        let interval = (frame.time / adaptive.interval()).floor();
+        let (memory, last) = self.memory.get_or_insert_with(|| (adaptive.memory(), f64::NAN));
+        if *last == interval {
+            return None;
+        }
+        *last = interval;
+        let people: Vec<Vec2> = frame.bodies.iter().map(|body| (body.position - origin).as_vec2()).collect();
+        adaptive.notice(memory, &people);
+        Some(adaptive.adapted(memory))
+    }
+
+    /// Takes the state of an adaptive field from a frame, or updates it with the positions in the frame.
+    fn see(&mut self, frame: &Frame, origin: DVec2) {
+        if !self.flow.governs || self.flow.field.adaptive().is_none() {
+            return;
+        }
+        let given = frame.fields.iter().find(|adapted| self.flow.groups.contains(&adapted.group));
+        let now = match given {
+            Some(given) => given.clone(),
+            None => match self.notice(frame, origin) {
+                Some(field) => AdaptedField { group: 0, field },
+                None => return,
+            },
+        };
+        if self.adapted.as_ref() != Some(&now) {
+            (self.adapted, self.time) = (Some(now), None);
+        }
+    }
 }
 
 /// All fields of a picture.
@@ -35,25 +80,49 @@ pub(crate) struct Sheets {
     symbols: Vec<Symbol>,
     /// The background strips of the title and the legend.
     strips: Vec<Primitive>,
+    /// The floor below the fields, where pictures of several fields are mixed.
+    floor: Option<Image>,
+    /// The primitives of each field, in the order of the layers, and their pictures above the floor.
+    parts: Vec<Vec<Primitive>>,
+    pictures: Vec<Image>,
+    /// The symbols above all fields.
+    over: Vec<Primitive>,
+    /// The shares of several fields.
+    shares: Option<Shares>,
     /// The primitives, in the order of the layers.
     pub marks: Vec<Primitive>,
 }
 
 impl Sheets {
-    /// Returns the fields of a setting in a style; `None` if there are no fields or the style does not draw them.
-    pub fn new(setting: &Setting, style: &Style, camera: Camera, layout: &Layout, look: &Look) -> Option<Self> {
+    /// Returns the fields of a setting in a style; `None` if there are no fields or the style does not draw them. Several
+    /// fields are mixed above a floor; without a floor, the opacity of their primitives shows their shares.
+    pub fn new(
+        setting: &Setting,
+        style: &Style,
+        camera: Camera,
+        layout: &Layout,
+        look: &Look,
+        floor: Option<Image>,
+    ) -> Option<Self> {
         let unit = layout.unit;
         let flow = style.flow.clone().filter(|flow| !flow.layers.is_empty() && !setting.flows.is_empty())?;
         let free = Mask::new((style.width, style.height), setting, &camera, unit);
         let size = Vec2::new(style.width as f32, style.height as f32);
         let canvas = Canvas { camera, origin: setting.origin, size, unit, free };
-        let quiet = style.theme.goal.mix(style.theme.text, 0.45);
+        let quiet = alone(&style.theme);
         // A single field has a neutral colour; each of several fields has the colour of its first group.
         let ink = |flow: &Flow| match flow.groups.first() {
             Some(&group) if setting.flows.len() > 1 => look.group(group as usize).mix(style.theme.text, 0.2),
             _ => quiet,
         };
-        let shown = |flow: &Flow| DrawnField { flow: flow.clone(), ink: ink(flow), grid: None, time: None };
+        let shown = |flow: &Flow| DrawnField {
+            flow: flow.clone(),
+            ink: ink(flow),
+            grid: None,
+            time: None,
+            adapted: None,
+            memory: None,
+        };
         Some(Self {
             canvas,
             shown: setting.flows.iter().map(shown).collect(),
@@ -62,18 +131,31 @@ impl Sheets {
             theme: style.theme.clone(),
             symbols: Vec::new(),
             strips: if style.legend { strips(setting, style, layout.room(true).0.y) } else { Vec::new() },
+            floor,
+            parts: Vec::new(),
+            pictures: Vec::new(),
+            over: Vec::new(),
+            shares: None,
             marks: Vec::new(),
         })
     }
 
-    /// Redraws the fields that have changed at a time. Returns whether any has.
-    pub fn turn(&mut self, time: f64) -> bool {
+    /// Updates the fields that adapt to the crowd.
+    pub fn follow(&mut self, frame: &Frame) {
+        self.shown.iter_mut().for_each(|shown| shown.see(frame, self.canvas.origin));
+    }
+
+    /// Redraws the fields that have changed at a moment, and their shares. Returns whether the picture of the fields has
+    /// changed. Call [`follow`](Self::follow) before.
+    pub fn turn(&mut self, frame: &Frame) -> bool {
+        let time = frame.time;
         let mut changed = false;
         for shown in &mut self.shown {
             let known = shown.time.is_some_and(|then| shown.flow.still || then == time);
             if !known {
                 let first = shown.time.is_none();
-                let grid = Grid::of(&shown.flow, &self.canvas, time);
+                let field = shown.adapted.as_ref().map_or(&shown.flow.field, |adapted| &adapted.field);
+                let grid = Grid::of(&**field, &self.canvas, time);
                 changed |= first || grid != shown.grid;
                 (shown.grid, shown.time) = (grid, Some(time));
             }
@@ -83,7 +165,27 @@ impl Sheets {
             self.fastest = self.fastest.or_else(|| fastest(grids, &self.canvas));
             self.draw();
         }
+        let several = self.shown.len() > 1 && self.fastest.is_some();
+        let shares = several.then(|| Shares::new(self.shown.iter().map(|shown| &shown.flow), &self.canvas, frame));
+        changed |= shares != self.shares;
+        if changed {
+            self.shares = shares;
+            self.put_together();
+        }
         changed
+    }
+
+    /// Joins the drawings of the fields.
+    fn put_together(&mut self) {
+        self.marks = match (&self.shares, &self.floor) {
+            (None, _) => self.parts.iter().flatten().cloned().collect(),
+            (Some(shares), Some(floor)) => vec![Primitive::Pixels(shares.mix(floor, &self.pictures))],
+            (Some(shares), None) => {
+                let parts = self.parts.iter().enumerate();
+                parts.flat_map(|(field, part)| part.iter().filter_map(move |mark| faded(mark, shares, field))).collect()
+            }
+        };
+        self.marks.extend_from_slice(&self.over);
     }
 
     /// Returns the speed that is drawn as the fastest, m/s; `None` until a field flows.
@@ -92,30 +194,34 @@ impl Sheets {
     }
 
     fn draw(&mut self) {
-        self.marks.clear();
+        /// The length of pieces of streamlines, which differ in opacity, in units of the layout.
+        const CUT: f32 = 12.0;
+        self.over.clear();
+        self.parts = vec![Vec::new(); self.shown.len()];
         let Some(fastest) = self.fastest else { return };
         let of = self.shown.len();
+        let cut = (of > 1 && self.floor.is_none()).then_some(CUT * self.canvas.unit);
         let lays = self.shown.iter().enumerate().filter_map(|(turn, shown)| {
             let grid = shown.grid.as_ref()?;
             let (canvas, style, theme) = (&self.canvas, &self.style, &self.theme);
-            Some((shown, Lay { grid, canvas, style, theme, ink: shown.ink, fastest, turn: (turn, of) }))
+            Some((shown, Lay { grid, canvas, style, theme, ink: shown.ink, fastest, turn: (turn, of), cut }))
         });
         let lays: Vec<(&DrawnField, Lay<'_>)> = lays.collect();
-        let mut marks = Vec::new();
         let mut layers = self.style.layers.clone();
         layers.sort_unstable();
         layers.dedup();
         for layer in layers {
             for (shown, lay) in &lays {
+                let marks = &mut self.parts[lay.turn.0];
                 match layer {
                     FlowLayer::Speed => marks.push(speed(lay)),
                     FlowLayer::Lic => marks.push(texture(lay)),
                     FlowLayer::Streamlines => marks.extend(streamlines(lay)),
                     FlowLayer::Arrows => marks.extend(arrows(lay)),
-                    FlowLayer::Anchors => marks.extend(anchors(lay, &shown.flow.anchors)),
+                    FlowLayer::Anchors => self.over.extend(anchors(lay, &shown.flow.anchors)),
                     FlowLayer::Critical => {
                         for (at, symbol) in symbols(lay) {
-                            marks.extend(symbol.marks(at, RADIUS * self.canvas.unit, &self.theme));
+                            self.over.extend(symbol.marks(at, RADIUS * self.canvas.unit, &self.theme));
                             if !self.symbols.iter().any(|other| other.is_like(&symbol)) {
                                 self.symbols.push(symbol);
                             }
@@ -124,8 +230,16 @@ impl Sheets {
                 }
             }
         }
-        marks.extend_from_slice(&self.strips);
-        self.marks = marks;
+        self.over.extend_from_slice(&self.strips);
+        if let Some(floor) = self.floor.as_ref().filter(|_| of > 1) {
+            let mut typeface = Type::of(&Typeface::default());
+            let picture = |part: &Vec<Primitive>| {
+                let mut picture = floor.clone();
+                raster::draw(&mut picture, &mut typeface, part);
+                picture
+            };
+            self.pictures = self.parts.iter().map(picture).collect();
+        }
     }
 
     /// Returns the key's rows for everything drawn so far.
@@ -139,6 +253,30 @@ impl Sheets {
             symbols: Symbol::all().filter(|kind| self.symbols.iter().any(|seen| seen.is_like(kind))).collect(),
         };
         said.rows(size)
+    }
+}
+
+/// Returns a primitive of a field with the opacity of the field's share; `None` if the share is small.
+fn faded(mark: &Primitive, shares: &Shares, field: usize) -> Option<Primitive> {
+    /// Smaller shares are invisible.
+    const LEAST: f32 = 0.03;
+    match mark {
+        Primitive::Area { rings, fill } => {
+            let corners = rings.first()?;
+            let middle = corners.iter().sum::<Vec2>() / corners.len().max(1) as f32;
+            let share = shares.at(field, middle);
+            let fill = fill.alpha(f32::from(fill.a) / 255.0 * share);
+            (share >= LEAST).then(|| Primitive::Area { rings: rings.clone(), fill })
+        }
+        Primitive::Pixels(image) => {
+            let (mut image, width) = (image.clone(), image.width() as usize);
+            for (k, pixel) in image.data_mut().chunks_exact_mut(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {
+                let at = Vec2::new((k % width) as f32, (k / width) as f32) + 0.5;
+                pixel[3] = (f32::from(pixel[3]) * shares.at(field, at)) as u8;
+            }
+            Some(Primitive::Pixels(image))
+        }
+        other => Some(other.clone()),
     }
 }
 
@@ -166,8 +304,7 @@ fn strips(setting: &Setting, style: &Style, height: f32) -> Vec<Primitive> {
 mod tests {
     use super::*;
     use crate::{Painter, WorldBox};
-    use glam::{DVec2, Vec3};
-    use std::sync::Arc;
+    use glam::Vec3;
     use throng_field::Anchor;
     use throng_record::Frame;
 

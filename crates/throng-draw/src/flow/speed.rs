@@ -12,17 +12,11 @@ const ON_DARK: [Color; 3] = [Color::rgb(0x26474f), Color::rgb(0x357d7c), Color::
 
 /// Returns the tone of a speed relative to the fastest, 0 to 1.
 pub(super) fn tone(part: f32, theme: &Theme) -> Color {
-    let stops = if is_dark(theme) { ON_DARK } else { ON_LIGHT };
+    let stops = if theme.is_dark() { ON_DARK } else { ON_LIGHT };
     let all = [theme.ground, stops[0], stops[1], stops[2]];
     let t = part.clamp(0.0, 1.0) * (all.len() - 1) as f32;
     let k = (t as usize).min(all.len() - 2);
     all[k].mix(all[k + 1], t - k as f32)
-}
-
-/// Whether the ground is darker than the type on it.
-pub(super) fn is_dark(theme: &Theme) -> bool {
-    let light = |color: Color| u32::from(color.r) + u32::from(color.g) + u32::from(color.b);
-    light(theme.ground) < light(theme.text)
 }
 
 /// Returns the tones of all pixels.

@@ -19,7 +19,8 @@ const SHORTEST: f32 = 1.6;
 const HALF: [f32; 2] = [0.62, 0.3];
 const HEADS: f32 = 120.0;
 const HEAD: f32 = 5.2;
-const OPACITY: f32 = 0.62;
+/// The opacity of lines.
+pub(super) const OPACITY: f32 = 0.62;
 /// The maximum number of points of all lines together; normal pictures stay below it.
 const MOST: usize = 4_000_000;
 
@@ -199,7 +200,7 @@ impl<'a> Tracer<'a> {
     /// Returns a line as a blade with heads.
     fn marks(&self, index: u32, line: &Line) -> Vec<Primitive> {
         let (lay, unit) = (self.lay, self.lay.canvas.unit);
-        let fill = lay.ink.alpha(OPACITY);
+        let fill = super::line(lay.ink, lay.theme);
         let taper = |at: Vec2| {
             let others = self.round(at).filter(|point| point.line != index);
             let nearest = others.map(|point| point.at.distance(at)).fold(self.apart, f32::min);
@@ -222,10 +223,27 @@ impl<'a> Tracer<'a> {
             let along = (line[(at + 1).min(line.len() - 1)] - line[at.saturating_sub(1)]).normalize_or_zero();
             let size = HEAD * unit * (0.7 + 0.3 * lay.part(lay.grid.at(line[at])));
             let ring = head(line[at] + along * (0.5 * size), along, size);
-            Primitive::Area { rings: vec![ring], fill: lay.ink.alpha(OPACITY + 0.15) }
+            Primitive::Area { rings: vec![ring], fill: fill.alpha(OPACITY + 0.15) }
         };
-        blade(&few, fill).into_iter().chain((0..heads as usize).map(head_at)).collect()
+        let pieces: Vec<&[(Vec2, f32)]> = match lay.cut {
+            Some(cut) => pieces(&few, cut),
+            None => vec![&few],
+        };
+        pieces.into_iter().filter_map(|piece| blade(piece, fill)).chain((0..heads as usize).map(head_at)).collect()
     }
+}
+
+/// Cuts a line into pieces of at least `cut` pixels, each of which begins where the one before it ends.
+fn pieces(points: &[(Vec2, f32)], cut: f32) -> Vec<&[(Vec2, f32)]> {
+    let (mut pieces, mut first, mut length) = (Vec::new(), 0, 0.0);
+    for index in 1..points.len() {
+        length += points[index].0.distance(points[index - 1].0);
+        if length >= cut || index + 1 == points.len() {
+            pieces.push(&points[first..=index]);
+            (first, length) = (index, 0.0);
+        }
+    }
+    pieces
 }
 
 /// Drops points that lie within `off` of the straight line between their kept neighbours.
@@ -255,8 +273,7 @@ mod tests {
     use super::*;
     use crate::{Camera, Theme, WorldBox};
     use glam::{DVec2, Vec3};
-    use std::sync::Arc;
-    use throng_record::{Flow, Setting};
+    use throng_record::Setting;
 
     /// Returns the lines of a field over 20 by 15 m at 20 pixels per metre.
     fn lines(field: fn(Vec3) -> Vec3) -> (Vec<Line>, f32) {
@@ -265,11 +282,20 @@ mod tests {
         let camera = Camera::fit(WorldBox { min: -half, max: half }, Vec2::ZERO, size);
         let free = Mask::new((400, 300), &Setting::default(), &camera, 1.0);
         let canvas = Canvas { camera, origin: DVec2::ZERO, size, unit: 1.0, free };
-        let flow = Flow::of(Arc::new(move |place: Vec3, _: f64| field(place)));
+        let flow = move |place: Vec3, _: f64| field(place);
         let grid = Grid::of(&flow, &canvas, 0.0).unwrap();
         let (style, theme) = (FlowStyle::default(), Theme::light());
         let ink = theme.text;
-        let lay = Lay { grid: &grid, canvas: &canvas, style: &style, theme: &theme, ink, fastest: 5.0, turn: (0, 1) };
+        let lay = Lay {
+            grid: &grid,
+            canvas: &canvas,
+            style: &style,
+            theme: &theme,
+            ink,
+            fastest: 5.0,
+            turn: (0, 1),
+            cut: None,
+        };
         let mut tracer = Tracer::new(&lay);
         (tracer.all(), tracer.apart)
     }

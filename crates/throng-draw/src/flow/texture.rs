@@ -1,6 +1,5 @@
 //! Line integral convolution: noise smeared along a field.
 
-use super::speed::is_dark;
 use super::{Lay, lot};
 use crate::primitive::Primitive;
 use crate::{Color, Image};
@@ -34,7 +33,7 @@ struct Stone {
 pub(super) fn texture(lay: &Lay<'_>) -> Primitive {
     let grains = Grains::of(lay);
     let tones = grains.tones(lay.turn.0 as u32);
-    let dark = is_dark(lay.theme);
+    let dark = lay.theme.is_dark();
     let ink = if dark { lay.ink.mix(Color::rgb(0xff_ffff), 0.5) } else { lay.ink.mix(lay.theme.text, 0.35) };
     let depth = 255.0 * (DEPTH[usize::from(dark)] * lay.style.strength()).min(1.0);
     let (width, height) = (lay.canvas.size.x as u32, lay.canvas.size.y as u32);

@@ -43,6 +43,16 @@ impl Plan<'_> {
     }
 }
 
+/// What is due at a moment.
+struct Due {
+    /// The number of pictures.
+    pictures: u64,
+    /// Whether films follow the moment.
+    follow: bool,
+    /// Whether trajectories take it.
+    rows: bool,
+}
+
 /// All files of a run, or of several runs with a common clock. They get their names when they are complete; files
 /// dropped before that are deleted.
 ///
@@ -99,9 +109,9 @@ impl Files {
     /// # Errors
     /// A file cannot be written.
     pub fn push(&mut self, time: f64, step: f64, capture: impl FnOnce(&mut Frame)) -> Result<(), Error> {
-        let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
+        let Some(due) = self.due(time, step) else { return Ok(()) };
         let frames = vec![self.frames.make(capture)];
-        self.hand_over(frames, pictures, rows)
+        self.hand_over(frames, due)
     }
 
     /// Adds a moment of several runs, with one frame for each run.
@@ -109,20 +119,20 @@ impl Files {
     /// # Errors
     /// A file cannot be written.
     pub fn push_all(&mut self, time: f64, step: f64, frames: impl FnOnce() -> Vec<Arc<Frame>>) -> Result<(), Error> {
-        let Some((pictures, rows)) = self.due(time, step) else { return Ok(()) };
-        self.hand_over(frames(), pictures, rows)
+        let Some(due) = self.due(time, step) else { return Ok(()) };
+        self.hand_over(frames(), due)
     }
 
     /// Passes a moment to the recorders, once per due picture.
-    fn hand_over(&mut self, frames: Vec<Arc<Frame>>, pictures: u64, rows: bool) -> Result<(), Error> {
-        let mut moment = Moment { frames, picture: pictures > 0, rows };
+    fn hand_over(&mut self, frames: Vec<Arc<Frame>>, due: Due) -> Result<(), Error> {
+        let mut moment = Moment { frames, picture: due.pictures > 0, follow: due.follow, rows: due.rows };
         Recorder::push_all(&mut self.files, &moment)?;
         moment.rows = false;
-        (1..pictures).take_while(|_| !(self.stop)()).try_for_each(|_| Recorder::push_all(&mut self.files, &moment))
+        (1..due.pictures).take_while(|_| !(self.stop)()).try_for_each(|_| Recorder::push_all(&mut self.files, &moment))
     }
 
-    /// Returns the number of due pictures and whether trajectories take this moment; `None` if no file takes it.
-    fn due(&mut self, time: f64, step: f64) -> Option<(u64, bool)> {
+    /// Returns what is due at this moment; `None` if no file takes it.
+    fn due(&mut self, time: f64, step: f64) -> Option<Due> {
         let before = self.before.replace(time).unwrap_or(time - step);
         let rows = self.choice.needs(before, time, time + step);
         let films = self.files.iter().any(|file| !file.is_table());
@@ -130,8 +140,10 @@ impl Files {
         if pictures > 0 {
             self.last = Some(time);
         }
-        let takes = |file: &Recorder| if file.is_table() { rows } else { pictures > 0 };
-        self.files.iter().any(takes).then_some((pictures, rows))
+        // Trails and motion blur are made of all steps.
+        let follow = films && self.last.is_some() && (pictures > 0 || time <= self.choice.to + SLACK);
+        let takes = |file: &Recorder| if file.is_table() { rows } else { follow };
+        self.files.iter().any(takes).then_some(Due { pictures, follow, rows })
     }
 
     /// Adds the last moment if no picture shows it yet, and completes all files.
@@ -160,7 +172,7 @@ impl Files {
 
     fn complete(mut self, last: Option<Vec<Arc<Frame>>>) -> Result<(), Error> {
         if let Some(frames) = last {
-            Recorder::push_all(&mut self.files, &Moment { frames, picture: true, rows: false })?;
+            Recorder::push_all(&mut self.files, &Moment { frames, picture: true, follow: true, rows: false })?;
         }
         self.files.into_iter().try_for_each(Recorder::finish)
     }

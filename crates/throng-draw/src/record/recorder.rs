@@ -14,6 +14,8 @@ pub struct Moment {
     pub frames: Vec<Arc<Frame>>,
     /// Whether a picture is due.
     pub picture: bool,
+    /// Whether films follow this moment, with a picture or without.
+    pub follow: bool,
     /// Whether trajectories take this moment.
     pub rows: bool,
 }
@@ -75,7 +77,7 @@ impl Recorder {
     pub fn film(film: Film) -> Self {
         let film = BackgroundWriter::start("throng-film", film, |film: &mut Film, moment: Moment| {
             let frames: Vec<&Frame> = moment.frames.iter().map(Arc::as_ref).collect();
-            film.push_all(&frames)
+            if moment.picture { film.push_all(&frames) } else { film.follow_all(&frames) }
         });
         Self { kind: Written::Film(Box::new(film)), run: None }
     }
@@ -115,7 +117,7 @@ impl Recorder {
             None => moment.clone(),
         };
         match &mut self.kind {
-            Written::Film(film) => !moment.picture || film.push(own()),
+            Written::Film(film) => !moment.follow || film.push(own()),
             Written::Table(table) => !moment.rows || table.push(own()),
         }
     }

@@ -4,6 +4,7 @@ mod birds;
 mod bodies;
 mod chase;
 mod extent;
+mod film_camera;
 mod ground;
 mod keys;
 mod lens;
@@ -15,6 +16,7 @@ mod viewpoint;
 
 pub(crate) use birds::Birds;
 pub use chase::{Chase, Followed, Following, Sight};
+pub use film_camera::FilmCamera;
 pub use lens::Lens;
 pub(crate) use people::People;
 pub use viewpoint::{CameraKey, Motion, Viewpoint};

@@ -112,6 +112,17 @@ impl Rig {
 
     /// Moves the viewpoint to its place at the time of a frame.
     pub(crate) fn turn(&mut self, frame: &Frame) -> Lens {
+        let (sight, angle) = self.sight(frame);
+        self.lens(sight, angle)
+    }
+
+    /// Whether the viewpoint stays where it is.
+    pub(super) fn is_still(&self) -> bool {
+        self.motion == Motion::Still
+    }
+
+    /// Moves the viewpoint to its place at the time of a frame. Returns it with the vertical field of view, degrees.
+    pub(super) fn sight(&mut self, frame: &Frame) -> (Sight, f64) {
         let Sight { eye, target } = self.start;
         let (wanted, rate) = match &self.motion {
             Motion::Still => (None, 0.0),
@@ -124,7 +135,7 @@ impl Rig {
             Motion::Keys(keys) => match keys::at(keys, frame.time, self.angle) {
                 Some((sight, angle)) => {
                     self.now = Some((sight, frame.time));
-                    return self.lens(sight, angle);
+                    return (sight, angle);
                 }
                 None => (None, 0.0),
             },
@@ -153,7 +164,7 @@ impl Rig {
             sight.approach(wanted, frame.time - *since, rate);
             *since = frame.time;
         }
-        self.lens(self.now.map_or(self.start, |(sight, _)| sight), self.angle)
+        (self.now.map_or(self.start, |(sight, _)| sight), self.angle)
     }
 
     fn lens(&self, Sight { eye, target }: Sight, angle: f64) -> Lens {

@@ -1,10 +1,12 @@
 //! The contents of output files.
 
 use super::common::{moment, read_png, setting, style};
+use glam::DVec2;
 use std::path::Path;
-use throng_draw::sink::{Kind, sink};
-use throng_draw::{Color, Error, Film, Image, Painter, Still, Style, palette};
-use throng_record::OutputError;
+use throng_draw::record::{Files, Plan, Recorder};
+use throng_draw::sink::{FolderSink, Kind, sink};
+use throng_draw::{Color, Error, Film, Image, MotionBlur, Painter, Still, Style, palette};
+use throng_record::{Choice, Frame, OutputError};
 
 const FRAMES: usize = 60;
 
@@ -274,4 +276,96 @@ fn after_an_error_a_film_cannot_be_finished() {
     assert!(matches!(film.push(&moment(20)), Err(Error::Ended)));
     assert!(matches!(film.finish(), Err(Error::Ended)));
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// Writes a picture of an agent on a circle after 2 s, with pictures at a rate and steps of 0.04 s.
+fn circling(path: &Path, rate: f64) {
+    let step = 0.04;
+    let at = |k: usize| {
+        let mut frame = moment(0);
+        frame.time = k as f64 * step;
+        frame.bodies.truncate(1);
+        frame.bodies[0].position = 3.0 * DVec2::from_angle(3.0 * frame.time);
+        frame
+    };
+    let (setting, style, choice) = (setting(), Style { trails: 1.5, ..style() }, Choice::default());
+    let plan = Plan {
+        setting: &setting,
+        sheet: None,
+        style: &style,
+        rate,
+        speed_up: 1.0,
+        still: Still::Last,
+        from: 0.0,
+        choice: &choice,
+        stop: || false,
+    };
+    let mut files = Files::new(vec![Recorder::create(path, &plan).unwrap()], plan.pace(), &choice);
+    for k in 0..=50 {
+        files.push(at(k).time, step, |frame| *frame = at(k)).unwrap();
+    }
+    files.finish(2.0, |frame| *frame = at(50)).unwrap();
+}
+
+#[test]
+fn trails_do_not_depend_on_the_rate_of_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str, rate: f64| {
+        let path = folder.path().join(name);
+        circling(&path, rate);
+        read_png(&path)
+    };
+    let usual = picture("usual.png", 25.0);
+    assert!(picture("rare.png", 0.5) == usual && picture("often.png", 100.0) == usual);
+}
+
+#[test]
+fn a_film_with_motion_blur_is_exposed_for_half_of_the_time_between_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let film = |name: &str, samples: u32| {
+        let path = folder.path().join(name);
+        let style = Style { blur: Some(MotionBlur { interval: 0.5, samples }), ..style() };
+        let sink = Box::new(FolderSink::create(&path).unwrap());
+        let mut film = Film::new(&path, sink, &setting(), &style).unwrap();
+        film.push(&moment(0)).unwrap();
+        (1..=50).for_each(|k| film.follow_all(&[&moment(k)]).unwrap());
+        film.finish().unwrap();
+        let mut names: Vec<_> = std::fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()).collect();
+        names.sort();
+        names.iter().map(|name| read_png(name)).collect::<Vec<_>>()
+    };
+    let pictures = film("blurred/", 16);
+    assert_eq!(pictures.len(), 4, "2 s, two pictures a second");
+    assert!(pictures == film("again/", 16), "the same film again");
+    // agent 0 goes to the east at 1 m/s from x = -5, y = 1; a picture has 10 pixels a metre, and the origin in its middle
+    let bare = {
+        let mut painter = Painter::new(&setting(), &style(), &moment(0)).unwrap();
+        painter.paint(&Frame { bodies: Vec::new(), ..moment(0) }).clone()
+    };
+    let ink = |picture: &[u8], x: usize| {
+        let at = (50 * 160 + x) * 3;
+        let ground = bare.pixel(x as u32, 50);
+        let [r, g, b] = [ground.r, ground.g, ground.b];
+        picture[at..at + 3].iter().zip([r, g, b]).map(|(&a, b)| i32::from(a.abs_diff(b))).sum::<i32>()
+    };
+    for (k, picture) in pictures.iter().enumerate() {
+        let x = 30.0 + 10.0 * (0.5 * k as f64);
+        let at = |offset: f64| ink(picture, (x + offset) as usize);
+        assert_eq!(
+            (at(-7.0), at(9.0)),
+            (0, 0),
+            "picture {k}: beyond the body, which is 5 pixels in radius and moves 2.5"
+        );
+        assert!(at(1.5) > 100, "picture {k}: in the body all the time, {}", at(1.5));
+        assert!(at(6.3) > 10 && at(6.3) < at(1.5), "picture {k}: in the body for a part of the time, {}", at(6.3));
+    }
+    // one sample is a sharp picture of the middle of the exposure
+    let sharp = film("sharp/", 1);
+    let mut frame = moment(0);
+    frame.time = 0.125;
+    frame.bodies[0].position.x += 0.125;
+    frame.bodies[1].position.x -= 0.125;
+    let mut painter = Painter::new(&setting(), &style(), &moment(0)).unwrap();
+    let wanted: Vec<u8> = painter.paint(&frame).data().chunks_exact(4).flat_map(|p| p[..3].to_vec()).collect();
+    assert!(sharp[0] == wanted);
 }

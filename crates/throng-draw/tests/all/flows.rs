@@ -5,10 +5,10 @@ use glam::{DVec2, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
 use throng::Walkable;
-use throng::field::Field;
+use throng::field::{Adaptive, Field};
 use throng_draw::{Color, FlowLayer, FlowStyle, Image, Painter, Projection, Style};
 use throng_field::Anchor;
-use throng_record::{Flow, Frame, Setting};
+use throng_record::{AdaptedField, Flow, Frame, Setting};
 
 fn place(field: impl Field + 'static) -> Setting {
     let flows = vec![Flow { still: true, ..Flow::of(Arc::new(field)) }];
@@ -266,4 +266,112 @@ fn fields_of_whirls_do_not_panic() {
         };
         picture(&place(field), &drawing(&FlowLayer::ALL));
     }
+}
+
+/// A field to the east that adapts: where agents are, it turns to the north.
+#[derive(Clone, Copy)]
+struct Turning;
+
+impl Field for Turning {
+    fn velocity(&self, _: Vec3, _: f64) -> Vec3 {
+        Vec3::X
+    }
+
+    fn adaptive(&self) -> Option<&dyn Adaptive> {
+        Some(self)
+    }
+}
+
+impl Adaptive for Turning {
+    fn check(&self) -> Result<(), throng::Error> {
+        Ok(())
+    }
+
+    fn interval(&self) -> f64 {
+        0.5
+    }
+
+    fn memory(&self) -> Vec<f32> {
+        vec![0.0]
+    }
+
+    fn notice(&self, memory: &mut [f32], people: &[Vec2]) {
+        memory[0] += people.len() as f32;
+    }
+
+    fn adapted(&self, memory: &[f32]) -> Arc<dyn Field> {
+        let turn = 0.7 * memory[0];
+        Arc::new(move |_: Vec3, _: f64| Vec2::from_angle(turn).extend(0.0))
+    }
+}
+
+fn adapting() -> Setting {
+    let mut setting = place(Turning);
+    setting.flows[0] = Flow { groups: vec![0], governs: true, still: false, ..setting.flows[0].clone() };
+    setting
+}
+
+#[test]
+fn a_field_that_adapts_is_drawn_as_it_is_now() {
+    let style = drawing(&[FlowLayer::Arrows]);
+    let setting = adapting();
+    let mut painter = Painter::new(&setting, &style, &Frame::default()).unwrap();
+    let east = painter.paint(&Frame::default()).clone();
+    let north: Arc<dyn Field> = Arc::new(|_: Vec3, _: f64| Vec3::Y);
+    let fields = vec![AdaptedField { group: 0, field: north }];
+    let now = painter.paint(&Frame { time: 1.0, fields, ..Frame::default() }).clone();
+    let wanted = picture(&Setting { flows: place(|_: Vec3, _: f64| Vec3::Y).flows, ..setting.clone() }, &style);
+    assert!(now == wanted && now != east);
+}
+
+#[test]
+fn recordings_draw_fields_that_adapt_to_the_recorded_agents() {
+    let style = Style { goals: false, ..drawing(&[FlowLayer::Arrows]) };
+    let setting = adapting();
+    let empty = |frame: Frame| Frame { bodies: Vec::new(), ..frame };
+    let mut painter = Painter::new(&setting, &style, &moment(0)).unwrap();
+    // two agents at 0, 0.5 and 1 s turn it by 6 times 0.7
+    (0..=25).for_each(|k| painter.follow(&moment(k)));
+    let later = painter.paint(&empty(Frame { time: 1.01, ..moment(25) })).clone();
+    let turned = move |_: Vec3, _: f64| Vec2::from_angle(0.7 * 6.0).extend(0.0);
+    let wanted = Setting { flows: place(turned).flows, ..setting.clone() };
+    let wanted = Painter::new(&wanted, &style, &moment(0)).unwrap().paint(&empty(moment(25))).clone();
+    assert!(later == wanted);
+}
+
+#[test]
+fn several_fields_are_drawn_near_the_agents_of_their_groups() {
+    let style = Style { goals: false, ..drawing(&[FlowLayer::Lic]) };
+    let flow = |velocity: Vec3, group: u32| Flow {
+        still: true,
+        groups: vec![group],
+        ..Flow::of(Arc::new(move |_: Vec3, _: f64| velocity))
+    };
+    let (east, north) = (flow(Vec3::X, 0), flow(Vec3::Y, 1));
+    let setting = |flows: Vec<Flow>| Setting { flows, obstacles: Vec::new(), goals: Vec::new(), ..setting() };
+    let paint =
+        |flows: Vec<Flow>, frame: &Frame| Painter::new(&setting(flows), &style, frame).unwrap().paint(frame).clone();
+    // an agent of each group, at the left and at the right edge
+    let mut frame = moment(0);
+    (frame.bodies[0].position, frame.bodies[1].position) = (DVec2::new(-7.5, 5.0), DVec2::new(7.5, -5.0));
+    let both = paint(vec![east.clone(), north.clone()], &frame);
+    let bare = paint(Vec::new(), &frame);
+    let ink = |image: &Image, left: bool| {
+        let near = |at: &Vec2| if left { at.x < 15.0 && at.y < 25.0 } else { at.x > 145.0 && at.y > 95.0 };
+        differ(image, &bare).into_iter().filter(near).count()
+    };
+    assert!(ink(&both, true) > 100 && ink(&both, false) > 100);
+    // the picture near an agent shows the lines of its field: rows along the east, columns along the north
+    let rough = |image: &Image, (x0, y0): (u32, u32)| {
+        let pixels = (0..14).flat_map(move |x| (0..14).map(move |y| (x0 + x, y0 + y)));
+        let change = |dx: u32, dy: u32| -> f32 {
+            pixels.clone().map(|(x, y)| (dark(image, x + dx, y + dy) - dark(image, x, y)).abs()).sum()
+        };
+        change(1, 0) / change(0, 1)
+    };
+    assert!(rough(&both, (16, 2)) < 0.8, "{}", rough(&both, (16, 2)));
+    assert!(rough(&both, (128, 100)) > 1.25, "{}", rough(&both, (128, 100)));
+    // without agents in the picture, both count the same everywhere
+    let none = Frame { bodies: Vec::new(), ..frame };
+    assert!(differ(&paint(vec![east, north], &none), &paint(Vec::new(), &none)).len() > 10_000);
 }

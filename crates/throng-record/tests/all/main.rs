@@ -1,5 +1,6 @@
 //! Tests of the library as its users call it.
 
+mod fields;
 mod frame_rates;
 #[cfg(all(feature = "parquet", feature = "sqlite", feature = "usda", feature = "glb", feature = "hdf5"))]
 mod kept;

@@ -52,7 +52,7 @@ pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };
 pub use time::{SubSteps, Time, Until};
-pub use view::{AgentShape, Camera, CameraKey, Colour, Projection, View};
+pub use view::{AgentShape, Camera, CameraKey, Colour, DrawnFields, FieldLayer, Projection, View};
 pub use wrap_around::WrapAround;
 
 pub use crate::file::Origin;

@@ -22,6 +22,9 @@ pub struct View {
     /// The camera of a view in perspective.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub camera: Option<Camera>,
+    /// How the fields that lead groups are drawn, in plan view.
+    #[serde(skip_serializing_if = "DrawnFields::is_nothing")]
+    pub field: DrawnFields,
     /// What is drawn beside agents about their state and decisions.
     #[serde(skip_serializing_if = "Annotate::is_nothing")]
     pub annotate: Annotate,
@@ -59,6 +62,46 @@ impl View {
     pub(super) fn is_default(&self) -> bool {
         *self == Self::default()
     }
+}
+
+/// How fields are drawn. In files `true` (the default layers), `false`, or a list of layers.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected true, false, or a list of layers such as [\"speed\", \"arrows\"]")]
+pub enum DrawnFields {
+    /// The default layers, or none.
+    Usual(bool),
+    /// These layers.
+    Layers(Vec<FieldLayer>),
+}
+
+impl Default for DrawnFields {
+    fn default() -> Self {
+        Self::Usual(false)
+    }
+}
+
+impl DrawnFields {
+    fn is_nothing(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// A layer of drawn fields.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FieldLayer {
+    /// The speed, as a tone.
+    Speed,
+    /// A texture along the field.
+    Lic,
+    /// Evenly spaced lines along the field.
+    Streamlines,
+    /// Arrows on an even grid.
+    Arrows,
+    /// The anchors of a sketch, with their velocities.
+    Anchors,
+    /// The places where the field is zero, by their kind.
+    Critical,
 }
 
 /// The projection of a scene.

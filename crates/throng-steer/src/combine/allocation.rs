@@ -2,7 +2,9 @@
 //! behaviors".
 
 use glam::Vec3;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{
@@ -50,6 +52,10 @@ impl Behaviour for Allocation {
             }
         }
         sum
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.parts.iter().for_each(|part| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,7 +1,9 @@
 //! Decisions every few steps: Reynolds, Big fast crowds on PS3, Sandbox 2006; OpenSteer's "think frequency".
 
 use glam::Vec3;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
@@ -58,6 +60,10 @@ impl Behaviour for Amortised {
         kept[..3].copy_from_slice(&force.to_array());
         kept[3..].copy_from_slice(&facing.unwrap_or_default().to_array());
         said
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

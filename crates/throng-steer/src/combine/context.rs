@@ -5,7 +5,9 @@ use super::weighted_sum::{WeightedParts, check_weights};
 use crate::approach::time_to_touch;
 use glam::Vec3;
 use std::f32::consts::{FRAC_PI_4, TAU};
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::{Steering, turned};
 use throng::parameters::{Value, parameters};
 use throng::steer::{
@@ -85,6 +87,10 @@ impl Behaviour for ContextSteering {
         let chosen = best.filter(|best| best.0 > 0.0).map_or(Vec3::ZERO, |best| best.1);
         why.note(|| SteeringReason::Wishes(chosen));
         Some(Steering { facing, ..view.reach(chosen) })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.parts.iter().for_each(|(_, part)| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

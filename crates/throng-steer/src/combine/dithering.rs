@@ -1,6 +1,8 @@
 //! Prioritised dithering: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
 
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
@@ -62,6 +64,10 @@ impl Behaviour for Dithering {
             }
         }
         None
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.parts.iter().for_each(|(_, part)| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -5,7 +5,9 @@
 
 use crate::approach::time_to_touch;
 use glam::Vec3;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
@@ -63,6 +65,10 @@ impl Behaviour for Hold {
                 Some(Steering { force: kept, facing: said.and_then(|said| said.facing) })
             }
         }
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,7 +1,9 @@
 //! Irregular motion: the cure for robot-like motion.
 
 use crate::Noise;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::{Steering, turned};
 use throng::parameters::{Angle, Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder};
@@ -49,6 +51,10 @@ impl Behaviour for Irregular {
         why.note(|| SteeringReason::Wishes(chosen));
         let facing = said.and_then(|said| said.facing);
         (said.is_some() || chosen != view.velocity()).then(|| Steering { facing, ..view.reach(chosen) })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,6 +1,8 @@
 //! Limits of a single behaviour (gdx-ai's limiters).
 
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::{Steering, Vehicle};
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder};
@@ -38,6 +40,10 @@ impl Behaviour for Limited {
         let view = SteeringInput { vehicle: Vehicle { max_speed, max_force, ..own }, ..*view };
         let said = self.of.steer_as(0, &view, &mut memory, why)?;
         Some(Steering { force: said.force.clamp_length_max(max_force), ..said })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,6 +1,8 @@
 //! Priority: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
 
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, TraceRecorder, check_parts, words_of_parts};
@@ -35,6 +37,10 @@ impl Behaviour for Priority {
             let said = part.steer_as(index, view, &mut memory, why)?;
             (said.facing.is_some() || said.force.length() > self.epsilon).then_some(said)
         })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.parts.iter().for_each(|part| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -2,7 +2,9 @@
 
 use super::add;
 use super::weighted_sum::{WeightedParts, check_weights};
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, words_of_parts};
@@ -43,6 +45,10 @@ impl Behaviour for RunningSum {
             }
         }
         sum
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.0.iter().for_each(|(_, part)| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -2,7 +2,9 @@
 
 use crate::approach::time_to_touch;
 use glam::Vec3;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{
@@ -65,6 +67,10 @@ impl Behaviour for StopAndWait {
         // the vehicle limits the force
         let stop = view.velocity() * -(view.vehicle.mass / view.seconds);
         Some(Steering { force: stop, facing: said.and_then(|said| said.facing) })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

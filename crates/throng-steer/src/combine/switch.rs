@@ -3,7 +3,9 @@
 
 use super::Condition;
 use super::condition::ConditionInput;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::steer::{
     Behaviour, BoxedBehaviour, SteeringInput, SteeringReason, TraceRecorder, check_parts, words_of_parts,
@@ -65,6 +67,10 @@ impl Behaviour for Switch {
         *since += view.seconds;
         *done = if said.is_none() { 1.0 } else { 0.0 };
         said
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.branches().for_each(|part| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

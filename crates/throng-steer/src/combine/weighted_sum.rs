@@ -1,7 +1,9 @@
 //! Weighted sum: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Combining behaviors".
 
 use super::add;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::parameters;
 use throng::steer::{
@@ -60,6 +62,10 @@ impl Behaviour for WeightedSum {
             }
         }
         sum
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.0.iter().for_each(|(_, part)| part.fields(see));
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -1,7 +1,9 @@
 //! Queueing: Reynolds, Steering behaviors for autonomous characters, GDC 1999 (the doorway of its demos).
 
 use crate::single::settling_time;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{
@@ -62,6 +64,10 @@ impl Behaviour for Queue {
         why.note(|| SteeringReason::Regards(other.number));
         let facing = said.and_then(|said| said.facing);
         Some(Steering { facing, ..view.reach(chosen + view.forward() * (allowed - speed)) })
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 use std::f32::consts::PI;
 use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{GroundPlace, Value, parameters};
 use throng::space::Raster;
@@ -216,6 +217,10 @@ impl Behaviour for DriveByMap {
         // turn more the nearer the obstacle is
         let urgency = (1.5 * (1.0 - nearest / scan.reach)).clamp(0.3, 1.0);
         Some(self.at_speed(view, *kept * urgency, stops, gain))
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -51,6 +51,10 @@ impl Behaviour for FollowFlow {
         (flow != Vec3::ZERO).then(|| view.reach(flow.clamp_length_max(view.vehicle.max_speed)))
     }
 
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        see(&self.flow);
+    }
+
     fn check(&self) -> Result<(), Error> {
         self.check_limits()
     }

@@ -1,7 +1,9 @@
 //! Forage: Reynolds, Steering behaviors for autonomous characters, GDC 1999, "Wander".
 
 use crate::Wander;
+use std::sync::Arc;
 use throng::Error;
+use throng::field::Field;
 use throng::motion::Steering;
 use throng::parameters::{Value, parameters};
 use throng::steer::{Behaviour, BoxedBehaviour, SteeringInput, Target, TraceRecorder, check_parts};
@@ -38,6 +40,10 @@ impl Behaviour for Forage {
             Some(food) => view.seek(food.position, why),
             None => self.of.steer_as(0, view, &mut memory, why),
         }
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        self.of.fields(see);
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -6,6 +6,7 @@ use super::playable::Playable;
 use super::run_moment::{Cost, Trouble};
 use std::sync::Arc;
 use throng::{Explanation, Stage as Part, Summary, TraceRequest, World};
+use throng_draw::Annotations;
 use throng_record::{Frame, Setting, moment};
 use throng_scene::{Built, Scene, caught};
 use web_time::Instant;
@@ -42,6 +43,7 @@ impl Live {
             built,
             world,
         };
+        live.request_traces();
         live.keep();
         Ok((live, setting))
     }
@@ -64,6 +66,15 @@ impl Live {
             }
         }
         self.explain(self.explained);
+    }
+
+    /// Requests the traces that the annotations of the scene need, and that of the agent to explain.
+    fn request_traces(&mut self) {
+        let request = match (Annotations::said(&self.scene).asked(), self.explained) {
+            (TraceRequest::None, Some(number)) => TraceRequest::Numbers(vec![number]),
+            (request, _) => request,
+        };
+        self.world.request_traces(request);
     }
 
     fn keep(&mut self) {
@@ -135,8 +146,8 @@ impl Playable for Live {
     }
 
     fn explain(&mut self, number: Option<u32>) {
-        self.world.request_traces(number.map_or(TraceRequest::None, |number| TraceRequest::Numbers(vec![number])));
         (self.explained, self.explanation) = (number, None);
+        self.request_traces();
     }
 
     fn explanation(&mut self, fresh: bool, step: f64) -> Option<Arc<Explanation>> {
@@ -159,6 +170,7 @@ impl Playable for Live {
         let tuned = tuned.map_err(|error| Trouble::Scene(Box::new(error)))?;
         if tuned {
             self.scene = new.clone();
+            self.request_traces();
         }
         Ok(tuned.then(|| moment::setting(&self.world, &self.built, title)))
     }

@@ -1,7 +1,7 @@
 //! Colouring of agents.
 
 use crate::play::RunMoment;
-use throng_draw::{ColorBy, Look, Style, Theme, palette};
+use throng_draw::{ColorBy, Look, Style, Theme};
 use throng_scene::Group;
 
 /// The quantity that colours an agent.
@@ -46,7 +46,7 @@ impl Coloring {
 impl Coloring {
     /// Returns the style of pictures with these colours, for the displayed scene.
     pub fn style(self, shown: &RunMoment, theme: &Theme) -> Style {
-        let said = Style::said(&shown.scene);
+        let said = Style::themed(&shown.scene, theme.clone());
         Style {
             color_by: match self {
                 Self::Speed => ColorBy::Speed { max: None },
@@ -57,10 +57,9 @@ impl Coloring {
                 Self::Group | Self::Model => ColorBy::Group,
             },
             groups: match self {
-                Self::Model => models(shown).0.into_iter().map(|model| Some(palette(model))).collect(),
+                Self::Model => models(shown).0.into_iter().map(|model| Some(theme.group(model))).collect(),
                 _ => said.groups,
             },
-            theme: theme.clone(),
             ..said
         }
     }

@@ -87,7 +87,7 @@ impl Crowd {
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
         let spacing = SPACING * radius * (shown.frame.bodies.len() as f64 / MANY).max(1.0);
-        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(look.coat(body).fill));
+        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(look.ink(body)));
         if seconds <= 0.0 {
             return ribbons;
         }

@@ -31,6 +31,8 @@ pub struct Eye {
     distance: f64,
     /// Distance to the followed agent, in radii of the agent.
     aside: f64,
+    /// The vertical field of view in perspective, radians.
+    angle: f64,
     followed: Option<Followed>,
     shown: Sight,
     /// Half the extent of the scene, metres.
@@ -48,6 +50,7 @@ impl Default for Eye {
             elevation: ELEVATION,
             distance: 30.0,
             aside: 30.0,
+            angle: FIELD_OF_VIEW,
             followed: None,
             shown: Sight { eye: DVec3::Z, target: DVec3::ZERO },
             reach: 10.0,
@@ -81,7 +84,19 @@ impl Eye {
         self.target = camera.center.extend(0.5 * height);
         (self.azimuth, self.elevation) = (AZIMUTH, ELEVATION);
         let narrow = f64::from((size.x / size.y.max(1.0)).min(1.0));
-        self.distance = self.reach / (0.5 * FIELD_OF_VIEW).tan() / narrow.max(0.1) * 0.92;
+        self.angle = FIELD_OF_VIEW;
+        self.distance = self.reach / (0.5 * self.angle).tan() / narrow.max(0.1) * 0.92;
+        self.shown = self.wanted();
+    }
+
+    /// Looks from a place at a target, with this vertical field of view, degrees.
+    pub fn look(&mut self, sight: Sight, field_of_view: f64) {
+        let from = sight.eye - sight.target;
+        self.target = sight.target;
+        self.distance = from.length().clamp(DISTANCES.0, DISTANCES.1);
+        self.azimuth = from.y.atan2(from.x);
+        self.elevation = (from.z / from.length().max(1e-9)).clamp(-1.0, 1.0).asin();
+        self.angle = field_of_view.to_radians();
         self.shown = self.wanted();
     }
 
@@ -155,7 +170,7 @@ impl Eye {
     }
 
     fn focal(&self, size: Vec2) -> f64 {
-        0.5 * f64::from(size.y) / (0.5 * FIELD_OF_VIEW).tan()
+        0.5 * f64::from(size.y) / (0.5 * self.angle).tan()
     }
 
     fn plan(&self, size: Vec2) -> Camera {
@@ -169,7 +184,7 @@ impl Eye {
         Viewpoint {
             eye: Some(self.shown.eye),
             target: Some(self.shown.target),
-            field_of_view: FIELD_OF_VIEW.to_degrees(),
+            field_of_view: self.angle.to_degrees(),
             motion: follow.map_or(Motion::Still, |(chase, number)| {
                 Motion::Follow(Following { number, chase, aside: self.aside })
             }),

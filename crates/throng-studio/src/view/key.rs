@@ -7,7 +7,7 @@ use super::streams::Streams;
 use super::{Coloring, ViewOptions};
 use crate::play::RunMoment;
 use crate::settings::Settings;
-use throng_draw::{Annotation, Annotations, Color, FlowStyle, Look, Theme, palette, ramp};
+use throng_draw::{Annotation, Annotations, Color, FlowStyle, Look, Theme, ramp};
 
 /// The most rows of one kind.
 const MOST: usize = 8;
@@ -75,7 +75,9 @@ pub(super) fn of_agents(look: &Look, by: Coloring, shown: &RunMoment) -> Vec<Row
         Coloring::Group => {
             spots(shown.setting.groups.iter().enumerate().map(|(k, name)| (look.group(k), name.clone())).collect())
         }
-        Coloring::Model => spots(models(shown).1.into_iter().enumerate().map(|(k, name)| (palette(k), name)).collect()),
+        Coloring::Model => {
+            spots(models(shown).1.into_iter().enumerate().map(|(k, name)| (look.theme().group(k), name)).collect())
+        }
         Coloring::Goal => vec![Row::new(Sign::None, "a colour for each goal")],
         Coloring::Speed | Coloring::Altitude | Coloring::Density | Coloring::TimeToGoal => look
             .most()

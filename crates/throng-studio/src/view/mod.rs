@@ -40,7 +40,11 @@ use glam::Vec2;
 use moment::{interpolated, nearest, pair};
 use people::DrawnPeople;
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Annotation, Annotations, Color, Projection, Projector, Style, Theme};
+use throng_draw::{Annotation, Annotations, Color, FilmCamera, Projection, Projector, Style, Theme, Trails, WorldBox};
+use throng_record::Frame;
+
+/// The length of the trails of agents with annotations, seconds.
+const WAYS: f64 = 10.0;
 
 /// The least height of the box around flocks, metres.
 const HEADROOM: f64 = 1.8;
@@ -59,6 +63,10 @@ pub struct ViewOptions {
     hovered: Option<u32>,
     /// The scene that the camera was fitted to.
     fitted: Option<Arc<str>>,
+    /// The camera of the scene while it moves, and the camera that it led to last. It moves the view until the user does.
+    guide: Option<(FilmCamera, Eye)>,
+    /// The trails of agents with annotations.
+    ways: Trails,
     scenery: Option<Scenery>,
     ground: Ground,
     crowd: Crowd,
@@ -90,7 +98,15 @@ impl ViewOptions {
             self.open(shown, size);
         }
         let share = shown.share();
+        // the camera of the scene ends when another part of the studio or the user moves the view
+        self.guide = self.guide.take().filter(|(_, eye)| *eye == self.eye);
+        let eye = self.eye;
         self.handle(ui, &response, rect, size);
+        self.guide = self.guide.take().filter(|_| eye == self.eye);
+        if let Some((camera, _)) = &mut self.guide {
+            let (sight, angle) = camera.turn(&Frame { time: shown.time(), ..interpolated(shown, share) });
+            self.eye.look(sight, angle);
+        }
         let people = people::drawn(shown, settings, self.eye.mode() == Mode::Plan);
         let body = self.selected.and_then(|number| between(shown, number, share));
         let followed = body.map(|body| people::followed(&body, people));
@@ -106,7 +122,11 @@ impl ViewOptions {
             self.selected = self.hovered;
         }
         if response.double_clicked() && !self.lent && self.hovered.is_none() {
+            self.guide = None;
             self.fit(shown, size);
+        }
+        if let Some((_, eye)) = &mut self.guide {
+            *eye = self.eye;
         }
         self.paint(ui, rect, shown, settings, &projector, share);
         if shown.playing || self.eye.moves() {
@@ -117,9 +137,13 @@ impl ViewOptions {
 
     /// Fits the whole scene into the view.
     pub fn fit(&mut self, shown: &RunMoment, size: Vec2) {
+        self.fit_to(shown.bounds, shown, size);
+    }
+
+    fn fit_to(&mut self, bounds: WorldBox, shown: &RunMoment, size: Vec2) {
         let tops = shown.first.bodies.iter().map(|body| f64::from(body.altitude + body.radius));
         let height = tops.fold(HEADROOM, f64::max);
-        self.eye.fit(shown.bounds, if shown.setting.in_space { height } else { 0.0 }, size);
+        self.eye.fit(bounds, if shown.setting.in_space { height } else { 0.0 }, size);
     }
 
     /// Returns the layers on the ground, as drawn last.
@@ -147,18 +171,23 @@ impl ViewOptions {
         Style {
             view: plan.then(|| self.eye.seen(size)),
             projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
-            viewpoint: self.eye.viewpoint(selected),
+            viewpoint: match &self.guide {
+                Some(_) => coloring.viewpoint.clone(),
+                None => self.eye.viewpoint(selected),
+            },
+            flow: streams::flow(&settings.layers, coloring.flow.clone()),
             trails: settings.trails,
             forms,
             annotations: match selected.filter(|_| settings.annotations) {
                 Some(number) => Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) },
+                None if settings.annotations => Annotations::said(&shown.scene),
                 None => Annotations::default(),
             },
             ..coloring
         }
     }
 
-    /// Fits the whole scene into the view in the next frame.
+    /// Shows what the `[view]` of the scene shows, or the whole scene, in the next frame.
     pub fn refit(&mut self) {
         self.fitted = None;
     }
@@ -167,13 +196,20 @@ impl ViewOptions {
         self.fitted = Some(shown.name.clone());
         let (selected, mode) = std::mem::take(&mut self.at_first);
         self.selected = selected;
-        let usual = if shown.setting.in_space { Projection::Perspective } else { Projection::Plan };
-        let own = match Style::said(&shown.scene).projection.unwrap_or(usual) {
-            Projection::Plan => Mode::Plan,
-            Projection::Perspective => Mode::Orbit,
-        };
+        let [width, height] = size.to_array().map(|side| side.max(1.0) as u32);
+        let style = Style { width, height, ..Style::said(&shown.scene) };
+        let mut camera = FilmCamera::new(&shown.setting, &style, &shown.first);
+        let own = if camera.is_some() { Mode::Orbit } else { Mode::Plan };
         self.eye.set_mode(mode.unwrap_or(own));
-        self.fit(shown, size);
+        self.fit_to(style.view.unwrap_or(shown.bounds), shown, size);
+        self.guide = None;
+        if let Some(camera) = camera.as_mut().filter(|_| self.eye.mode() == Mode::Orbit) {
+            let (sight, angle) = camera.turn(&shown.first);
+            self.eye.look(sight, angle);
+        }
+        self.guide = camera
+            .filter(|camera| !camera.is_still() && self.eye.mode() == Mode::Orbit)
+            .map(|camera| (camera, self.eye));
     }
 
     /// Follows the changes of another view: its camera and its selection. A camera that follows an agent is not copied,
@@ -228,7 +264,7 @@ impl ViewOptions {
         projector: &Projector,
         share: f32,
     ) {
-        let theme = settings.theme();
+        let theme = settings.theme_of(&shown.scene);
         let base = if shown.setting.walkable.is_empty() { theme.ground } else { theme.outside };
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, crate::style::color(base));
@@ -259,14 +295,42 @@ impl ViewOptions {
             draw(&canvas, painter.gl(), &layers, &lighting);
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
-        if let Some(number) = self.selected.filter(|_| settings.annotations) {
-            let look = Coloring::Group.look(shown, &theme);
-            let (origin, projector, look, theme) = (shown.setting.origin, *projector, &look, &theme);
-            let thinker = thoughts::Thinker { number, origin, projector, look, theme };
-            thoughts::draw(&painter, rect, &interpolated(shown, share), thinker);
+        if settings.annotations {
+            self.annotate(&painter, rect, shown, &theme, projector, share);
         }
         if let Some(Err(says)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).as_ref() {
             painter.text(rect.center(), egui::Align2::CENTER_CENTER, says, egui::FontId::default(), egui::Color32::RED);
+        }
+    }
+
+    /// Draws the annotations of the scene's `[view]`, and all of the selected agent.
+    fn annotate(
+        &mut self,
+        painter: &egui::Painter,
+        rect: Rect,
+        shown: &RunMoment,
+        theme: &Theme,
+        projector: &Projector,
+        share: f32,
+    ) {
+        let said = Annotations::said(&shown.scene);
+        let chosen = self.selected.map(|number| Annotations {
+            kinds: Annotation::ALL.into_iter().filter(|kind| *kind != Annotation::Trails).collect(),
+            agents: Some(vec![number]),
+        });
+        if said.kinds.is_empty() && chosen.is_none() {
+            return;
+        }
+        let look = Coloring::Group.look(shown, theme);
+        if said.kinds.contains(&Annotation::Trails) {
+            let spacing = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
+            self.ways.follow(&shown.frame, WAYS, spacing, |body| Some(look.color(body)));
+        }
+        let frame = Frame { time: shown.time(), ..interpolated(shown, share) };
+        for annotations in [(!said.kinds.is_empty()).then_some(said), chosen].into_iter().flatten() {
+            let (origin, projector, ways) = (shown.setting.origin, *projector, &self.ways);
+            let thinker = thoughts::Thinker { annotations: &annotations, ways, origin, projector, look: &look, theme };
+            thoughts::draw(painter, rect, &frame, thinker);
         }
     }
 

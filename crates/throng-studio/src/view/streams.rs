@@ -2,6 +2,7 @@
 
 use super::derived::Derived;
 use super::geometry::{Disc, Geometry, GroundPicture, Stroke};
+use super::layers::Layers;
 use crate::play::RunMoment;
 use eframe::egui::Context;
 use glam::{DVec2, Vec2};
@@ -81,15 +82,18 @@ impl StreamMap {
             return Default::default();
         }
         let only = currents.only.filter(|&at| at < flows.len());
-        let still = flows.iter().enumerate().all(|(at, flow)| flow.still || only.is_some_and(|only| only != at));
+        // the shares of several fields move with the agents
+        let still = flows.len() == 1
+            && flows.iter().enumerate().all(|(at, flow)| flow.still || only.is_some_and(|only| only != at));
         let turn = if still { 0 } else { (shown.time() * RATE) as u64 };
         let seen = seen(projector, size, shown.bounds);
-        let (setting, first, dear) = (shown.setting.clone(), shown.first.clone(), currents.clone());
+        let (setting, first, now) = (shown.setting.clone(), shown.first.clone(), shown.frame.clone());
+        let dear = currents.clone();
         let make = move || {
             let flows = setting.flows.iter().enumerate().filter(|(at, _)| only.is_none_or(|only| only == *at));
             let setting =
                 throng_record::Setting { flows: flows.map(|(_, flow)| flow.clone()).collect(), ..(*setting).clone() };
-            let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, turn as f64 / RATE);
+            let marks = FlowMarks::new(&setting, &style(&dear, seen), &first, &now);
             let layer = marks.as_ref().map(|marks| Arc::new(geometry(marks, setting.origin)));
             StreamSheet { layer: layer.unwrap_or_default(), fastest: marks.and_then(|marks| marks.fastest) }
         };
@@ -98,16 +102,26 @@ impl StreamMap {
     }
 }
 
-fn style(currents: &Currents, seen: WorldBox) -> Style {
-    let size = seen.max - seen.min;
-    let [width, height] = (size * (SIDE / size.max_element())).to_array().map(|side| side.clamp(16.0, SIDE) as u32);
-    let lines = match currents.streams {
+/// Returns how a recording draws fields: as the scene does, if the view draws fields; without the scene's, as the view.
+pub fn flow(layers: &Layers, said: Option<FlowStyle>) -> Option<FlowStyle> {
+    let drawn = drawn(layers.streams, layers.stream_speed);
+    (!drawn.is_empty()).then(|| said.unwrap_or_else(|| FlowStyle::of(drawn)))
+}
+
+/// Returns the layers of the drawing of fields.
+fn drawn(streams: Streams, speed: bool) -> Vec<FlowLayer> {
+    let lines = match streams {
         Streams::None => None,
         Streams::Arrows => Some(FlowLayer::Arrows),
         Streams::Lines => Some(FlowLayer::Streamlines),
     };
-    let speed = currents.speed.then_some(FlowLayer::Speed);
-    let flow = Some(FlowStyle::of(lines.into_iter().chain(speed).collect::<Vec<_>>()));
+    lines.into_iter().chain(speed.then_some(FlowLayer::Speed)).collect()
+}
+
+fn style(currents: &Currents, seen: WorldBox) -> Style {
+    let size = seen.max - seen.min;
+    let [width, height] = (size * (SIDE / size.max_element())).to_array().map(|side| side.clamp(16.0, SIDE) as u32);
+    let flow = Some(FlowStyle::of(drawn(currents.streams, currents.speed)));
     Style { width, height, flow, view: Some(seen), legend: false, theme: currents.theme.clone(), ..Style::default() }
 }
 
@@ -196,7 +210,8 @@ mod tests {
         let setting = Setting { flows: vec![Flow::of(Arc::new(field))], origin, ..Setting::default() };
         let theme = Theme::light();
         let currents = Currents { streams: Streams::Arrows, speed: true, only: None, theme: theme.clone() };
-        let marks = FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), 0.0).unwrap();
+        let marks =
+            FlowMarks::new(&setting, &style(&currents, bounds()), &Frame::default(), &Frame::default()).unwrap();
         let ground = geometry(&marks, origin);
         let picture = ground.picture.as_ref().unwrap();
         let [width, height] = picture.size;

@@ -2,13 +2,15 @@
 
 use eframe::egui::{Painter, Rect, Shape, Stroke, pos2};
 use glam::{DVec2, Vec2};
-use throng_draw::{Annotation, Annotations, Annotator, Look, Primitive, Projector, Theme, Trails};
+use throng_draw::{Annotations, Annotator, Look, Primitive, Projector, Theme, Trails};
 use throng_record::Frame;
 
-/// The annotated agent and its projection.
+/// The annotations, and the projection of the annotated agents.
 pub struct Thinker<'a> {
-    /// The number of the agent.
-    pub number: u32,
+    /// The annotations and their agents.
+    pub annotations: &'a Annotations,
+    /// The trails of these agents.
+    pub ways: &'a Trails,
     /// The origin of the positions in traces.
     pub origin: DVec2,
     /// The projection from the world to points of the screen.
@@ -19,20 +21,10 @@ pub struct Thinker<'a> {
     pub theme: &'a Theme,
 }
 
-/// Draws the annotations of an agent over the view in `rect`.
+/// Draws annotations over the view in `rect`.
 pub fn draw(painter: &Painter, rect: Rect, frame: &Frame, thinker: Thinker<'_>) {
-    let Thinker { number, origin, projector, look, theme } = thinker;
-    let annotations = Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) };
-    let annotator = Annotator {
-        annotations: &annotations,
-        theme,
-        look,
-        // the view draws its own trails
-        ways: &Trails::default(),
-        projector,
-        unit: 1.2,
-        origin,
-    };
+    let Thinker { annotations, ways, origin, projector, look, theme } = thinker;
+    let annotator = Annotator { annotations, theme, look, ways, projector, unit: 1.2, origin };
     let at = |point: Vec2| pos2(rect.min.x + point.x, rect.min.y + point.y);
     painter.extend(annotator.marks(frame).into_iter().filter_map(|mark| shape(mark, &at)).flatten());
 }

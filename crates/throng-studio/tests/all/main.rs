@@ -10,3 +10,4 @@ mod player;
 mod plugins;
 mod recording;
 mod replay;
+mod view;

@@ -2,6 +2,7 @@
 
 use super::{FlockBatch, SteeringBatch, SteeringInput, TraceRecorder};
 use crate::Error;
+use crate::field::Field;
 use crate::motion::Steering;
 use std::fmt::Debug;
 use std::ops::Deref;
@@ -67,6 +68,12 @@ pub trait Behaviour: Debug + Send + Sync {
     /// behaviour does not say.
     fn perception_range(&self) -> Option<f32> {
         None
+    }
+
+    /// Passes the fields that the behaviour and its parts follow to `see`, for pictures of them. Positions in the fields
+    /// are relative to the origin of the group.
+    fn fields(&self, see: &mut dyn FnMut(&Arc<dyn Field>)) {
+        let _ = see;
     }
 
     /// Checks the parameters.

@@ -4,7 +4,7 @@ mod place;
 mod tracks;
 
 use super::fill;
-use crate::{Style, WorldBox, columns, palette, points_to_go};
+use crate::{Style, WorldBox, columns, points_to_go};
 use glam::DVec2;
 use place::place;
 use serde_json::json;
@@ -45,7 +45,7 @@ impl Scenery {
     /// of the scene.
     pub fn of_scene(setting: Setting, style: &Style, first: &Frame, [min, max]: [DVec2; 2], agents: usize) -> Self {
         let all = WorldBox::of(&setting, first).unwrap_or(WorldBox { min, max });
-        let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| palette(k)).hex();
+        let color = |k: usize| style.groups.get(k).copied().flatten().unwrap_or_else(|| style.theme.group(k)).hex();
         Self {
             view: style.view.unwrap_or(all),
             all,
