@@ -34,8 +34,10 @@ pub struct UnalignedAvoidance {
 impl UnalignedAvoidance {
     /// Returns how far ahead it looks, seconds: at most until it is at its destination.
     fn horizon(&self, view: &SteeringInput<'_>) -> f32 {
-        let distance = self.destination.and_then(|target| target.find(view)).map(|target| view.to(target.position).length());
-        distance.map_or(self.horizon, |distance| self.horizon.min(distance / view.velocity().length().max(f32::EPSILON)))
+        let distance =
+            self.destination.and_then(|target| target.find(view)).map(|target| view.to(target.position).length());
+        distance
+            .map_or(self.horizon, |distance| self.horizon.min(distance / view.velocity().length().max(f32::EPSILON)))
     }
 }
 
