@@ -90,6 +90,7 @@ fn form(said: Option<throng_scene::AgentShape>) -> AgentShape {
         Some(throng_scene::AgentShape::Bird) => AgentShape::Shaped(Shape::Bird),
         Some(throng_scene::AgentShape::Car) => AgentShape::Shaped(Shape::Car),
         Some(throng_scene::AgentShape::Robot) => AgentShape::Shaped(Shape::Robot),
+        Some(throng_scene::AgentShape::Ball) => AgentShape::Ball,
         Some(throng_scene::AgentShape::Person) => AgentShape::Shaped(Shape::Walker),
         Some(throng_scene::AgentShape::Body) | None => AgentShape::Body,
     }

@@ -33,6 +33,7 @@ impl Painter {
     fn mark(&self, body: &Body, camera: &Camera, crowd: Crowd, time: f64, out: &mut Vec<Primitive>) {
         match self.look.form(body) {
             AgentShape::Body => out.push(Primitive::Agent(self.rounded(body, camera))),
+            AgentShape::Ball => out.push(Primitive::Agent(Rounded { notch: None, ..self.rounded(body, camera) })),
             AgentShape::Shaped(shape) => {
                 if let Some(symbol) = self.vehicles.symbol(body, &self.look, &self.projector()) {
                     return out.extend(symbol);

@@ -83,6 +83,8 @@ pub enum AgentShape {
     /// dart.
     #[default]
     Body,
+    /// A ball: round, without a mark of its heading.
+    Ball,
     /// An insect: a thin body with two beating wings. It leaves a [streak](Style::shutter) instead of a
     /// [trail](Style::trails).
     Insect,

@@ -47,6 +47,30 @@ fn a_figure_stands_on_its_place_and_is_as_tall_as_a_person() {
 }
 
 #[test]
+fn a_ball_is_round_and_no_person() {
+    let turned = |form: AgentShape| {
+        let style = Style { projection: Some(Projection::Plan), ..in_space(form) };
+        let mut painter = Painter::new(&place(), &style, &alone(0.0)).unwrap();
+        let first = painter.paint(&alone(0.0)).clone();
+        let mut frame = alone(0.0);
+        frame.bodies[0].heading = 1.0;
+        differ(&first, &painter.paint(&frame).clone())
+    };
+    assert_eq!(turned(AgentShape::Ball), 0);
+    assert!(turned(AgentShape::Body) > 5);
+    // on the ground in perspective, discs are people, and balls are not
+    let painted = |form: AgentShape, up: f64| {
+        let frame = alone(0.0);
+        let mut painter = Painter::new(&Setting { in_space: false, ..place() }, &in_space(form), &frame).unwrap();
+        let at = painter.pixel(DVec3::new(0.0, 0.0, up)).unwrap();
+        let empty = Frame { bodies: Vec::new(), ..frame.clone() };
+        let [with, bare] = [&frame, &empty].map(|frame| painter.paint(frame).pixel(at.x as u32, at.y as u32));
+        with != bare
+    };
+    assert!(painted(AgentShape::Body, 1.4) && !painted(AgentShape::Ball, 1.4) && painted(AgentShape::Ball, 0.25));
+}
+
+#[test]
 fn only_walking_moves_the_limbs() {
     let pictures = |step: f64, shape: Shape| {
         let style = Style { projection: Some(Projection::Plan), ..in_space(AgentShape::Shaped(shape)) };

@@ -130,6 +130,8 @@ pub enum AgentShape {
     Robot,
     /// A walking person, also in scenes in which agents fly.
     Person,
+    /// A ball: round, without a mark of its heading.
+    Ball,
 }
 
 /// The camera of a view in perspective.

@@ -42,7 +42,7 @@ impl Marks {
     /// Returns the shape of an agent, `None` for a disc.
     pub fn shape(self, body: &Body, form: AgentShape, plan: bool) -> Option<Shape> {
         match (self, form) {
-            (Self::Discs, _) => None,
+            (Self::Discs, _) | (Self::Fitting, AgentShape::Ball) => None,
             (Self::All(shape), _) | (Self::Fitting, AgentShape::Shaped(shape)) => Some(shape),
             (Self::Fitting, AgentShape::Insect) => Some(Shape::Insect),
             (Self::Fitting, _) if body.basis.is_some() => Some(Shape::Vehicle),
@@ -54,6 +54,7 @@ impl Marks {
     /// Returns the form in pictures of an agent with the form `own`.
     pub fn form(self, body: &Body, own: AgentShape, plan: bool) -> AgentShape {
         match self.shape(body, own, plan) {
+            None if own == AgentShape::Ball => AgentShape::Ball,
             None => AgentShape::Body,
             Some(Shape::Insect) => AgentShape::Insect,
             // pictures draw a flying agent as a dart already
