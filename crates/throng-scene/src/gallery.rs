@@ -40,7 +40,7 @@ const GROUPS: &[(&str, &[&str])] = groups! {
     "fields": "field-anchors", "field-strokes", "field-paint", "field-vortex", "field-ratio", "field-stretch", "field-crossing-groups", "field-keyframes", "field-goal", "field-jam",
         "interaction-field";
     // insects with noise
-    "swarms": "swarm-aggregation", "swarm-phototaxis", "swarm-sedation", "swarm-attack", "swarm-migration", "swarm-escape";
+    "swarms": "swarm-aggregation", "swarm-phototaxis", "swarm-sedation", "swarm-attack", "swarm-migration", "swarm-blocks", "swarm-escape";
     // the flocks of OpenSteerDemo, each with its own constraint
     "flocks": "boids-open", "boids-in-sphere", "boids-between-spheres", "boids-in-sphere-spheres", "boids-spheres",
         "boids-in-sphere-rectangle", "boids-rectangle", "boids-outside-box", "boids-in-box";

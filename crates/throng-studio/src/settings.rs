@@ -3,7 +3,7 @@
 use crate::play::Speed;
 use crate::view::{Coloring, Layers, Marks};
 use serde::{Deserialize, Serialize};
-use throng_draw::{Style, Theme};
+use throng_draw::{Annotation, Style, Theme};
 use throng_scene::Scene;
 
 /// The settings of the user.
@@ -24,6 +24,8 @@ pub struct Settings {
     pub speed: Speed,
     /// Whether the annotations of the selected agent are drawn.
     pub annotations: bool,
+    /// The names of the kinds of annotations that are drawn for the selected agent.
+    pub kinds: Vec<String>,
     /// The visible layers.
     pub layers: Layers,
     /// The open panels.
@@ -68,6 +70,7 @@ impl Default for Settings {
             marks: Marks::Fitting,
             speed: Speed::Times(1.0),
             annotations: true,
+            kinds: first_kinds(),
             layers: Layers::default(),
             panels: Panels::default(),
             beside: String::new(),
@@ -76,7 +79,18 @@ impl Default for Settings {
     }
 }
 
+/// Returns all kinds of annotations but velocity obstacles, which the panel *Why* shows.
+fn first_kinds() -> Vec<String> {
+    let kinds = Annotation::ALL.into_iter().filter(|kind| *kind != Annotation::VelocityObstacles);
+    kinds.map(|kind| kind.name().to_owned()).collect()
+}
+
 impl Settings {
+    /// Returns the kinds of annotations that are drawn for the selected agent.
+    pub fn annotation_kinds(&self) -> Vec<Annotation> {
+        Annotation::ALL.into_iter().filter(|kind| self.kinds.iter().any(|name| name == kind.name())).collect()
+    }
+
     /// Changes a setting: `key=value`, with the field names of this file, such as `dark=true`, `panels.plots=true` or
     /// `coloring=Speed`.
     ///

@@ -31,21 +31,33 @@ pub(super) fn area(corners: &[DVec3], pen: &mut AnnotationPen<'_>) {
     pen.line(corners.iter().chain(&corners[..1]).copied());
 }
 
-/// Draws the outline of a cylinder, as seen from the viewpoint: its axis, its sides, and round ends.
-pub(super) fn tube([from, to]: [DVec3; 2], radius: f64, pen: &mut AnnotationPen<'_>) {
-    let sight = pen.projector.sight(from.midpoint(to));
-    let Some(along) = (to - from).try_normalize() else { return };
-    let side = sight.cross(along).normalize_or(along.any_orthonormal_vector());
-    let cap = |center: DVec3, turn: f64| {
+/// Draws the outline of a tube about a line through points, as seen from the viewpoint: the line, the sides of the tube,
+/// and round ends. Two points make a cylinder.
+pub(super) fn tube(points: &[DVec3], radius: f64, pen: &mut AnnotationPen<'_>) {
+    let mut points = points.to_vec();
+    points.dedup();
+    let [first, .., last] = points[..] else { return };
+    let frame = |from: DVec3, to: DVec3| {
+        let along = (to - from).normalize_or_zero();
+        let sight = pen.projector.sight(from.midpoint(to));
+        (along, sight.cross(along).normalize_or(along.any_orthonormal_vector()))
+    };
+    // at a corner, the side is that of the mean of both directions
+    let side = |k: usize| frame(points[k.saturating_sub(1)], points[(k + 1).min(points.len() - 1)]).1;
+    let cap = |center: DVec3, (along, side): (DVec3, DVec3)| {
         (0..=ROUND / 2).map(move |k| {
-            let (sin, cos) = (turn + 0.5 * TAU * k as f64 / (ROUND / 2) as f64).sin_cos();
+            let (sin, cos) = (0.5 * TAU * k as f64 / (ROUND / 2) as f64).sin_cos();
             center + (side * cos + along * sin) * radius
         })
     };
-    // from the left end of the far cap round the far end, and back along the other side
-    let outline: Vec<DVec3> = cap(to, 0.0).chain(cap(from, 0.5 * TAU)).collect();
+    let inner = 1..points.len() - 1;
+    let (start, end) = (frame(points[1], first), frame(points[points.len() - 2], last));
+    // along the left side, round the far end, back along the right side, round the near end
+    let left = inner.clone().map(|k| points[k] + side(k) * radius);
+    let right = inner.rev().map(|k| points[k] - side(k) * radius);
+    let outline: Vec<DVec3> = left.chain(cap(last, end)).chain(right).chain(cap(first, start)).collect();
     area(&outline, pen);
-    pen.line([from, to]);
+    pen.line(points.iter().copied());
 }
 
 /// Draws the touched point of a surface: a stretch of its tangent, and its normal.

@@ -169,6 +169,10 @@ impl Annotator<'_> {
                     _ => None,
                 };
                 pen.line(reasons.iter().filter_map(via));
+                for (line, radius) in stretches(reasons) {
+                    let line: Vec<DVec3> = line.into_iter().map(place).collect();
+                    constructions::tube(&line, f64::from(radius), pen);
+                }
             }
             _ => {}
         }
@@ -194,8 +198,8 @@ impl Annotator<'_> {
                     constructions::circle(agent, place(center), f64::from(radius), pen);
                 }
                 SteeringReason::Rectangle(corners) => constructions::area(&corners.map(place), pen),
-                SteeringReason::Cylinder { from, to, radius } | SteeringReason::Stretch { from, to, radius } => {
-                    constructions::tube([place(from), place(to)], f64::from(radius), pen);
+                SteeringReason::Cylinder { from, to, radius } => {
+                    constructions::tube(&[place(from), place(to)], f64::from(radius), pen);
                 }
                 SteeringReason::Samples { place: there, velocity: flow } => {
                     pen.dot(place(there), 1.8);
@@ -223,6 +227,19 @@ impl Annotator<'_> {
             }
         }
     }
+}
+
+/// Joins the stretches of paths that continue each other with the same radius to lines.
+fn stretches(reasons: &[SteeringReason]) -> Vec<(Vec<Vec3>, f32)> {
+    let mut lines: Vec<(Vec<Vec3>, f32)> = Vec::new();
+    for reason in reasons {
+        let SteeringReason::Stretch { from, to, radius } = *reason else { continue };
+        match lines.last_mut() {
+            Some((line, same)) if *same == radius && line.last() == Some(&from) => line.push(to),
+            _ => lines.push((vec![from, to], radius)),
+        }
+    }
+    lines
 }
 
 /// Whether a reason is drawn in the same way for all agents that have it.

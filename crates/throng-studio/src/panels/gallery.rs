@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn after_the_last_comes_the_first() {
         let beside = |name, by| beside(&Plugins::new(), name, by).unwrap();
-        let last = throng_scene::gallery::names().last().unwrap();
+        let last = gallery::names().last().unwrap();
         assert_eq!((beside(last, 1).as_str(), beside("columns", -1).as_str()), ("columns", last));
         assert_eq!(beside("a file", 1), "columns");
     }

@@ -3,7 +3,8 @@
 use crate::settings::Settings;
 use crate::view::{Heat, Streams};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{Grid, PopupCloseBehavior, RichText, Ui};
+use eframe::egui::{Grid, PopupCloseBehavior, RichText, Ui, vec2};
+use throng_draw::Annotation;
 use throng_record::Setting;
 
 /// The averaging windows of the heat map, seconds.
@@ -33,10 +34,28 @@ fn switches(ui: &mut Ui, settings: &mut Settings) {
         "agents on the ground with a radius of at most 0.5 m are people, in a view in space with the shape `fitting`",
     );
     ui.checkbox(&mut settings.annotations, "annotations of the selected agent (A)");
+    if settings.annotations {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
+            Annotation::ALL.into_iter().for_each(|kind| switch(ui, &mut settings.kinds, kind));
+        });
+    }
     ui.checkbox(&mut layers.paths, "planned path of the selected agent");
     ui.checkbox(&mut layers.mesh, "navigation mesh")
         .on_hover_text("triangles used for path planning, for the selected agent's body; needs walls");
     ui.checkbox(&mut layers.key, "key of colours and lines");
+}
+
+/// Shows a switch for a kind of annotation.
+fn switch(ui: &mut Ui, kinds: &mut Vec<String>, kind: Annotation) {
+    let shown = kinds.iter().any(|name| name == kind.name());
+    if ui.selectable_label(shown, kind.says()).clicked() {
+        if shown {
+            kinds.retain(|name| name != kind.name());
+        } else {
+            kinds.push(kind.name().to_owned());
+        }
+    }
 }
 
 /// Shows the choices side by side, because a nested menu would close this menu.

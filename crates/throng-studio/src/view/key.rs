@@ -115,7 +115,7 @@ fn of_ground(ground: &Ground, settings: &Settings, selected: bool) -> Vec<Row> {
 
 /// Returns the rows of the annotations of the selected agent.
 fn of_thoughts(shown: &RunMoment, settings: &Settings) -> Vec<Row> {
-    let annotations = Annotations { kinds: Annotation::ALL.to_vec(), agents: None };
+    let annotations = Annotations { kinds: settings.annotation_kinds(), agents: None };
     let theme = settings.theme();
     // the view draws its own trails
     let kinds = annotations.in_frame(&shown.frame).filter(|kind| *kind != Annotation::Trails);

@@ -179,7 +179,7 @@ impl ViewOptions {
             trails: settings.trails,
             forms,
             annotations: match selected.filter(|_| settings.annotations) {
-                Some(number) => Annotations { kinds: Annotation::ALL.to_vec(), agents: Some(vec![number]) },
+                Some(number) => Annotations { kinds: settings.annotation_kinds(), agents: Some(vec![number]) },
                 None if settings.annotations => Annotations::said(&shown.scene),
                 None => Annotations::default(),
             },
@@ -296,7 +296,7 @@ impl ViewOptions {
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
         if settings.annotations {
-            self.annotate(&painter, rect, shown, &theme, projector, share);
+            self.annotate(&painter, rect, shown, settings, projector, share);
         }
         if let Some(Err(says)) = self.canvas.lock().unwrap_or_else(PoisonError::into_inner).as_ref() {
             painter.text(rect.center(), egui::Align2::CENTER_CENTER, says, egui::FontId::default(), egui::Color32::RED);
@@ -309,13 +309,14 @@ impl ViewOptions {
         painter: &egui::Painter,
         rect: Rect,
         shown: &RunMoment,
-        theme: &Theme,
+        settings: &Settings,
         projector: &Projector,
         share: f32,
     ) {
+        let theme = &settings.theme_of(&shown.scene);
         let said = Annotations::said(&shown.scene);
         let chosen = self.selected.map(|number| Annotations {
-            kinds: Annotation::ALL.into_iter().filter(|kind| *kind != Annotation::Trails).collect(),
+            kinds: settings.annotation_kinds().into_iter().filter(|kind| *kind != Annotation::Trails).collect(),
             agents: Some(vec![number]),
         });
         if said.kinds.is_empty() && chosen.is_none() {
