@@ -78,10 +78,11 @@ pub struct FilmArgs {
     pub fps: Option<f64>,
 
     /// Films for showing: 1920x1080, 60 pictures per second, with motion blur (a shutter of 180°). N is the number of
-    /// times at which each picture shows the scene [default: 8]. --size and --fps take precedence
-    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "8",
+    /// times at which each picture shows the scene: 8 in plan view and 4 in perspective if it is not given. --size and
+    /// --fps take precedence
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true,
         value_parser = clap::value_parser!(u32).range(1..=256), help_heading = "Pictures")]
-    pub beauty: Option<u32>,
+    pub beauty: Option<Option<u32>>,
 
     /// Seconds of the scene per second of video
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor, help_heading = "Pictures")]

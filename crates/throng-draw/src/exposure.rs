@@ -1,6 +1,6 @@
 //! Motion blur: pictures that are exposed for a part of the time between two pictures, as those of a film camera.
 
-use crate::{Image, color};
+use crate::{Image, Projection, color};
 use std::sync::LazyLock;
 use throng_record::{Body, Frame};
 
@@ -12,17 +12,24 @@ use throng_record::{Body, Frame};
 pub struct MotionBlur {
     /// The time of the scene from one picture to the next, seconds, greater than 0.
     pub interval: f64,
-    /// The number of times at which the scene is drawn for each picture, at least 1.
-    pub samples: u32,
+    /// The number of times at which the scene is drawn for each picture, at least 1; `None` for 8 in plan view and 4 in
+    /// perspective, where a picture takes long.
+    pub samples: Option<u32>,
 }
 
 impl MotionBlur {
     /// The part of the interval for which the shutter is open.
     const OPEN: f64 = 0.5;
 
-    /// Returns the time of a sample of a picture; pictures and samples count from 0.
-    pub(crate) fn time(&self, start: f64, picture: u64, sample: u32) -> f64 {
-        let open = Self::OPEN * (f64::from(sample) + 0.5) / f64::from(self.samples.max(1));
+    /// Returns the number of samples of pictures in a projection.
+    pub(crate) fn count(&self, projection: Projection) -> u32 {
+        let usual = if projection == Projection::Plan { 8 } else { 4 };
+        self.samples.unwrap_or(usual).max(1)
+    }
+
+    /// Returns the time of a sample, of `count`, of a picture; pictures and samples count from 0.
+    pub(crate) fn time(&self, start: f64, picture: u64, (sample, count): (u32, u32)) -> f64 {
+        let open = Self::OPEN * (f64::from(sample) + 0.5) / f64::from(count);
         start + (picture as f64 + open) * self.interval
     }
 }
@@ -187,8 +194,9 @@ mod tests {
 
     #[test]
     fn the_shutter_is_open_for_half_of_the_interval() {
-        let blur = MotionBlur { interval: 0.1, samples: 5 };
-        let times: Vec<f64> = (0..5).map(|sample| blur.time(2.0, 3, sample)).collect();
+        let blur = MotionBlur { interval: 0.1, samples: Some(5) };
+        assert_eq!([Projection::Plan, Projection::Perspective].map(|projection| blur.count(projection)), [5, 5]);
+        let times: Vec<f64> = (0..5).map(|sample| blur.time(2.0, 3, (sample, 5))).collect();
         assert!((times[0] - 2.305).abs() < 1e-12 && (times[4] - 2.345).abs() < 1e-12, "{times:?}");
     }
 }

@@ -4,7 +4,7 @@ use crate::exposure::between;
 use crate::picture::Picture;
 use crate::sheet::SheetPainter;
 use crate::sink::{Ahead, FrameSink, Kind, sink};
-use crate::{Error, MotionBlur, Sheet, Style};
+use crate::{Error, MotionBlur, Projection, Sheet, Style};
 use std::path::{Path, PathBuf};
 use throng_record::{Frame, Output};
 
@@ -56,6 +56,8 @@ enum Target {
 /// The state of a film with motion blur.
 struct Shutter {
     blur: MotionBlur,
+    /// The number of samples of a picture.
+    count: u32,
     /// The time of the first picture, seconds.
     start: f64,
     /// The last moment.
@@ -75,7 +77,7 @@ impl Shutter {
             self.start = now;
         }
         while !self.before.is_empty() {
-            let time = self.blur.time(self.start, self.picture, self.sample);
+            let time = self.blur.time(self.start, self.picture, (self.sample, self.count));
             if time > now {
                 break;
             }
@@ -92,7 +94,7 @@ impl Shutter {
     fn take(&mut self, painter: &mut SheetPainter, sink: &mut dyn FrameSink) -> Result<(), Error> {
         painter.expose(&self.last);
         self.sample += 1;
-        if self.sample >= self.blur.samples {
+        if self.sample >= self.count {
             (self.sample, self.picture) = (0, self.picture + 1);
             sink.push(painter.develop(&self.last))?;
         }
@@ -146,13 +148,24 @@ impl Film {
     ) -> Result<Self, Error> {
         Error::check_size(style.width, style.height)?;
         let sink = Box::new(Ahead::start(sink));
-        let shutter = |blur| Shutter { blur, start: 0.0, before: Vec::new(), picture: 0, sample: 0, last: Vec::new() };
+        let sheet: Sheet = sheet.into();
+        let is_space = sheet.panels.iter().any(|setting| style.projection(setting) == Projection::Perspective);
+        let projection = if is_space { Projection::Perspective } else { Projection::Plan };
+        let shutter = |blur: MotionBlur| Shutter {
+            blur,
+            count: blur.count(projection),
+            start: 0.0,
+            before: Vec::new(),
+            picture: 0,
+            sample: 0,
+            last: Vec::new(),
+        };
         let target = match style.blur {
             Some(blur) => Target::Exposed(sink, shutter(blur)),
             None => Target::Moving(sink),
         };
         let path = path.as_ref().to_path_buf();
-        Ok(Self { path, sheet: sheet.into(), style: style.clone(), painter: None, target, count: 0 })
+        Ok(Self { path, sheet, style: style.clone(), painter: None, target, count: 0 })
     }
 
     /// Chooses the moment that a single picture shows. Has no effect on a video.

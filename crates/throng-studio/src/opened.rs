@@ -97,7 +97,8 @@ mod tests {
     use super::*;
 
     fn scene(view: &str) -> Scene {
-        Scene::parse("scene.toml", format!("[[group]]\ncount = 1\n[view]\n{view}")).unwrap()
+        Scene::parse("scene.toml", format!("[[group]]\nplace.point = [0, 0]\ngoal.point = [5, 0]\n[view]\n{view}"))
+            .unwrap()
     }
 
     #[test]

@@ -20,7 +20,11 @@ struct Row {
 fn rows() -> Vec<Row> {
     let page = std::fs::read_to_string(root().join("docs/pictures.md")).unwrap();
     let table = page.split("## The pictures of these pages").nth(1).expect("docs/pictures.md has the table");
-    let code = |cell: &str| cell.trim().trim_matches('`').to_owned();
+    // the first code of a cell, or its words
+    let code = |cell: &str| match cell.trim().strip_prefix('`').and_then(|rest| rest.split_once('`')) {
+        Some((code, _)) => code.to_owned(),
+        None => cell.trim().to_owned(),
+    };
     let row = |line: &str| {
         let cells: Vec<&str> = line.trim_matches('|').split(" | ").collect();
         let [picture, command, check] = cells[..] else { panic!("three cells: {line}") };

@@ -6,8 +6,8 @@ use crate::primitive::{Primitive, Stroke};
 use crate::{Color, Theme};
 use throng_field::Anchor;
 
-/// The colour of anchors, which nothing else in a field has.
-pub(super) const ACCENT: Color = Color::rgb(0xd9741a);
+/// The colour of the anchors of a single field, which nothing else in a field has.
+const ACCENT: Color = Color::rgb(0xd9741a);
 /// The radius of dots, the least and the greatest length of the arrow of the fastest anchor, and half the width of its
 /// shaft, in units of the layout.
 const RADIUS: f32 = 2.4;
@@ -15,9 +15,15 @@ const LEAST: f32 = 8.0;
 const LONGEST: f32 = 22.0;
 const HALF: f32 = 0.85;
 
+/// Returns the colour of anchors; those of several fields have the colours of their fields.
+pub(super) fn color(ink: Color, fields: usize, theme: &Theme) -> Color {
+    theme.ink(if fields > 1 { ink } else { ACCENT })
+}
+
 /// Returns the visible anchors.
 pub(super) fn anchors(lay: &Lay<'_>, anchors: &[Anchor]) -> Vec<Primitive> {
     let unit = lay.canvas.unit;
+    let color = color(lay.ink, lay.turn.1, lay.theme);
     let pixel = |anchor: &Anchor| (lay.canvas.pixel(anchor.place), anchor.velocity.as_vec2());
     let shown: Vec<(Vec2, Vec2)> =
         anchors.iter().map(pixel).filter(|(at, velocity)| lay.canvas.shows(*at) && velocity.is_finite()).collect();
@@ -25,7 +31,7 @@ pub(super) fn anchors(lay: &Lay<'_>, anchors: &[Anchor]) -> Vec<Primitive> {
     let longest = (0.78 * apart(&shown)).clamp(LEAST * unit, LONGEST * unit);
     let draw = |&(at, velocity): &(Vec2, Vec2)| {
         let flow = Vec2::new(velocity.x, -velocity.y);
-        dot(at, flow.normalize_or_zero() * (lay.part(flow).sqrt() * longest), unit, lay.theme)
+        dot(at, flow.normalize_or_zero() * (lay.part(flow).sqrt() * longest), unit, (color, lay.theme))
     };
     shown.iter().flat_map(draw).collect()
 }
@@ -44,14 +50,14 @@ fn apart(shown: &[(Vec2, Vec2)]) -> f32 {
 }
 
 /// Returns an anchor as a dot with an arrow for its velocity. An anchor without velocity is hollow.
-pub(super) fn dot(at: Vec2, reach: Vec2, unit: f32, theme: &Theme) -> Vec<Primitive> {
+pub(super) fn dot(at: Vec2, reach: Vec2, unit: f32, (color, theme): (Color, &Theme)) -> Vec<Primitive> {
     let radius = RADIUS * unit;
     let mut marks = vec![Primitive::Disc { center: at, radius: radius + 0.9 * unit, fill: theme.ground.alpha(0.85) }];
     if reach.length() > radius {
-        marks.extend(arrow(at, at + reach, HALF * unit, ACCENT));
-        marks.push(Primitive::Disc { center: at, radius, fill: ACCENT });
+        marks.extend(arrow(at, at + reach, HALF * unit, color));
+        marks.push(Primitive::Disc { center: at, radius, fill: color });
     } else {
-        let stroke = Stroke::plain(1.1 * unit, ACCENT);
+        let stroke = Stroke::plain(1.1 * unit, color);
         marks.push(Primitive::Ring { center: at, radius: radius - 0.3 * unit, stroke });
     }
     marks

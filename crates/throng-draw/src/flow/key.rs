@@ -19,6 +19,8 @@ pub(super) struct Said<'a> {
     /// The speed drawn as the fastest, m/s.
     pub fastest: Option<f32>,
     pub has_anchors: bool,
+    /// The number of fields.
+    pub fields: usize,
     pub symbols: Vec<Symbol>,
 }
 
@@ -43,8 +45,10 @@ impl<'a> Said<'a> {
             }
         }
         if style.draws(FlowLayer::Anchors) && self.has_anchors {
-            let draw =
-                Box::new(move |at: Vec2| anchors::dot(at + Vec2::X * 0.35 * size, Vec2::X * 1.4 * size, unit, theme));
+            let color = anchors::color(ink, self.fields, theme);
+            let dot =
+                move |at: Vec2| anchors::dot(at + Vec2::X * 0.35 * size, Vec2::X * 1.4 * size, unit, (color, theme));
+            let draw = Box::new(dot);
             rows.push(Row { length: 1.9 * size, says: "anchor and velocity".into(), draw });
         }
         for symbol in self.symbols {

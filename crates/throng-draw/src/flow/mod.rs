@@ -192,11 +192,15 @@ pub(crate) fn alone(theme: &Theme) -> Color {
     theme.goal.mix(theme.text, 0.45)
 }
 
-/// Returns the colour of streamlines of a field in a colour: clear of the ground in spite of their opacity.
+/// Returns the colour of streamlines of a field in a colour: translucent where that is clear of the ground; colours near
+/// that of the ground are nearly opaque, and darker on light ground as little as they need, so that they keep their hue.
 pub(crate) fn line(ink: Color, theme: &Theme) -> Color {
+    /// The opacity of such colours.
+    const DENSE: f32 = 0.92;
     let grounds = [theme.ground, theme.outside];
-    let text = theme.text.alpha(streamlines::OPACITY);
-    ink.alpha(streamlines::OPACITY).legible(&grounds, text, Theme::MARKS)
+    let legible = |opacity: f32| ink.alpha(opacity).legible(&grounds, theme.text.alpha(opacity), Theme::MARKS);
+    let thin = ink.alpha(streamlines::OPACITY);
+    if legible(streamlines::OPACITY) == thin { thin } else { legible(DENSE) }
 }
 
 /// Returns the colour of points that trap agents.

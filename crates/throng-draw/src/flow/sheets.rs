@@ -250,6 +250,7 @@ impl Sheets {
             ink: self.shown.first().map_or(self.theme.goal, |shown| shown.ink),
             fastest: self.fastest,
             has_anchors: self.shown.iter().any(|shown| !shown.flow.anchors.is_empty()),
+            fields: self.shown.len(),
             symbols: Symbol::all().filter(|kind| self.symbols.iter().any(|seen| seen.is_like(kind))).collect(),
         };
         said.rows(size)

@@ -223,7 +223,7 @@ impl<'a> Tracer<'a> {
             let along = (line[(at + 1).min(line.len() - 1)] - line[at.saturating_sub(1)]).normalize_or_zero();
             let size = HEAD * unit * (0.7 + 0.3 * lay.part(lay.grid.at(line[at])));
             let ring = head(line[at] + along * (0.5 * size), along, size);
-            Primitive::Area { rings: vec![ring], fill: fill.alpha(OPACITY + 0.15) }
+            Primitive::Area { rings: vec![ring], fill: fill.alpha(f32::from(fill.a) / 255.0 + 0.15) }
         };
         let pieces: Vec<&[(Vec2, f32)]> = match lay.cut {
             Some(cut) => pieces(&few, cut),

@@ -324,7 +324,7 @@ fn a_film_with_motion_blur_is_exposed_for_half_of_the_time_between_pictures() {
     let folder = tempfile::tempdir().unwrap();
     let film = |name: &str, samples: u32| {
         let path = folder.path().join(name);
-        let style = Style { blur: Some(MotionBlur { interval: 0.5, samples }), ..style() };
+        let style = Style { blur: Some(MotionBlur { interval: 0.5, samples: Some(samples) }), ..style() };
         let sink = Box::new(FolderSink::create(&path).unwrap());
         let mut film = Film::new(&path, sink, &setting(), &style).unwrap();
         film.push(&moment(0)).unwrap();

@@ -9,7 +9,7 @@ use crate::view::ground;
 use eframe::egui::{Align2, FontId, Key, Painter, Pos2, Rect, Response, Shape, Stroke, Ui};
 use eframe::egui::{CursorIcon, vec2};
 use glam::{DVec2, Vec2};
-use throng_draw::{Color, PALETTE, Projector, Theme, palette};
+use throng_draw::{Color, Projector, Theme};
 use throng_scene::Scene;
 
 /// The most handles drawn. More would be too dense to take with the pointer.
@@ -99,7 +99,7 @@ impl Director {
         if let Some(gesture) = &self.gesture {
             pen.gesture(self, gesture);
         } else if let Some(at) = at.filter(|_| self.tool.brushes()) {
-            pen.round(at, self.brush.radius, PALETTE[0]);
+            pen.round(at, self.brush.radius, pen.sight.theme.palette[0]);
         }
     }
 }
@@ -150,10 +150,10 @@ impl Pen<'_> {
         let theme = self.sight.theme;
         for outline in &parts.outlines {
             let (tone, width) = match outline.kind {
-                OutlineKind::Place(g) => (palette(g).alpha(if g == director.group { 0.9 } else { 0.5 }), 1.2),
+                OutlineKind::Place(g) => (theme.group(g).alpha(if g == director.group { 0.9 } else { 0.5 }), 1.2),
                 OutlineKind::Obstacle => (theme.text.alpha(0.7), 1.4),
                 OutlineKind::Goal => (theme.goal, 1.4),
-                OutlineKind::Field => (PALETTE[0].alpha(0.75), 1.6),
+                OutlineKind::Field => (theme.palette[0].alpha(0.75), 1.6),
             };
             let stroke = Stroke::new(width, color(tone));
             self.line(&outline.points, outline.closed, stroke);
@@ -169,7 +169,7 @@ impl Pen<'_> {
             self.handle(handle, hovered == Some(handle.at));
         }
         if let Some(at) = director.selected.as_ref().and_then(|(at, _)| self.at(*at)) {
-            self.painter.circle_stroke(at, 9.0, Stroke::new(2.0, color(PALETTE[0])));
+            self.painter.circle_stroke(at, 9.0, Stroke::new(2.0, color(self.sight.theme.palette[0])));
         }
     }
 
@@ -180,27 +180,27 @@ impl Pen<'_> {
         let more = if hovered { 1.5 } else { 0.0 };
         match handle.look {
             // not filled, so that the agent below remains visible
-            Look::Dot if hovered => _ = self.painter.circle(at, 6.0, color(PALETTE[0]), edge),
+            Look::Dot if hovered => _ = self.painter.circle(at, 6.0, color(self.sight.theme.palette[0]), edge),
             Look::Dot => _ = self.painter.circle_stroke(at, 4.5, edge),
             Look::Corner => {
                 let square = Rect::from_center_size(at, vec2(1.0, 1.0) * (7.0 + 2.0 * more));
                 self.painter.rect(
                     square,
                     1.0,
-                    if hovered { color(PALETTE[0]) } else { fill },
+                    if hovered { color(self.sight.theme.palette[0]) } else { fill },
                     edge,
                     eframe::egui::StrokeKind::Middle,
                 );
             }
             Look::Arrow(from) => {
-                self.arrow(from, handle.at, Stroke::new(2.2 + more, color(PALETTE[0])));
+                self.arrow(from, handle.at, Stroke::new(2.2 + more, color(self.sight.theme.palette[0])));
             }
         }
     }
 
     /// Draws the gesture under way: the corners so far, the path of the brush, or a velocity.
     fn gesture(&self, director: &Director, gesture: &Gesture) {
-        let stroke = Stroke::new(1.6, color(PALETTE[0]));
+        let stroke = Stroke::new(1.6, color(self.sight.theme.palette[0]));
         let start = gesture.points.first().copied().unwrap_or(gesture.at);
         match director.tool {
             Tool::Polygon | Tool::Wall => {
@@ -212,7 +212,8 @@ impl Pen<'_> {
             }
             Tool::Brush | Tool::Eraser => {
                 let width = (2.0 * director.brush.radius * self.stage.scale) as f32;
-                let tone = if director.tool == Tool::Brush { PALETTE[0] } else { self.sight.theme.text };
+                let tone =
+                    if director.tool == Tool::Brush { self.sight.theme.palette[0] } else { self.sight.theme.text };
                 self.line(&gesture.points, false, Stroke::new(width, color(tone.alpha(0.2))));
                 self.round(gesture.at, director.brush.radius, tone);
             }
