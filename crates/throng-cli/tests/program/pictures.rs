@@ -30,7 +30,20 @@ fn rows() -> Vec<Row> {
         let [picture, command, check] = cells[..] else { panic!("three cells: {line}") };
         Row { picture: code(picture), command: code(command), is_drawn: check.trim() == "drawn again" }
     };
-    table.lines().filter(|line| line.starts_with("| `")).map(row).collect()
+    let own = table.lines().filter(|line| line.starts_with("| `")).map(row);
+    own.chain(constructions()).collect()
+}
+
+/// Returns the pictures of docs/constructions.md: its commands, with their outputs in docs/constructions/.
+fn constructions() -> Vec<Row> {
+    let page = std::fs::read_to_string(root().join("docs/constructions.md")).unwrap();
+    let commands = page.lines().filter(|line| line.starts_with("throng run "));
+    let row = |line: &str| {
+        let (rest, name) = line.rsplit_once(" -o ").expect(line);
+        let picture = format!("docs/constructions/{name}");
+        Row { command: format!("{rest} -o {picture}").replace('\'', ""), picture, is_drawn: true }
+    };
+    commands.map(row).collect()
 }
 
 /// Returns the pictures in a folder of docs/, as paths from the root.
@@ -45,7 +58,8 @@ fn pictures(folder: &str) -> Vec<String> {
 #[test]
 fn every_picture_has_its_command() {
     let mut named: Vec<String> = rows().into_iter().map(|row| row.picture).collect();
-    let mut existing: Vec<String> = ["docs", "docs/studio"].into_iter().flat_map(pictures).collect();
+    let mut existing: Vec<String> =
+        ["docs", "docs/studio", "docs/constructions"].into_iter().flat_map(pictures).collect();
     named.sort();
     existing.sort();
     assert_eq!(named, existing, "the table of docs/pictures.md (left) and the pictures of docs/ (right)");
