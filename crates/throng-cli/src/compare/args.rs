@@ -25,9 +25,8 @@ Outputs, by the ending of the name:
   .html             one page without network: the table, figures over time, a player of all models on one
                     clock, and the moments at which velocities swing most. page.html#t=12.5 opens at 12.5 s
   .mp4 .gif .avi    video, the models side by side; also .webm and others through ffmpeg
-  .png, .svg        one picture of the same: the moment of --frame, else that of the scene's `view.moment`, else the
-                    moment at which the models differ most: the mean distance from where the models have an
-                    agent to the middle of these places is greatest
+  .png, .svg        one picture of the same: the moment of --frame, else of the scene's
+                    `view.moment`, else that at which the models differ most (docs/compare.md)
   NAME/             a folder of PNG files, one a picture
   .csv              every run: one line per model and seed
   .md               the table

@@ -19,7 +19,7 @@ const SKIPPED: &[(&str, usize, &str)] = &[
     ("gallery.md", 1, "minutes"),
     ("peers.md", 1, "the network, minutes"),
     ("performance.md", 1, "cargo, minutes"),
-    ("pictures.md", 0, ""),
+    ("pictures.md", 1, "minutes"),
     ("plugins.md", 2, "cargo, a web build"),
     ("python.md", 2, "cargo, the network"),
     ("quality.md", 1, "cargo, minutes"),

@@ -48,11 +48,13 @@ pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> 
         }
     }
     for shell in &setting.shells {
+        // the edges of a container lie between the viewer and the agents
+        let edge = if shell.hollow { theme.edge.alpha(0.4) } else { theme.edge };
         for facet in &shell.facets {
             if !shell.hollow {
                 place.facet(facet, theme.obstacle);
             }
-            place.line(facet, true, Stroke::plain(1.0, theme.edge));
+            place.line(facet, true, Stroke::plain(1.0, edge));
         }
     }
     for obstacle in &setting.obstacles {
