@@ -241,6 +241,9 @@ mod tests {
                 check("lines of fields", crate::flow::line(color, &theme), Theme::MARKS);
             }
             check("lines of a single field", crate::flow::line(crate::flow::alone(&theme), &theme), Theme::MARKS);
+            for kind in crate::Annotation::ALL {
+                check(kind.name(), kind.color(&theme), Theme::MARKS);
+            }
             check("points that trap agents", crate::flow::warning(&theme), Theme::MARKS);
             assert!(low.is_empty(), "{low:#?}");
         }

@@ -91,7 +91,7 @@ impl Annotator<'_> {
             .filter(|body| wanted.concern(body) && body.center().is_finite())
             .map(|body| Annotated { body, at: middle(body), account: account(body.number) })
             .collect();
-        let strength = if agents.len() > MANY { 0.55 } else { 0.9 };
+        let strength = if agents.len() > MANY { 0.55 } else { 1.0 };
         let size = match agents.len() {
             ..=FEW => STRONG,
             n if n > MANY => THIN,

@@ -99,11 +99,10 @@ impl Annotation {
         }
     }
 
-    /// Returns the colour; trails use the colour of the agent instead.
+    /// Returns the colour, with a contrast with the ground; trails use the colour of the agent instead.
     pub fn color(self, theme: &Theme) -> Color {
-        match self {
-            Self::Neighbourhoods => theme.quiet.alpha(0.5),
-            Self::Trails | Self::Velocity => theme.quiet,
+        let color = match self {
+            Self::Neighbourhoods | Self::Trails | Self::Velocity => theme.quiet,
             Self::Paths => theme.goal,
             Self::Constructions => Color::rgb(0xb0547f),
             Self::Feelers => Color::rgb(0x2fa37c),
@@ -113,7 +112,8 @@ impl Annotation {
             Self::Threats | Self::VelocityObstacles => Color::rgb(0xc8372d),
             Self::Preferred => Color::rgb(0x2b94a6),
             Self::Terms | Self::Force => Color::rgb(0xdd7a1f),
-        }
+        };
+        theme.ink(color)
     }
 
     /// Returns the width of lines, in units of the layout.
