@@ -25,7 +25,7 @@ pub fn pick(names: &[PathBuf]) -> Result<(Vec<Section>, Vec<Loaded>), Failure> {
         };
         let loaded = members.iter().map(|member: &PathBuf| load(member)).collect::<Result<Vec<Loaded>, Failure>>()?;
         let names = loaded.iter().map(|loaded| match &loaded.scene.about.shows {
-            Some(citation) if cites => format!("{}: {citation}", loaded.name),
+            Some(citation) if cites => citation.clone(),
             _ => loaded.name.clone(),
         });
         match sections.last_mut() {
