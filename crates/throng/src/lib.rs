@@ -30,9 +30,9 @@
 //! | go on | [`step`](World::step), [`step_in_stages`](World::step_in_stages), [`finished`](World::finished), [`time`](World::time), [`steps`](World::steps) |
 //! | read agents | [`agents`](World::agents), [`agent`](World::agent), [`agent_ids`](World::agent_ids), [`members`](World::members), [`position`](World::position), [`positions_into`](World::positions_into), [`events`](World::events), [`stranded`](World::stranded), [`overlapping`](World::overlapping) |
 //! | read in bulk, by rows | [`relative_columns`](World::relative_columns), [`row`](World::row), [`id`](World::id), [`goal_of`](World::goal_of), [`hindrance`](World::hindrance), [`sort_rows`](World::sort_rows) |
-//! | read what was given | [`settings`](World::settings), [`groups`](World::groups), [`group`](World::group), [`group_named`](World::group_named), [`goals`](World::goals), [`journey`](World::journey), [`scripts`](World::scripts), [`place`](World::place), [`in_space`](World::in_space) |
+//! | read what was given | [`settings`](World::settings), [`groups`](World::groups), [`group`](World::group), [`group_named`](World::group_named), [`adapted_field`](World::adapted_field), [`goals`](World::goals), [`journey`](World::journey), [`scripts`](World::scripts), [`place`](World::place), [`in_space`](World::in_space) |
 //! | read results | [`summary`](World::summary), [`counts`](World::counts), [`figures`](World::figures), [`figure`](World::figure), [`standing`](World::standing), [`refused`](World::refused), [`draw`](World::draw) |
-//! | see reasons | [`explain`](World::explain), [`request_traces`](World::request_traces), [`relative_traces`](World::relative_traces) |
+//! | see reasons | [`explain`](World::explain), [`explain_all`](World::explain_all), [`request_traces`](World::request_traces), [`relative_traces`](World::relative_traces) |
 //! | keep a run | [`save`](World::save), [`load`](World::load), [`state_hash`](World::state_hash) |
 //!
 //! A program of its own extends the engine at four traits: [`LocalModel`](avoid::LocalModel),

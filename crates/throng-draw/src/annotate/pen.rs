@@ -7,7 +7,7 @@ use crate::projector::Projector;
 use glam::{DVec3, Vec2};
 
 /// The least length of arrows, in units of the layout; shorter arrows are left out.
-const LEAST_ARROW: f32 = 4.0;
+const LEAST_ARROW: f32 = 2.5;
 
 /// A pen with one colour and width.
 #[derive(Debug)]

@@ -6,13 +6,13 @@ use throng_scene::gallery;
 
 #[test]
 fn the_field_that_a_behaviour_follows_is_part_of_the_setting() {
-    let (world, built) = gallery::scene("flow-field").unwrap().build().unwrap();
+    let (world, built) = gallery::scene("formation").unwrap().build().unwrap();
     let setting = moment::setting(&world, &built, "");
     assert_eq!(setting.flows.len(), 1);
     let flow = &setting.flows[0];
-    assert!(flow.groups == [0] && !flow.governs);
-    let velocity = flow.field.velocity(Vec3::new(5.0, 0.0, 0.0), 0.0);
-    assert!(velocity.distance(Vec3::new(0.0, 1.5, 0.0)) < 1e-5, "a whirl: {velocity}");
+    assert!(flow.groups == [2] && !flow.governs);
+    let velocity = flow.field.velocity(Vec3::new(5.0, 0.0, 20.0), 0.0);
+    assert!(velocity.distance(Vec3::new(0.0, 4.0, 0.0)) < 1e-5, "a whirl: {velocity}");
 }
 
 #[test]
