@@ -11,7 +11,8 @@ fn the_field_that_a_behaviour_follows_is_part_of_the_setting() {
     assert_eq!(setting.flows.len(), 1);
     let flow = &setting.flows[0];
     assert!(flow.groups == [2] && !flow.governs);
-    let velocity = flow.field.velocity(Vec3::new(5.0, 0.0, 20.0), 0.0);
+    // fields of a setting take places relative to its origin
+    let velocity = flow.field.velocity(Vec3::new(5.0, 0.0, 20.0) - setting.origin.as_vec2().extend(0.0), 0.0);
     assert!(velocity.distance(Vec3::new(0.0, 4.0, 0.0)) < 1e-5, "a whirl: {velocity}");
 }
 
