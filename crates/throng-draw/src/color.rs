@@ -31,6 +31,11 @@ impl Color {
         Self { a: (alpha.clamp(0.0, 1.0) * 255.0).round() as u8, ..self }
     }
 
+    /// Returns the same colour with its opacity times `share`.
+    pub fn faded(self, share: f32) -> Self {
+        self.alpha(share * f32::from(self.a) / 255.0)
+    }
+
     /// Interpolates to `other`; `t` is 0 to 1.
     pub fn mix(self, other: Self, t: f32) -> Self {
         let mix = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * t.clamp(0.0, 1.0) + 0.5) as u8;

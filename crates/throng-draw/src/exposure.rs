@@ -133,24 +133,10 @@ fn is_moved(before: &Body, after: &Body, seconds: f64) -> bool {
 mod tests {
     use super::*;
     use crate::Color;
-    use glam::{DVec2, Vec2};
+    use glam::DVec2;
 
     fn body(number: u32, x: f64) -> Body {
-        Body {
-            number,
-            group: 0,
-            goal: None,
-            position: DVec2::new(x, 0.0),
-            altitude: 0.0,
-            velocity: Vec2::X,
-            vertical_velocity: 0.0,
-            heading: 0.0,
-            basis: None,
-            radius: 0.2,
-            core: Vec2::ZERO,
-            preferred_speed: 1.0,
-            status: throng::Status::Walking,
-        }
+        Body { number, position: DVec2::new(x, 0.0), preferred_speed: 1.0, ..crate::harness::body() }
     }
 
     fn frame(time: f64, bodies: &[(u32, f64)]) -> Frame {

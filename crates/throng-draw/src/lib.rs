@@ -18,6 +18,8 @@ mod figure;
 mod film;
 mod flow;
 mod from_scene;
+#[cfg(test)]
+mod harness;
 mod image;
 mod insect;
 mod legend;

@@ -83,7 +83,12 @@ pub const PAPERS: &str = "papers";
 
 /// Returns the scenes that show figures and demonstrations of papers, each with its citation
 /// ([`About::shows`](crate::About::shows)), in the order of the citations.
-pub fn papers() -> Vec<(&'static str, &'static str)> {
+pub fn papers() -> &'static [(&'static str, &'static str)] {
+    &CITED
+}
+
+/// The scenes with citations, in the order of [`papers`].
+static CITED: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
     let cited = |name| Some((name, line_of(text(name)?, "shows")?));
     let mut all: Vec<(&str, &str)> = names().filter_map(cited).collect();
     // years first: the order in which the field grew
@@ -91,7 +96,7 @@ pub fn papers() -> Vec<(&'static str, &'static str)> {
         |citation: &str| citation.split(|c: char| !c.is_ascii_digit()).find(|word| word.len() == 4).map(str::to_owned);
     all.sort_by_key(|&(_, citation)| (year(citation), citation));
     all
-}
+});
 
 /// Returns the scene with this name.
 ///

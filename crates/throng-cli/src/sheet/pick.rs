@@ -19,7 +19,7 @@ pub fn pick(names: &[PathBuf]) -> Result<(Vec<Section>, Vec<Loaded>), Failure> {
         let group = gallery::groups().find(|(group, _)| name.as_path() == Path::new(group));
         let cites = name.as_path() == Path::new(gallery::PAPERS);
         let (heading, members) = match group {
-            _ if cites => (gallery::PAPERS, gallery::papers().into_iter().map(|(name, _)| name.into()).collect()),
+            _ if cites => (gallery::PAPERS, gallery::papers().iter().map(|(name, _)| name.into()).collect()),
             Some((group, members)) => (group, members.map(PathBuf::from).collect()),
             None => ("", vec![name.clone()]),
         };

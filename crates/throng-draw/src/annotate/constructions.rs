@@ -1,14 +1,12 @@
 //! The constructions that textbooks draw: circles, cylinders, rectangles and sectors in the world.
 
 use super::layers::Annotated;
-use super::pen::AnnotationPen;
+use super::pen::{AnnotationPen, ROUND};
 use glam::{DVec2, DVec3};
 use std::f32::consts::PI;
 use std::f64::consts::TAU;
 use throng::motion::Basis;
 
-/// The number of segments of a circle.
-const ROUND: usize = 64;
 /// The opacity of areas over that of lines.
 const SHADE: f32 = 0.14;
 /// The length of the normal at a touched surface, metres.
@@ -17,18 +15,13 @@ const NORMAL: f64 = 0.4;
 /// Draws a circle on the ground, or the outline of a sphere about a flying agent.
 pub(super) fn circle(agent: &Annotated<'_>, center: DVec3, radius: f64, pen: &mut AnnotationPen<'_>) {
     let axis = if agent.body.basis.is_some() { pen.projector.sight(center) } else { DVec3::Z };
-    let (x, y) = axis.any_orthonormal_pair();
-    let at = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
-        center + (x * cos + y * sin) * radius
-    };
-    pen.line((0..=ROUND).map(at));
+    pen.circle(center, axis, radius);
 }
 
 /// Draws a polygon: a pale area and its outline.
 pub(super) fn area(corners: &[DVec3], pen: &mut AnnotationPen<'_>) {
     pen.area(corners, SHADE);
-    pen.line(corners.iter().chain(&corners[..1]).copied());
+    pen.outline(corners);
 }
 
 /// Draws the outline of a tube about a line through points, as seen from the viewpoint: the line, the sides of the tube,
@@ -84,7 +77,6 @@ pub(super) fn sector(agent: &Annotated<'_>, distance: f64, angle: f32, pen: &mut
     };
     area(&outline(basis.side), pen);
     if agent.body.basis.is_some() {
-        let upright = outline(basis.up);
-        pen.line(upright.iter().chain(&upright[..1]).copied());
+        pen.outline(&outline(basis.up));
     }
 }

@@ -103,7 +103,7 @@ impl Annotator<'_> {
             let mut pen = AnnotationPen {
                 projector: &self.projector,
                 unit: self.unit * size,
-                color: color.alpha(strength * f32::from(color.a) / 255.0),
+                color: color.faded(strength),
                 width: kind.width(),
                 dashed: kind.is_dashed(),
                 marks: &mut marks,

@@ -1,14 +1,12 @@
 //! Velocity obstacles in the world, at true scale: a velocity is the motion in one second.
 
-use super::pen::AnnotationPen;
+use super::pen::{AnnotationPen, ROUND};
 use crate::figure::{clip, forbidden};
 use glam::{DVec3, Vec2};
-use std::f64::consts::TAU;
+use std::f32::consts::TAU;
 use throng::Explanation;
 use throng::avoid::{AvoidanceReason, HalfPlane};
 
-/// The number of corners of a circle.
-const ROUND: usize = 64;
 /// Forbidden velocities are drawn up to this multiple of the top speed.
 const REACH: f32 = 1.6;
 /// The opacity of all regions together, and the least and the greatest opacity of one, over that of lines.
@@ -21,12 +19,6 @@ const MOST: f32 = 0.16;
 /// disc that the centre of the agent must not enter.
 pub(super) fn draw(why: &Explanation, at: DVec3, pen: &mut AnnotationPen<'_>) {
     let place = |velocity: Vec2| at + velocity.as_dvec2().extend(0.0);
-    let circle = |center: DVec3, radius: f64| {
-        (0..=ROUND).map(move |k| {
-            let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
-            center + DVec3::new(cos, sin, 0.0) * radius
-        })
-    };
     let regions: Vec<Vec<DVec3>> = (why.reasons.iter())
         .filter_map(|reason| forbidden(reason, REACH * why.max_speed))
         .map(|(_, polygon)| within(polygon, REACH * why.max_speed).into_iter().map(place).collect())
@@ -37,9 +29,9 @@ pub(super) fn draw(why: &Explanation, at: DVec3, pen: &mut AnnotationPen<'_>) {
         pen.area(region, shade);
     }
     let (width, color) = (pen.width, pen.color);
-    (pen.width, pen.color) = (0.5 * width, color.alpha(0.6 * f32::from(color.a) / 255.0));
+    (pen.width, pen.color) = (0.5 * width, color.faded(0.6));
     for region in &regions {
-        pen.line(region.iter().chain(region.first()).copied());
+        pen.outline(region);
     }
     (pen.width, pen.color) = (width, color);
     for reason in &why.reasons {
@@ -48,9 +40,9 @@ pub(super) fn draw(why: &Explanation, at: DVec3, pen: &mut AnnotationPen<'_>) {
         }
     }
     for other in &why.neighbours {
-        pen.line(circle(place(other.seen.offset), f64::from(other.seen.radii)));
+        pen.circle(place(other.seen.offset), DVec3::Z, f64::from(other.seen.radii));
     }
-    pen.line(circle(at, f64::from(why.max_speed)));
+    pen.circle(at, DVec3::Z, f64::from(why.max_speed));
     pen.arrow(at, why.chosen.as_dvec2().extend(0.0));
     pen.dot(place(why.chosen), 2.0);
 }
@@ -58,7 +50,7 @@ pub(super) fn draw(why: &Explanation, at: DVec3, pen: &mut AnnotationPen<'_>) {
 /// Returns the part of a convex polygon within a speed.
 fn within(polygon: Vec<Vec2>, speed: f32) -> Vec<Vec2> {
     let tangent = |k: usize| {
-        let normal = Vec2::from_angle(std::f32::consts::TAU * k as f32 / ROUND as f32);
+        let normal = Vec2::from_angle(TAU * k as f32 / ROUND as f32);
         HalfPlane { point: normal * speed, direction: normal.perp() }
     };
     (0..ROUND).map(tangent).fold(polygon, clip)

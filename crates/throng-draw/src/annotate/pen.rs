@@ -5,7 +5,10 @@ use crate::figure::arrow;
 use crate::primitive::{Primitive, Stroke};
 use crate::projector::Projector;
 use glam::{DVec3, Vec2};
+use std::f64::consts::TAU;
 
+/// The number of segments of a circle.
+pub(super) const ROUND: usize = 64;
 /// The least length of arrows, in units of the layout; shorter arrows are left out.
 const LEAST_ARROW: f32 = 2.5;
 
@@ -39,9 +42,22 @@ impl AnnotationPen<'_> {
     pub fn area(&mut self, corners: &[DVec3], shade: f32) {
         let ring: Option<Vec<_>> = corners.iter().map(|&corner| self.projector.pixel(corner)).collect();
         if let Some(ring) = ring {
-            let opacity = shade * f32::from(self.color.a) / 255.0;
-            self.marks.push(Primitive::Area { rings: vec![ring], fill: self.color.alpha(opacity) });
+            self.marks.push(Primitive::Area { rings: vec![ring], fill: self.color.faded(shade) });
         }
+    }
+
+    /// Draws a line through points, back to the first.
+    pub fn outline(&mut self, points: &[DVec3]) {
+        self.line(points.iter().chain(points.first()).copied());
+    }
+
+    /// Draws a circle about an axis of length 1. `radius` is in metres.
+    pub fn circle(&mut self, center: DVec3, axis: DVec3, radius: f64) {
+        let (x, y) = axis.any_orthonormal_pair();
+        self.line((0..=ROUND).map(|k| {
+            let (sin, cos) = (TAU * k as f64 / ROUND as f64).sin_cos();
+            center + (x * cos + y * sin) * radius
+        }));
     }
 
     /// Draws a diagonal cross on a point. `radius` is in units of the layout.

@@ -266,7 +266,7 @@ fn faded(mark: &Primitive, shares: &Shares, field: usize) -> Option<Primitive> {
             let corners = rings.first()?;
             let middle = corners.iter().sum::<Vec2>() / corners.len().max(1) as f32;
             let share = shares.at(field, middle);
-            let fill = fill.alpha(f32::from(fill.a) / 255.0 * share);
+            let fill = fill.faded(share);
             (share >= LEAST).then(|| Primitive::Area { rings: rings.clone(), fill })
         }
         Primitive::Pixels(image) => {

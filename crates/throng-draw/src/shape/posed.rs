@@ -124,21 +124,7 @@ mod tests {
     use glam::DVec2;
 
     fn body(position: DVec2, heading: f32) -> Body {
-        Body {
-            number: 0,
-            group: 0,
-            goal: None,
-            position,
-            altitude: 0.0,
-            velocity: Vec2::X,
-            vertical_velocity: 0.0,
-            heading,
-            basis: None,
-            radius: 0.2,
-            core: Vec2::ZERO,
-            preferred_speed: 1.3,
-            status: throng::Status::Walking,
-        }
+        Body { position, heading, ..crate::harness::body() }
     }
 
     #[test]

@@ -139,24 +139,17 @@ fn wing([inner, outer]: [f32; 2]) -> [[Vec3; 2]; 3] {
 mod tests {
     use super::*;
     use crate::Style;
-    use glam::DVec2;
     use throng_record::Setting;
 
     fn body(climb: f32) -> Body {
         Body {
             number: 3,
-            group: 0,
-            goal: None,
-            position: DVec2::ZERO,
             altitude: 20.0,
             velocity: Vec2::X * 6.0,
             vertical_velocity: climb,
-            heading: 0.0,
-            basis: None,
             radius: 0.4,
-            core: Vec2::ZERO,
             preferred_speed: 6.0,
-            status: throng::Status::Walking,
+            ..crate::harness::body()
         }
     }
 

@@ -208,21 +208,7 @@ mod tests {
     }
 
     fn body(position: DVec2) -> throng_record::Body {
-        throng_record::Body {
-            number: 0,
-            group: 0,
-            goal: None,
-            position,
-            altitude: 0.0,
-            velocity: Vec2::ZERO,
-            vertical_velocity: 0.0,
-            heading: 0.0,
-            basis: None,
-            radius: 0.25,
-            core: Vec2::ZERO,
-            preferred_speed: 1.3,
-            status: throng::Status::Walking,
-        }
+        throng_record::Body { position, velocity: Vec2::ZERO, radius: 0.25, ..crate::harness::body() }
     }
 
     #[test]

@@ -130,21 +130,7 @@ mod tests {
 
     /// Returns a car of 4.2 m by 1.8 m at the origin.
     pub fn body() -> Body {
-        Body {
-            number: 1,
-            group: 0,
-            goal: None,
-            position: DVec2::ZERO,
-            altitude: 0.0,
-            velocity: Vec2::X,
-            vertical_velocity: 0.0,
-            heading: 0.0,
-            basis: None,
-            radius: 0.3,
-            core: Vec2::new(1.8, 0.6),
-            preferred_speed: 2.0,
-            status: throng::Status::Walking,
-        }
+        Body { number: 1, radius: 0.3, core: Vec2::new(1.8, 0.6), preferred_speed: 2.0, ..crate::harness::body() }
     }
 
     fn look(shape: Shape) -> Look {

@@ -51,7 +51,10 @@ impl fmt::Debug for Flow {
 
 /// Records the curve along which a field leads.
 pub(crate) fn tell_spine(field: &dyn Field, why: &mut TraceRecorder<'_>) {
-    let Some(spine) = field.spine().filter(|_| why.is_requested()) else { return };
+    if !why.is_requested() {
+        return;
+    }
+    let Some(spine) = field.spine() else { return };
     for ends in spine.points.windows(2) {
         why.note(|| SteeringReason::Stretch { from: ends[0], to: ends[1], radius: spine.radius });
     }

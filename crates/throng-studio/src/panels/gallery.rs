@@ -41,7 +41,7 @@ impl Gallery {
                     });
                 header.header_response.on_hover_text("what the open scene shows");
             }
-            let papers = gallery::papers().into_iter().map(|(name, _)| name).collect();
+            let papers = gallery::papers().iter().map(|&(name, _)| name).collect();
             for (group, names) in plugins.groups().into_iter().chain([(gallery::PAPERS, papers)]) {
                 let found: Vec<&str> = names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect();
                 if found.is_empty() {

@@ -164,7 +164,7 @@ pub fn grid([low, high]: [DVec2; 2], cell: f64, origin: DVec2, color: Color) -> 
             let at = from + k as f64;
             let strength = if at.rem_euclid(5.0) == 0.0 { 1.0 } else { 0.45 };
             let points = ends(at * cell).map(|point| (point - origin).as_vec2().extend(0.0));
-            grid.line(&points, false, Stroke::plain(1.0, color.alpha(strength * f32::from(color.a) / 255.0)));
+            grid.line(&points, false, Stroke::plain(1.0, color.faded(strength)));
         }
     };
     lines(from.x, to.x, &|x| [DVec2::new(x, low.y), DVec2::new(x, high.y)]);
