@@ -33,6 +33,7 @@ async function drag(page, points) {
 
 const bare = 'panels.gallery=false&panels.summary=false';
 
+await picture('start', 'street@225&start');
 await picture('gallery', 'doorway@150', async (page) => {
   await page.mouse.click(120, 58);
   await page.keyboard.type('boids');
@@ -47,7 +48,7 @@ await picture('boids', `boids-in-sphere@400&${bare}&dark=true&select=3`, async (
   await page.mouse.move(660, 360);
   await page.mouse.wheel(0, -60);
 });
-await picture('swarm', `swarm-aggregation@250&${bare}&dark=true`, async (page) => {
+await picture('swarm', `swarm-aggregation@250&${bare}&dark=true&trails=0.2`, async (page) => {
   await page.mouse.move(655, 330);
   await page.mouse.wheel(0, -330);
 });
@@ -61,6 +62,13 @@ await picture('painting', `field-paint@0&${bare}&layers.streams=Arrows&layers.st
   await page.keyboard.press('Space');
   await shows(page, (now) => now.step > 60);
   await page.keyboard.press('Space');
+});
+await picture('filming', `circle@20&${bare}&camera=orbit`, async (page) => {
+  for (const [to, steps] of [[660, 40], [760, 60], [560, 0]]) {
+    await page.keyboard.press('Insert');
+    for (let step = 0; step < steps; step += 1) await page.keyboard.press('ArrowRight');
+    await drag(page, [[660, 300], [to, 310]]);
+  }
 });
 await picture('plots', `doorway@0&${bare}&panels.plots=true`, async (page) => {
   await page.mouse.click(640, 300);

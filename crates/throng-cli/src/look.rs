@@ -48,6 +48,10 @@ pub struct LookArgs {
     #[arg(long)]
     pub no_headings: bool,
 
+    /// Leaves out the title, the time, the counts, the key of colours and the scale
+    #[arg(long)]
+    pub no_captions: bool,
+
     /// Light on dark
     #[arg(long)]
     pub dark: bool,
@@ -142,6 +146,7 @@ impl LookArgs {
             },
             flow: self.field.style().or_else(|| said.flow.clone()),
             headings: !self.no_headings,
+            legend: !self.no_captions,
             ..said
         })
     }

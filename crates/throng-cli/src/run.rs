@@ -66,9 +66,11 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     }
     let annotations = args.annotate.annotations(scene);
     let explained = annotations.explained();
+    let setting = loaded.setting(&world, &built)?;
     let capture = |world: &World, frame: &mut Frame| {
         moment::capture(world, frame);
         moment::explain(world, &explained, frame);
+        moment::capture_obstacles(world, scene, &setting, frame);
     };
     if !args.no_files {
         world.request_traces(annotations.asked());
@@ -76,7 +78,7 @@ fn simulate(args: &RunArgs, loaded: &Loaded) -> Result<Report, Failure> {
     let style = Style { annotations, ..args.film.style(scene, built.bounds)? };
     let choice = args.choice.choice();
     let plan = Plan {
-        setting: &loaded.setting(&world, &built)?,
+        setting: &setting,
         sheet: None,
         style: &style,
         rate: args.film.rate(scene),

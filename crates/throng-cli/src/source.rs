@@ -126,9 +126,9 @@ impl Loaded {
     /// Returns the place, the names, and the bodies that groups have from files.
     ///
     /// # Errors
-    /// Those of [`moment::setting_with_figures`].
+    /// Those of [`moment::setting_with_files`].
     pub fn setting(&self, world: &World, built: &Built) -> Result<Setting, Failure> {
-        moment::setting_with_figures(world, built, &self.scene, self.title()).map_err(|mut error| {
+        moment::setting_with_files(world, built, &self.scene, self.title()).map_err(|mut error| {
             error.file.get_or_insert_with(|| self.path.display().to_string().into());
             error.into()
         })

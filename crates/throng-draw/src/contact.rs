@@ -18,8 +18,14 @@ const MARGIN: f32 = 18.0;
 const GAP: f32 = 12.0;
 /// The height above the panels of a row with headings.
 const HEADING: f32 = 34.0;
-/// The height below a panel.
+/// The height below a panel with one line of type, and of each further line.
 const CAPTION: f32 = 30.0;
+const LINE: f32 = 18.0;
+/// The sizes of names and of times.
+const NAME: f32 = 15.0;
+const TIME: f32 = 13.0;
+/// The widest time that a first line leaves room for.
+const LONGEST_TIME: &str = "0000 s";
 
 /// A heading and the names of the panels under it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -55,8 +61,8 @@ pub struct Contact {
     panel: (u32, u32),
     /// The scale of everything: 1 for panels [`PANEL`] pixels wide.
     unit: f32,
-    /// The name and the upper left corner of each panel.
-    places: Vec<(String, (u32, u32))>,
+    /// The lines of the name and the upper left corner of each panel.
+    places: Vec<(Vec<String>, (u32, u32))>,
     /// The headings, and the starts of their baselines.
     headings: Vec<(String, Vec2)>,
 }
@@ -81,15 +87,20 @@ impl Contact {
         let panel = (side as u32, (0.75 * side) as u32);
         Error::check_size(panel.0, panel.1)?;
         let cells = cells(sections, columns);
-        let tops = tops(sections, &cells, (panel.1 as f32, unit));
+        let typeface = Type::of(&Typeface::default());
+        let room = side - typeface.width(LONGEST_TIME, TIME * unit) - 8.0 * unit;
+        let lines = |name: &String| typeface.wrap(name, NAME * unit, (room, side));
+        let names: Vec<Vec<Vec<String>>> =
+            sections.iter().map(|section| section.names.iter().map(lines).collect()).collect();
+        let tops = tops(sections, &cells, &names, (panel.1 as f32, unit));
         let x = |column: usize| (MARGIN * unit + column as f32 * (side + GAP * unit)).round();
         let (mut places, mut headings) = (Vec::new(), Vec::new());
-        for (section, cells) in sections.iter().zip(&cells) {
+        for ((section, cells), names) in sections.iter().zip(&cells).zip(names) {
             if let (Some(&(row, column)), false) = (cells.first(), section.heading.is_empty()) {
                 headings.push((section.heading.clone(), Vec2::new(x(column), tops[row] - 12.0 * unit)));
             }
             let places_of = |&(row, column): &(usize, usize)| (x(column) as u32, tops[row] as u32);
-            places.extend(section.names.iter().cloned().zip(cells.iter().map(places_of)));
+            places.extend(names.into_iter().zip(cells.iter().map(places_of)));
         }
         let size = (width, tops.last().copied().unwrap_or_default() as u32);
         Error::check_size(size.0, size.1)?;
@@ -111,7 +122,7 @@ impl Contact {
     pub fn finish(self, mut stills: Vec<(Painter, Frame)>) -> Result<(), Error> {
         assert_eq!(stills.len(), self.places.len(), "a still for each name");
         let mut typeface = Type::of(&Typeface::default());
-        let marks = self.marks(&stills, &typeface);
+        let marks = self.marks(&stills);
         let places = self.places.iter().map(|(_, corner)| *corner);
         let picture = if self.kind == Kind::Svg {
             stills.iter_mut().for_each(|(painter, frame)| painter.settle(frame));
@@ -130,23 +141,24 @@ impl Contact {
     }
 
     /// Returns the type and a line around each panel.
-    fn marks(&self, stills: &[(Painter, Frame)], typeface: &Type) -> Vec<Primitive> {
+    fn marks(&self, stills: &[(Painter, Frame)]) -> Vec<Primitive> {
         let theme = Theme::light();
         let (unit, (width, height)) = (self.unit, (self.panel.0 as f32, self.panel.1 as f32));
         let text = |text, at, anchor, size: f32, color| Primitive::Text { text, at, anchor, size: size * unit, color };
         let heading = |(heading, at): &(String, Vec2)| text(heading.clone(), *at, Anchor::Start, 19.0, theme.quiet);
         let mut marks: Vec<Primitive> = self.headings.iter().map(heading).collect();
-        for ((name, (x, y)), (_, frame)) in self.places.iter().zip(stills) {
+        for ((lines, (x, y)), (_, frame)) in self.places.iter().zip(stills) {
             let (low, high) = (Vec2::new(*x as f32, *y as f32), Vec2::new(*x as f32 + width, *y as f32 + height));
             let (a, b) = (low - 0.5, high + 0.5);
             let points = vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
             let stroke = Stroke::plain(1.0, theme.outside);
             marks.push(Primitive::Line { points, closed: true, stroke });
-            let (time, baseline) = (format!("{:.0} s", frame.time), high.y + 19.0 * unit);
-            let room = width - typeface.width(&time, 13.0 * unit) - 8.0 * unit;
-            let name = typeface.clip(name, 15.0 * unit, room);
-            marks.push(text(name, Vec2::new(low.x, baseline), Anchor::Start, 15.0, theme.text));
-            marks.push(text(time, Vec2::new(high.x, baseline), Anchor::End, 13.0, theme.quiet));
+            let baseline = |line: usize| high.y + (19.0 + LINE * line as f32) * unit;
+            for (k, line) in lines.iter().enumerate() {
+                marks.push(text(line.clone(), Vec2::new(low.x, baseline(k)), Anchor::Start, NAME, theme.text));
+            }
+            let time = format!("{:.0} s", frame.time);
+            marks.push(text(time, Vec2::new(high.x, baseline(0)), Anchor::End, TIME, theme.quiet));
         }
         marks
     }
@@ -166,21 +178,30 @@ fn cells(sections: &[Section], columns: usize) -> Vec<Vec<(usize, usize)>> {
     sections.iter().map(place).collect()
 }
 
-/// Returns the top of the panels of each row, followed by the height of everything; `scale` is the height of a panel
-/// and the unit of other lengths.
-fn tops(sections: &[Section], cells: &[Vec<(usize, usize)>], scale: (f32, f32)) -> Vec<f32> {
-    let (height, unit) = scale;
+/// Returns the top of the panels of each row, followed by the height of everything; `names` are the lines of the names,
+/// `scale` is the height of a panel and the unit of other lengths.
+fn tops(
+    sections: &[Section],
+    cells: &[Vec<(usize, usize)>],
+    names: &[Vec<Vec<String>>],
+    (height, unit): (f32, f32),
+) -> Vec<f32> {
     let rows = cells.iter().flatten().map(|(row, _)| row + 1).max().unwrap_or(0);
     let begins = |row: usize| {
         let mut sections = sections.iter().zip(cells).filter(|(section, _)| !section.heading.is_empty());
         sections.any(|(_, cells)| cells.first().is_some_and(|cell| cell.0 == row))
+    };
+    let further = |row: usize| {
+        let places = cells.iter().flatten().zip(names.iter().flatten());
+        let lines = places.filter(|(cell, _)| cell.0 == row).map(|(_, lines)| lines.len());
+        lines.max().unwrap_or(0).saturating_sub(1) as f32
     };
     let mut y = MARGIN * unit;
     let mut tops = Vec::new();
     for row in 0..rows {
         y += if begins(row) { HEADING * unit } else { 0.0 };
         tops.push(y.round());
-        y += height + CAPTION * unit;
+        y += height + (CAPTION + LINE * further(row)) * unit;
     }
     tops.push((y + 0.5 * MARGIN * unit).round());
     tops
@@ -207,11 +228,18 @@ mod tests {
     #[test]
     fn only_rows_with_headings_have_room_for_them() {
         let sections = [section("", 2), section("b", 4)];
-        let tops = tops(&sections, &cells(&sections, 2), (100.0, 1.0));
+        let mut names: Vec<Vec<Vec<String>>> =
+            sections.iter().map(|s| vec![vec!["one".into()]; s.names.len()]).collect();
+        let cells = cells(&sections, 2);
+        let one = tops(&sections, &cells, &names, (100.0, 1.0));
         let row = 100.0 + CAPTION;
         assert_eq!(
-            tops,
+            one,
             [MARGIN, MARGIN + row + HEADING, MARGIN + 2.0 * row + HEADING, 1.5 * MARGIN + 3.0 * row + HEADING]
         );
+        // a name of two lines in the second row moves what is below
+        names[1][0].push("two".into());
+        let two = tops(&sections, &cells, &names, (100.0, 1.0));
+        assert_eq!(two, [one[0], one[1], one[2] + LINE, one[3] + LINE]);
     }
 }

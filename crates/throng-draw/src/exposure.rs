@@ -124,7 +124,7 @@ pub(crate) fn between(before: &Frame, after: &Frame, time: f64) -> Frame {
 }
 
 /// Whether an agent has been moved elsewhere instead of moving: it is farther away than three times its speed leads it.
-fn is_moved(before: &Body, after: &Body, seconds: f64) -> bool {
+pub(crate) fn is_moved(before: &Body, after: &Body, seconds: f64) -> bool {
     let fast = f64::from(before.speed().max(after.speed()).max(before.preferred_speed));
     before.center().distance(after.center()) > 0.5 + 3.0 * fast * seconds
 }

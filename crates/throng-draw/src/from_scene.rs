@@ -1,10 +1,10 @@
 //! The style of pictures from a scene.
 
 use crate::{
-    AgentShape, Annotation, Annotations, Color, FlowLayer, FlowStyle, Following, Motion, Projection, Shape, Style,
+    AgentShape, Annotation, Annotations, Color, FlowLayer, FlowStyle, Following, Motion, Projection, Shape, Style, Sun,
     Theme, Viewpoint, WorldBox,
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use throng_scene::{Annotate, Camera, CameraKey, Colour, DrawnFields, FieldLayer, Scene};
 
 impl Style {
@@ -14,9 +14,11 @@ impl Style {
     }
 
     /// Returns the style from the scene's `[view]` and its groups, with this theme, and defaults for the rest. Colours of
-    /// the ground and of obstacles in `[view]` are for a light theme; a dark theme keeps its own.
-    pub fn themed(scene: &Scene, mut theme: Theme) -> Self {
+    /// the ground and of obstacles in `[view]` are for a light theme; a dark theme keeps its own. A scene with lamps is at
+    /// night: it has the dark theme.
+    pub fn themed(scene: &Scene, theme: Theme) -> Self {
         let (view, default) = (&scene.view, Self::default());
+        let mut theme = if view.lamps.is_empty() { theme } else { Theme::dark() };
         let is_dark = theme.is_dark();
         for (place, said) in [
             (&mut theme.outside, view.background),
@@ -39,6 +41,10 @@ impl Style {
             forms: scene.groups.iter().map(|group| form(group.mark)).collect(),
             lines: view.lines.iter().map(|line| line.iter().copied().map(DVec2::from).collect()).collect(),
             goals: view.goals.unwrap_or(default.goals),
+            people: view.people.unwrap_or(default.people),
+            sun: Sun { azimuth: view.sun.azimuth, height: view.sun.height },
+            haze: view.haze,
+            lamps: view.lamps.iter().copied().map(DVec3::from).collect(),
             flow: flow(&view.field),
             theme,
             ..default
@@ -127,6 +133,7 @@ fn viewpoint(camera: Camera) -> Viewpoint {
         cut: key.cut,
     };
     let motion = match camera {
+        Camera { follow: Some(number), eye: Some(_), target: Some(_), .. } => Motion::Beside(number),
         Camera { follow: Some(number), .. } => Motion::Follow(Following::usual(number)),
         Camera { orbit: Some(rate), .. } => Motion::Orbit(rate),
         Camera { crowd: true, .. } => Motion::Crowd,

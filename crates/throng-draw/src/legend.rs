@@ -28,6 +28,8 @@ pub(crate) enum Scale {
     Bar(f64),
     /// A grid of cells of this width, metres.
     Grid(f64),
+    /// None.
+    None,
 }
 
 impl Layout {
@@ -65,6 +67,7 @@ impl Layout {
         let bar = match scale {
             Scale::Bar(scale) => self.scale_bar(style, scale, &mut marks),
             Scale::Grid(metres) => self.grid_key(style, metres, typeface, &mut marks),
+            Scale::None => 0.0,
         };
         let room = self.width - 2.0 * self.margin - bar - 2.0 * self.size;
         match (look.most(), style.color_by) {

@@ -63,7 +63,7 @@ pub use projector::Projector;
 pub use shape::{Shape, Vertex};
 pub use sheet::{Sheet, columns, title_height};
 pub use sink::FrameSink;
-pub use space::{CameraKey, Chase, FilmCamera, Followed, Following, Lens, Motion, Sight, Viewpoint};
+pub use space::{CameraKey, Chase, FilmCamera, Followed, Following, Lens, Motion, Sight, Sun, Viewpoint};
 pub use style::{AgentShape, ColorBy, Projection, Style, Theme};
 pub use text::Typeface;
 pub use trail::{AgentTrail, Trails};

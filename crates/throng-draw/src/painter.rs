@@ -15,6 +15,7 @@ use crate::vehicle::Vehicles;
 use crate::{AgentShape, Annotation, Camera, Color, Error, Image, Projection, Style, annotate, place, raster};
 use glam::{DVec2, DVec3, Vec2};
 use std::collections::BTreeSet;
+use throng::Obstacle;
 use throng_record::{Body, Frame, Setting};
 
 /// The distance between points of a trail, pixels.
@@ -80,6 +81,10 @@ pub struct Painter {
     background: Image,
     image: Image,
     exposure: Exposure,
+    /// The place and the first moment, both with the present obstacles.
+    stage: (Setting, Frame),
+    /// The obstacles at the start, once they have changed.
+    start: Option<Vec<Obstacle>>,
 }
 
 impl Painter {
@@ -110,7 +115,7 @@ impl Painter {
             }
             Projection::Perspective => {
                 let stage = SpaceScene::new(setting, style, layout.unit, view, first, (low, high));
-                let scale = Scale::Grid(stage.cell());
+                let scale = stage.cell().map_or(Scale::None, Scale::Grid);
                 (Perspective::Space(Box::new(stage)), Vec::new(), Vec::new(), scale)
             }
         };
@@ -141,6 +146,8 @@ impl Painter {
             image: background.clone(),
             exposure: Exposure::default(),
             background,
+            stage: (setting.clone(), first.clone()),
+            start: None,
         })
     }
 
@@ -163,6 +170,24 @@ impl Painter {
         self.base
     }
 
+    /// Takes the obstacles of a moment, if they are others than before.
+    fn build(&mut self, frame: &Frame) {
+        let (setting, first) = &mut self.stage;
+        if first.obstacles == frame.obstacles {
+            return;
+        }
+        let start = self.start.get_or_insert_with(|| setting.obstacles.clone());
+        setting.obstacles = frame.obstacles.as_ref().map_or_else(|| start.clone(), |now| now.to_vec());
+        first.obstacles.clone_from(&frame.obstacles);
+        match &mut self.view {
+            Perspective::Plan(camera) => {
+                self.place = place::marks(setting, &self.style, camera, self.layout.unit, first);
+                self.repaint();
+            }
+            Perspective::Space(stage) => stage.build(setting, &self.style),
+        }
+    }
+
     /// Adds the positions of a moment to the trails of later pictures, without painting.
     pub fn follow(&mut self, frame: &Frame) {
         let spacing = f64::from(TRAIL_SPACING * self.layout.unit);
@@ -173,6 +198,7 @@ impl Painter {
                 spacing / stage.scale()
             }
         };
+        self.build(frame);
         self.look.see(frame);
         if let Some(flows) = &mut self.flows {
             flows.follow(frame);
@@ -201,12 +227,17 @@ impl Painter {
 
     /// Updates the visible fields to a moment.
     pub(crate) fn settle(&mut self, frame: &Frame) {
-        let Some(flows) = &mut self.flows else { return };
-        if flows.turn(frame) {
-            self.background.clear(self.base);
-            for marks in [&self.floor, &flows.marks, &self.place] {
-                raster::draw(&mut self.background, &mut self.typeface, marks);
-            }
+        if self.flows.as_mut().is_some_and(|flows| flows.turn(frame)) {
+            self.repaint();
+        }
+    }
+
+    /// Paints the constant place again.
+    fn repaint(&mut self) {
+        self.background.clear(self.base);
+        let fields = self.flows.as_ref().map(|flows| &flows.marks);
+        for marks in [Some(&self.floor), fields, Some(&self.place)].into_iter().flatten() {
+            raster::draw(&mut self.background, &mut self.typeface, marks);
         }
     }
 

@@ -1,8 +1,8 @@
 //! The style of pictures.
 
 use crate::color::{PALETTE, PALETTE_ON_DARK};
-use crate::{Annotations, Color, FlowStyle, MotionBlur, Shape, Typeface, Viewpoint, WorldBox};
-use glam::DVec2;
+use crate::{Annotations, Color, FlowStyle, MotionBlur, Shape, Sun, Typeface, Viewpoint, WorldBox};
+use glam::{DVec2, DVec3};
 
 /// The style of pictures. The default is a light picture of 640 by 480 pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +39,15 @@ pub struct Style {
     pub headings: bool,
     /// Whether goals are drawn.
     pub goals: bool,
+    /// Whether agents on the ground of the size of people are drawn as people, in perspective.
+    pub people: bool,
+    /// The sun, in perspective.
+    pub sun: Sun,
+    /// The distance at which haze has taken 63 % of the colour of things, in perspective, metres; `None` for 4.5 times the
+    /// distance of the farthest things.
+    pub haze: Option<f64>,
+    /// The positions of lamps that shine, in perspective. Their light is drawn for a dark theme.
+    pub lamps: Vec<DVec3>,
     /// Whether title, time, counts, the key of colours and a scale bar are drawn.
     pub legend: bool,
     /// Lines on the ground, in world coordinates, such as the markings of a field.
@@ -67,6 +76,10 @@ impl Default for Style {
             flow: None,
             headings: true,
             goals: true,
+            people: true,
+            sun: Sun::default(),
+            haze: None,
+            lamps: Vec::new(),
             legend: true,
             lines: Vec::new(),
             theme: Theme::light(),

@@ -105,6 +105,25 @@ impl Type {
         cut
     }
 
+    /// Returns `text` in lines, broken at spaces: the first line is at most `rooms.0` wide, the other lines `rooms.1`. A
+    /// word that is wider is shortened.
+    pub(crate) fn wrap(&self, text: &str, size: f32, rooms: (f32, f32)) -> Vec<String> {
+        let mut lines: Vec<String> = Vec::new();
+        let mut room = rooms.0;
+        for word in text.split_whitespace() {
+            if let Some(last) = lines.last_mut() {
+                let longer = format!("{last} {word}");
+                if self.width(&longer, size) <= room {
+                    *last = longer;
+                    continue;
+                }
+                room = rooms.1;
+            }
+            lines.push(self.clip(word, size, room));
+        }
+        lines
+    }
+
     /// Returns the font's own measure of size (from line to line) for an em size in pixels.
     fn scale(font: &FontArc, size: f32) -> f32 {
         size * font.height_unscaled() / font.units_per_em().unwrap_or(1000.0)
@@ -185,5 +204,19 @@ mod tests {
         let cut = typeface.clip(&"long ".repeat(50), 13.0, 200.0);
         assert!(cut.ends_with('…') && typeface.width(&cut, 13.0) <= 200.0, "{cut}");
         assert_eq!(typeface.clip("short", 13.0, 200.0), "short");
+    }
+
+    #[test]
+    fn a_long_name_goes_on_in_the_next_lines() {
+        let typeface = Type::of(&Typeface::default());
+        let name = "a name of many words that goes on in the next lines";
+        let lines = typeface.wrap(name, 13.0, (90.0, 130.0));
+        assert!(lines.len() > 2 && lines.join(" ") == name, "{lines:?}");
+        let rooms = [90.0, 130.0, 130.0, 130.0, 130.0, 130.0];
+        assert!(lines.iter().zip(rooms).all(|(line, room)| typeface.width(line, 13.0) <= room), "{lines:?}");
+        let next = format!("{} {}", lines[1], lines[2].split(' ').next().unwrap());
+        assert!(typeface.width(&next, 13.0) > 130.0, "no line ends early: {lines:?}");
+        assert!(typeface.wrap("", 13.0, (90.0, 130.0)).is_empty());
+        assert!(typeface.wrap(&"w".repeat(99), 13.0, (90.0, 130.0))[0].ends_with('…'));
     }
 }

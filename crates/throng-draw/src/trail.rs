@@ -35,11 +35,18 @@ pub struct Trails {
 }
 
 impl Trails {
+    /// Returns the time of the last moment, seconds; 0 if there is none.
+    pub fn last(&self) -> f64 {
+        self.last
+    }
+
     /// Adds the positions of a moment, for agents with a colour. Points nearer together than `spacing` metres are
-    /// merged; points older than `seconds` are dropped. If time runs backwards, all trails are cleared.
+    /// merged; points older than `seconds` are dropped. If time runs backwards, points after the moment are dropped.
     pub fn follow(&mut self, frame: &Frame, seconds: f64, spacing: f64, colors: impl Fn(&Body) -> Option<Color>) {
         if frame.time < self.last {
-            self.tracks.clear();
+            for track in self.tracks.values_mut() {
+                track.points.retain(|point| point.0 < frame.time);
+            }
         }
         self.last = frame.time;
         if seconds <= 0.0 {
@@ -289,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn backward_time_clears_the_trails() {
+    fn backward_time_drops_what_was_later() {
         let mut trails = Trails::default();
         trails.follow(&moment(5.0, Some(DVec2::ZERO)), 1.5, 0.1, |_| Some(INK));
         trails.follow(&moment(1.0, Some(DVec2::ONE)), 1.5, 0.1, |_| Some(INK));

@@ -50,7 +50,7 @@ impl Recording {
         let inner = world.lock(py)?;
         let step = inner.world.settings().step;
         let every = (1.0 / rate / step).round().max(1.0);
-        let setting = moment::setting_with_figures(&inner.world, &inner.built, &inner.scene, &inner.scene.title);
+        let setting = moment::setting_with_files(&inner.world, &inner.built, &inner.scene, &inner.scene.title);
         Ok(Self {
             setting: setting.map_err(|error| scene_error(py, &error))?,
             frames: Mutex::new(vec![capture(&inner.world)]),

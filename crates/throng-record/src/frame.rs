@@ -1,6 +1,6 @@
 //! A frame of a world, and the setting that is constant over a recording.
 
-use crate::Flow;
+use crate::{Flow, SetMesh};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::borrow::Cow;
 use std::f32::consts::{PI, TAU};
@@ -32,6 +32,8 @@ pub struct Setting {
     pub groups: Vec<String>,
     /// The bodies that people of a group have, by group; groups beyond the end and `None`: throng's own.
     pub characters: Vec<Option<Arc<Character>>>,
+    /// The set to look at, metres from [`Setting::origin`].
+    pub set: Option<Arc<SetMesh>>,
     /// The goals; [`Body::goal`] indexes them.
     pub goals: Vec<Goal>,
     /// Whether some agents fly, now or later.
@@ -47,6 +49,11 @@ impl Setting {
             Some(name) if !name.is_empty() => name.into(),
             _ => group.to_string().into(),
         }
+    }
+
+    /// Whether a set stands in place of the ground and the obstacles ([`SetMesh::replaces`]).
+    pub fn is_replaced(&self) -> bool {
+        self.set.as_ref().is_some_and(|set| set.replaces)
     }
 
     /// Returns the body that people of a group have; `None`: throng's own.
@@ -92,6 +99,9 @@ pub struct Frame {
     pub standing: String,
     /// The present states of fields that adapt to the positions of the agents, by group. Files do not hold them.
     pub fields: Vec<AdaptedField>,
+    /// The obstacles, if they are others than at the start ([`moment::capture_obstacles`](crate::moment::capture_obstacles)).
+    /// Files do not hold them.
+    pub obstacles: Option<Arc<[Obstacle]>>,
 }
 
 /// The present state of a field that adapts to the positions of the agents ([`throng::field::Adaptive`]).

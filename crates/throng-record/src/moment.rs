@@ -1,7 +1,9 @@
 //! The setting and the frames of a scene's world, as files and pictures show them.
 
-use crate::{Flow, Frame, Setting, Shell};
+use crate::{Flow, Frame, SetMesh, Setting, Shell};
 use glam::DVec2;
+#[cfg(feature = "glb")]
+use glam::DVec3;
 use std::sync::Arc;
 use throng::space::surface::{Barrier, Bounds, Surface};
 use throng::{TraceRequest, World};
@@ -20,13 +22,42 @@ pub fn setting(world: &World, built: &Built, title: &str) -> Setting {
     setting
 }
 
-/// Returns the place and the names, and the bodies of groups ([`throng_scene::Group::figure`]), which it reads from their
-/// files. Without the feature `glb` no files are read, and all people are throng's.
+/// Returns the place and the names, and what it reads from files: the bodies of groups ([`throng_scene::Group::figure`])
+/// and the [`set`]. Without the feature `glb` no files are read, and all people are throng's.
 ///
 /// # Errors
-/// A file does not exist, or its body cannot walk ([`people::character`](crate::people::character)).
-pub fn setting_with_figures(world: &World, built: &Built, scene: &Scene, title: &str) -> Result<Setting, Error> {
-    Ok(Setting { characters: characters(scene)?, ..setting(world, built, title) })
+/// A file does not exist, its body cannot walk ([`people::character`](crate::people::character)), or it is no set.
+pub fn setting_with_files(world: &World, built: &Built, scene: &Scene, title: &str) -> Result<Setting, Error> {
+    let setting = setting(world, built, title);
+    Ok(Setting { characters: characters(scene)?, set: set(scene, setting.origin)?, ..setting })
+}
+
+/// How far a set lies below its place, metres, so that what is drawn on the ground is above its floor.
+#[cfg(feature = "glb")]
+const SUNK: f64 = 0.005;
+
+/// Reads the set of a scene ([`throng_scene::View::set`]), metres from `origin`; `None` if there is no set. Without the feature
+/// `glb`, no set is read.
+///
+/// # Errors
+/// The file does not exist, or it is no set ([`SetMesh::read`]).
+#[cfg(feature = "glb")]
+pub fn set(scene: &Scene, origin: DVec2) -> Result<Option<Arc<SetMesh>>, Error> {
+    let (Some(said), Some(bytes)) = (&scene.view.set, scene.stage_set()?) else { return Ok(None) };
+    let read = SetMesh::read(&bytes);
+    let mesh = read.map_err(|flaw| scene.wrong_set(&format!("{}: {flaw}", said.file), flaw.hint))?;
+    let at = DVec3::from_array(said.at) - origin.extend(SUNK);
+    let placed = mesh.placed(at, said.turn.to_radians(), said.scale.unwrap_or(1.0));
+    Ok(Some(Arc::new(SetMesh { replaces: said.replaces, ..placed })))
+}
+
+/// Returns `None`: without the feature `glb`, no set is read.
+///
+/// # Errors
+/// None.
+#[cfg(not(feature = "glb"))]
+pub fn set(_: &Scene, _: DVec2) -> Result<Option<Arc<SetMesh>>, Error> {
+    Ok(None)
 }
 
 /// Reads the bodies of groups. A file that several groups name is read once.
@@ -92,6 +123,19 @@ pub fn capture(world: &World, frame: &mut Frame) {
     }
     for adapted in &mut frame.fields {
         adapted.group = adapted.group.saturating_sub(1);
+    }
+}
+
+/// Adds the obstacles to a frame of a run of a scene, if its interventions have changed those of the setting.
+pub fn capture_obstacles(world: &World, scene: &Scene, setting: &Setting, frame: &mut Frame) {
+    if scene.interventions.is_empty() {
+        return;
+    }
+    let now = || world.place().obstacles();
+    if now().eq(&setting.obstacles) {
+        frame.obstacles = None;
+    } else if !frame.obstacles.as_ref().is_some_and(|known| now().eq(known.iter())) {
+        frame.obstacles = Some(now().cloned().collect());
     }
 }
 

@@ -26,7 +26,7 @@ const GROUPS: &[(&str, &[&str])] = groups! {
     // the four scenes of the seed labs, and their algorithm
     "labs": "columns", "circle", "box", "pillars", "circle-lab", "barrier";
     "meetings": "headon", "ring", "ring-1000", "crossing", "overtaking", "gathering", "robots";
-    "air": "sphere", "drones";
+    "air": "sphere", "drones", "street";
     // the examples of RVO2 and RVO2-3D, with their numbers
     "rvo2": "rvo2-circle", "rvo2-blocks", "rvo2-roadmap", "rvo2-sphere";
     "bodies": "mixed-sizes", "vehicle", "sliding-door";

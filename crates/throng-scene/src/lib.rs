@@ -49,9 +49,11 @@
 //! | send agents where you want; add your own goals | [`Goal`], [`GoalRule`] |
 //! | register models, behaviours, rules and scenes under names | [`Plugins`] |
 //! | play a game; add your own rules | [`Scene::rules`], [`Rulebook`] |
+//! | intervene in a running scene, and keep what was done | [`Intervention`], [`Interventions`] |
 //! | see what would be built | [`Scene::plan`] |
 //! | check the expectations of a scene | [`Expectations`], [`Outcome`] |
 //! | the scenes that come with the project | [`gallery`] |
+//! | teach with scenes, questions and exercises | [`lessons`] |
 //! | import a floor plan, a JuPedSim scenario or a Menge project | [`import`] |
 //! | read other TOML files with the same messages | [`TomlFile`] |
 //! | the JSON schema of scene files | [`schema()`] |
@@ -65,11 +67,14 @@ pub mod gallery;
 mod games;
 mod geometry;
 pub mod import;
+pub mod lessons;
 mod random;
 mod registry;
 mod scene;
 
-pub use assemble::{Built, BuiltGroup, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney};
+pub use assemble::{
+    Built, BuiltGroup, Interventions, MAX_AGENTS, MAX_COORDINATE, Plan, PlannedAgent, PlannedField, PlannedJourney,
+};
 pub use caught::{caught, hush};
 pub use error::{Error, Kind, abridged};
 pub use expectations::{Expectation, Expectations, Figure, Outcome, WalkingSpeed};

@@ -2,25 +2,36 @@
 
 mod beside;
 mod directing;
+mod faces;
+mod filming;
+mod intervening;
 mod keeping;
+mod layout;
+mod naming;
+mod pen;
 mod recording;
 mod sharing;
+mod teaching;
 mod telling;
 
 use crate::Options;
 use crate::direct::{Director, Tool};
 use crate::document::Document;
+use crate::face::Face;
+use crate::intervene::Intervener;
 use crate::keep::{Draft, Leaving, Unfinished, remember, remembered};
 use crate::keys::{self, Action};
+use crate::lesson::Teaching;
 use crate::opened::Opened;
-use crate::outside::Files;
-use crate::panels::{self, ExplanationWindow, Gallery, Meters, TextRequest, Tuned, Tuning};
-use crate::play::{Command, Player, RunMoment, Speed, Trouble};
+use crate::outside::{Asks, Files};
+use crate::panels::{self, Arrangement, CameraRequest, ExplanationWindow, Gallery, Meters, Timeline, Tuning};
+use crate::play::{Command, Player, RunMoment, Speed};
 use crate::record::Recording;
 use crate::settings::Settings;
 use crate::style;
 use crate::view::ViewOptions;
-use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Panel, Rect, Ui};
+use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Rect, Ui};
+use pen::Pen;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -35,29 +46,61 @@ pub struct App {
     player: Player,
     /// The main view, and the view of the same scene with another model.
     views: [ViewOptions; 2],
+    /// What is around the views.
+    face: Face,
     gallery: Gallery,
     why: ExplanationWindow,
     tuning: Tuning,
+    /// The sliders that the scene names.
+    trying: Tuning,
+    /// The pointer of the keyboard.
+    pen: Pen,
+    /// The look of pictures and films.
+    look_panel: Tuning,
+    /// Whether all changes of the text are tries on the page of a topic.
+    tried: bool,
     director: Director,
+    intervener: Intervener,
+    /// The lesson under way.
+    teaching: Teaching,
     save_as: panels::Naming,
     open: panels::Naming,
+    set: panels::Naming,
     meters: Meters,
+    timeline: Timeline,
+    arrangement: Arrangement,
     record: panels::Record,
     /// The current recording and its file.
     recording: Option<(Recording, PathBuf)>,
     /// The run that stays visible while a trajectory file is read.
     reading: Option<u64>,
+    /// The step at which the next run is shown, paused.
+    still: Option<u64>,
+    /// What the last address asked for, and all new addresses.
+    visit: Option<sharing::Visit>,
+    addresses: Receiver<String>,
     /// The agent with the requested decision trace.
     explained: Option<u32>,
     /// Whether people are requested.
     people: bool,
     help: bool,
+    hints: panels::Hints,
+    /// Whether the user is asked about interventions that a restart would forget.
+    restarting: bool,
+    /// Whether the user is asked to reset the settings.
+    resetting: bool,
     /// Actions requested by keys since the last frame.
     actions: Vec<Action>,
     /// What the style of the panels was built for: dark theme, touch screen.
     look: Option<(bool, bool)>,
     /// A message for the user, shown until it is dismissed.
     notice: Option<String>,
+    /// A message that is shown up to a time, seconds.
+    passing: Option<(String, f64)>,
+    /// The unsaved texts of other documents that an earlier session left.
+    aside: Vec<Draft>,
+    /// Whether the first scene of the session plays, or has an error.
+    begun: bool,
     /// An action that would lose unsaved text or a recording, and waits for the user's answer.
     leaving: Option<(Leaving, Unfinished)>,
     /// An action that waits until the recording is complete.
@@ -79,12 +122,20 @@ impl App {
         let mut settings: Settings =
             storage.and_then(|storage| remembered(storage, eframe::APP_KEY)).unwrap_or_default();
         options.adjust(&mut settings)?;
-        let wanted = options.scene.clone().unwrap_or_else(|| settings.scene.clone());
+        // a visitor without a link, or the first start of the window
+        let first = options.scene.is_none() && storage.is_some_and(|kept| kept.get_string(eframe::APP_KEY).is_none());
+        let usual = if first { Face::Start } else { Face::Studio };
+        // after a failure, the text and the gallery are needed
+        let mut face = if options.rest { Face::Studio } else { options.face.unwrap_or(usual) };
+        let usual = face.scene().unwrap_or(&settings.scene);
+        let wanted = options.scene.clone().unwrap_or_else(|| usual.to_owned());
         let (files, plugins) = (Files::default(), Arc::new(options.plugins.clone()));
-        let (document, notice, leaving) =
-            keeping::begin(storage, (&wanted, options.scene.is_some()), &files, &plugins)?;
+        let (document, notice, aside) = keeping::begin(storage, (&wanted, options.scene.is_some()), &files, &plugins)?;
+        if face.scene().is_some() && notice.is_some() {
+            face = Face::Studio;
+        }
         // a restored draft takes precedence over a trajectory file
-        if notice.is_some() || leaving.is_some() || !files.is_film(&wanted) {
+        if notice.is_some() || !files.is_film(&wanted) {
             settings.scene = document.origin();
         } else {
             settings.scene = wanted;
@@ -97,23 +148,47 @@ impl App {
             opened: Opened::new(&options.with),
             document,
             views: Default::default(),
+            face: Face::default(),
             gallery: Gallery::default(),
             why: ExplanationWindow::default(),
             tuning: Tuning::default(),
+            trying: Tuning::brief(),
+            pen: Pen::default(),
+            look_panel: Tuning::look(),
+            tried: false,
             director: Director::default(),
-            save_as: panels::Naming::new("Save as", "Save", "name.toml"),
-            open: panels::Naming::new("Open", "Open", "a scene (.toml) or trajectories (.rec, .csv, ..)"),
+            intervener: Intervener::default(),
+            teaching: Teaching::default(),
+            save_as: panels::Naming::new("Save as", "Save", "name.toml", Asks::Save),
+            open: panels::Naming::new("Open", "Open", "a scene (.toml) or trajectories (.rec, .csv, ..)", Asks::Open),
+            set: panels::Naming::new(
+                "A set to look at",
+                "Take",
+                "a .glb file, or a .gltf file with everything in it",
+                Asks::Set,
+            ),
             meters: Meters::default(),
+            timeline: Timeline::default(),
+            arrangement: Arrangement::default(),
             record: panels::Record::default(),
             recording: None,
             reading: None,
+            still: options.at_step,
+            visit: None,
+            addresses: crate::outside::addresses(ctx),
             explained: None,
             people: false,
+            hints: panels::Hints::default(),
             help: false,
+            restarting: false,
+            resetting: false,
             actions: Vec::new(),
             look: None,
             notice,
-            leaving: leaving.map(|to| (to, Unfinished::Text)),
+            passing: None,
+            leaving: None,
+            aside,
+            begun: false,
             after_recording: None,
             news: channel(),
             place: Rect::NOTHING,
@@ -121,23 +196,24 @@ impl App {
             told: String::new(),
             options,
         };
-        app.views[0].at_first = (app.options.select, app.options.camera);
-        let still = app.options.at_step;
+        app.turn_to(face);
+        let first = app.options.first_view();
+        app.views.iter_mut().for_each(|view| view.at_first = first.clone());
         app.player.command(Command::Speed(app.settings.speed));
+        app.player.command(Command::Restarts(app.settings.restarts));
         app.put_beside();
         if app.options.rest {
             app.rest();
             return Ok(app);
         }
-        app.begin(still.is_none());
-        if let Some(step) = still {
-            app.player.command(Command::Seek(step));
-        }
+        app.begin(!app.options.paused);
         Ok(app)
     }
 
     /// Plays the opened item: a trajectory file, or the scene of the text.
     fn begin(&mut self, run: bool) {
+        let still = self.still.take();
+        let run = run && still.is_none();
         if let Some(film) = self.files.film(&self.settings.scene, &self.document) {
             self.director.take(Tool::Hand);
             self.reading = Some(self.player.shown().map_or(0, |shown| shown.run));
@@ -145,12 +221,16 @@ impl App {
         } else {
             self.play(run);
         }
+        still.into_iter().for_each(|step| self.player.command(Command::Seek(step)));
     }
 
-    /// Plays the scene of the text. If the text is invalid, plays the saved scene.
+    /// Plays the scene of the text. Where it cannot be played, the previous scene stays; without one, or if the text is
+    /// invalid, the saved scene plays.
     fn play(&mut self, run: bool) {
         let said = self.document.scene().ok().cloned();
-        if let Some(scene) = said.or_else(|| self.document.saved_scene()) {
+        let none = self.player.shown().is_none() && self.document.changed();
+        let saved = if none || said.is_none() { self.document.saved_scene() } else { None };
+        for scene in saved.into_iter().chain(said) {
             let name = self.document.name.clone();
             self.player.command(Command::Load { name, scene, run });
         }
@@ -173,7 +253,7 @@ impl App {
             Action::Play => self.player.command(Command::Run),
             Action::Step => self.player.command(Command::Step),
             Action::Back => self.player.command(Command::Back),
-            Action::Restart => self.player.command(Command::Restart),
+            Action::Restart => self.restart(shown),
             Action::NextScene | Action::PreviousScene => {
                 let by = if action == Action::NextScene { 1 } else { -1 };
                 if let Some(name) = panels::beside(self.document.plugins(), &self.document.name, by) {
@@ -204,6 +284,7 @@ impl App {
             Action::Take(_) | Action::Remove if shown.is_some_and(|shown| shown.reel.is_some()) => {}
             Action::Take(tool) => self.director.take(tool),
             Action::Remove => self.remove(shown),
+            Action::KeyCamera => shown.into_iter().for_each(|shown| self.film(CameraRequest::Key, shown)),
             Action::More => self.more(1, shown),
             Action::Fewer => self.more(-1, shown),
             Action::New => self.leave(Leaving::New),
@@ -226,124 +307,13 @@ impl App {
         self.player.command(Command::Speed(speed));
     }
 
-    fn panels(&mut self, ui: &mut Ui, shown: Option<&RunMoment>, trouble: Option<&Trouble>) {
-        let frame = frame_of(&self.settings);
-        Panel::top("top").frame(frame).show_separator_line(false).show(ui, |ui| self.top(ui, shown, trouble));
-        if let Some(shown) = shown {
-            Panel::bottom("bar").frame(frame).show_separator_line(false).show(ui, |ui| {
-                let asked = panels::bar(ui, shown, &mut self.settings, &mut self.views[0]);
-                asked.into_iter().for_each(|command| self.player.command(command));
-            });
-        }
-        let plain = Frame::new().fill(frame.fill).inner_margin(Margin::symmetric(6, 8));
-        let film = shown.is_some_and(|shown| shown.reel.is_some());
-        if !film {
-            let panel = Panel::left("tools").frame(plain).show_separator_line(false).resizable(false);
-            panel.exact_size(40.0).show(ui, |ui| panels::tools(ui, &mut self.director));
-        }
-        if self.settings.panels.gallery {
-            Panel::left("gallery").frame(frame).show_separator_line(false).min_size(234.0).default_size(242.0).show(
-                ui,
-                |ui| {
-                    let about = self
-                        .document
-                        .scene()
-                        .map_or_else(|_| throng_scene::About::default(), |scene| scene.about.clone());
-                    if let Some(name) = self.gallery.ui(ui, self.document.plugins(), &self.document.name, &about) {
-                        self.leave(Leaving::Open(name));
-                    }
-                },
-            );
-        }
-        if self.settings.panels.text {
-            Panel::right("text").frame(frame).show_separator_line(false).default_size(440.0).show(ui, |ui| {
-                match panels::text(ui, &mut self.document, trouble) {
-                    Some(TextRequest::Apply) => self.change(),
-                    Some(TextRequest::Save) => self.save(),
-                    None => {}
-                }
-            });
-        }
-        if self.settings.panels.tuning && !film {
-            Panel::right("tuning").frame(frame).show_separator_line(false).default_size(330.0).show(
-                ui,
-                |ui| match self.tuning.ui(ui, &mut self.document) {
-                    Some(Tuned::Changed) => self.change(),
-                    Some(Tuned::Dragged(scene)) => {
-                        self.player.command(Command::Change { name: self.document.name.clone(), scene });
-                    }
-                    None => {}
-                },
-            );
-        }
-        if let Some(shown) = shown.filter(|_| self.settings.panels.summary) {
-            Panel::right("summary")
-                .frame(frame)
-                .show_separator_line(false)
-                .default_size(230.0)
-                .show(ui, |ui| panels::summary(ui, shown));
-        }
-        if let Some(shown) = shown.filter(|_| self.settings.panels.plots) {
-            let panel = Panel::right("plots").frame(frame).show_separator_line(false).default_size(320.0);
-            let asked = panel.show(ui, |ui| panels::plots(ui, shown, &mut self.meters)).inner;
-            asked.into_iter().for_each(|command| self.player.command(command));
-        }
-    }
-
-    fn top(&mut self, ui: &mut Ui, shown: Option<&RunMoment>, trouble: Option<&Trouble>) {
-        ui.horizontal(|ui| {
-            ui.label(egui::RichText::new("throng").heading());
-            ui.separator();
-            let panels = &mut self.settings.panels;
-            ui.toggle_value(&mut panels.gallery, "Gallery");
-            ui.toggle_value(&mut panels.text, "Text");
-            ui.toggle_value(&mut panels.tuning, "Tune").on_hover_text("sliders for the parameters of the groups (U)");
-            ui.toggle_value(&mut panels.summary, "Summary");
-            ui.toggle_value(&mut panels.plots, "Plots").on_hover_text("figures against time; meters (H)");
-            ui.toggle_value(&mut panels.why, "Why").on_hover_text("why the selected agent moves as it does (W)");
-            ui.separator();
-            if ui.button("New").on_hover_text("an empty scene (Ctrl N)").clicked() {
-                self.actions.push(Action::New);
-            }
-            if ui
-                .button("Open…")
-                .on_hover_text(
-                    "a scene file, a floor plan, another program's scene, or trajectories to replay (Ctrl O)",
-                )
-                .clicked()
-            {
-                self.actions.push(Action::Open);
-            }
-            if ui.button("Save as…").clicked() {
-                self.actions.push(Action::SaveAs);
-            }
-            ui.separator();
-            panels::layers(ui, &mut self.settings, shown.map(|shown| &*shown.setting));
-            if panels::beside_by(ui, &self.document.plugins().models, &mut self.settings.beside) {
-                self.put_beside();
-            }
-            ui.toggle_value(&mut self.help, "?");
-            if ui.button("Picture").on_hover_text("a picture of the view, as a file").clicked() {
-                self.picture(self.place);
-            }
-            let record = match &self.recording {
-                Some((recording, _)) => format!("Recording {:.0} %", 100.0 * recording.share()),
-                None => "Record".into(),
-            };
-            if ui.button(record).on_hover_text("a film or a table of this scene, as a file").clicked() {
-                self.record.toggle();
-            }
-            if cfg!(target_arch = "wasm32")
-                && ui.button("Share").on_hover_text("an address that opens this scene as it is now").clicked()
-            {
-                self.share();
-            }
-            ui.separator();
-            if let Some(shown) = shown {
-                ui.label(egui::RichText::new(&shown.setting.title).strong());
-            }
-            self.said(ui, trouble);
-        });
+    /// Resets the settings, except for what was opened.
+    fn reset(&mut self) {
+        let (scene, recent) = (self.settings.scene.clone(), self.settings.recent.clone());
+        self.settings = Settings { scene, recent, ..Settings::default() };
+        self.opened = Opened::new(&[]);
+        self.set_speed(self.settings.speed);
+        self.put_beside();
     }
 }
 
@@ -352,12 +322,25 @@ fn frame_of(settings: &Settings) -> Frame {
     Frame::new().fill(style::color(style::panel(&settings.theme()))).inner_margin(Margin::symmetric(12, 8))
 }
 
+/// Returns the frame of what stands over the view.
+fn floating_frame(settings: &Settings, ui: &Ui) -> Frame {
+    frame_of(settings).corner_radius(6).stroke(ui.visuals().window_stroke)
+}
+
 impl eframe::App for App {
     fn raw_input_hook(&mut self, ctx: &Context, raw: &mut egui::RawInput) {
         if self.leaving.is_some() {
             return;
         }
-        let actions = keys::take(&mut raw.events, ctx.egui_wants_keyboard_input());
+        if self.pen.take(&mut raw.events, self.director.tool, self.place, ctx) && !self.face.has_keys() {
+            self.actions.push(Action::Leave);
+        }
+        if !self.face.has_keys() {
+            return;
+        }
+        // a gesture takes digits as its size
+        let writing = ctx.egui_wants_keyboard_input() || self.director.takes_numbers();
+        let actions = keys::take(&mut raw.events, writing);
         self.actions.extend(actions);
     }
 
@@ -373,8 +356,15 @@ impl eframe::App for App {
         let (shown, trouble): (Option<Arc<RunMoment>>, _) = (self.player.shown(), self.player.trouble());
         let run = shown.as_ref().map_or(0, |shown| shown.run);
         self.reading = self.reading.filter(|before| *before == run && trouble.is_none());
-        self.notice = self.news.1.try_iter().last().or(self.notice.take());
+        self.explain_first_error(shown.is_some(), trouble.as_ref());
+        if let Some(says) = self.news.1.try_iter().last() {
+            self.pass(says);
+        }
         self.receive(&ctx);
+        if let Some(address) = self.addresses.try_iter().last() {
+            self.visit(&address, run);
+        }
+        self.arrive(run);
         if !self.actions.is_empty() {
             // a web page has no thread that wakes it, so request the frame that shows the result
             ctx.request_repaint();
@@ -385,22 +375,26 @@ impl eframe::App for App {
         for action in std::mem::take(&mut self.actions) {
             self.act(action, shown.as_deref());
         }
-        self.panels(ui, shown.as_deref(), trouble.as_ref());
+        self.around(ui, shown.as_deref(), trouble.as_ref());
         CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
             if let Some(shown) = &shown {
                 self.views(ui, shown);
             } else {
-                ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
+                self.nothing(ui, trouble.as_ref());
             }
+            self.over(ui, shown.as_deref());
         });
-        panels::help(&ctx, &mut self.help);
+        self.pen.draw(&ctx, style::color(self.settings.theme().goal));
+        self.resetting |= panels::help(&ctx, &mut self.help);
+        if panels::resetting(&ctx, &mut self.resetting) {
+            self.reset();
+        }
         self.ask_name(&ctx);
+        self.ask_restart(&ctx, shown.as_deref());
         self.explain();
-        self.ask_people();
+        self.ask_people(shown.as_deref());
         if let Some(shown) = &shown {
-            let mut open = self.settings.panels.why;
-            self.why.ui(&ctx, &mut open, shown, &self.settings, &self.options.typeface);
-            self.settings.panels.why = open;
+            self.show_why(&ctx, shown);
             self.record(&ctx, shown);
             self.tell(shown, trouble.as_ref());
             self.outside.screenshot(&ctx, &self.options, shown);
@@ -410,6 +404,7 @@ impl eframe::App for App {
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         remember(storage, eframe::APP_KEY, &self.opened.own(&self.settings));
         remember(storage, Draft::KEY, &Draft::of(&self.document));
+        remember(storage, Draft::ASIDE, &self.aside);
     }
 
     fn auto_save_interval(&self) -> std::time::Duration {

@@ -52,6 +52,8 @@ pub enum Action {
     Take(Tool),
     /// Removes the selected item from the scene.
     Remove,
+    /// Makes the view a key of the scene's camera.
+    KeyCamera,
     /// Adds an agent to a group.
     More,
     /// Removes an agent from a group.
@@ -71,7 +73,7 @@ pub enum Action {
 }
 
 /// All keys: whether the command key is held, the key, its action, its label, and its help text.
-pub const KEYS: [(bool, Key, Action, &str, &str); 29] = [
+pub const KEYS: [(bool, Key, Action, &str, &str); 30] = [
     (false, Key::Space, Action::Play, "Space", "run or pause"),
     (false, Key::ArrowRight, Action::Step, "Right", "one step forward"),
     (false, Key::ArrowLeft, Action::Back, "Left", "one step back"),
@@ -93,6 +95,7 @@ pub const KEYS: [(bool, Key, Action, &str, &str); 29] = [
     (false, Key::Questionmark, Action::Help, "?", "this help"),
     (false, Key::Escape, Action::Leave, "Esc", "close, clear the selection"),
     (false, Key::Delete, Action::Remove, "Delete", "remove the selected item from the scene"),
+    (false, Key::Insert, Action::KeyCamera, "Insert", "key the camera: films of the scene look from here at this time"),
     (false, Key::Plus, Action::More, "+", "add an agent to the group of the selected agent"),
     (false, Key::Minus, Action::Fewer, "−", "remove an agent from that group"),
     (true, Key::S, Action::Save, "Ctrl S", "save the scene (with Shift: under another name)"),

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | [`document`] | the text of the scene, the only editable representation |
 //! | [`direct`] | editing the scene with the mouse in the view |
+//! | [`intervene`] | changing the running scene with the mouse in the view |
+//! | [`lesson`] | lessons: steps, votes, checks of exercises |
 //! | [`play`] | the player: commands in, states out |
 //! | [`keep`] | protection of unsaved work |
 //! | [`view`] | cameras, and what the graphics processor draws |
@@ -11,6 +13,7 @@
 //! | [`panels`] | the panels around the view |
 //! | [`record`] | videos and tables of a run |
 //! | [`picture`], [`share`] | pictures and links |
+//! | [`Face`] | what is around the view: the studio, a start page, nothing |
 //! | [`start`] | command lines and addresses |
 //! | [`keys`], [`settings`], [`state`] | the keyboard, persistent settings, the state that tests read |
 //!
@@ -20,8 +23,11 @@
 mod app;
 pub mod direct;
 pub mod document;
+mod face;
+pub mod intervene;
 pub mod keep;
 pub mod keys;
+pub mod lesson;
 mod opened;
 mod outside;
 #[cfg(target_arch = "wasm32")]
@@ -41,6 +47,7 @@ pub mod view;
 pub mod window;
 
 pub use app::App;
+pub use face::Face;
 pub use start::Options;
 pub use throng_scene::Plugins;
 

@@ -4,7 +4,7 @@ use crate::settings::Settings;
 use crate::view::Streams;
 use std::sync::Arc;
 use throng_draw::{FlowLayer, Style};
-use throng_scene::Scene;
+use throng_scene::{DrawnFields, Scene};
 
 /// The settings that a scene can give.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,8 @@ impl Given {
 /// with the next scene.
 #[derive(Clone, Debug, Default)]
 pub struct Opened {
-    name: Option<Arc<str>>,
+    /// The name of the scene, and the keys of its `[view]` that settings follow.
+    of: Option<(Arc<str>, Option<f64>, DrawnFields)>,
     /// The settings of the user and of the scene, when the scene was opened.
     own: Option<(Given, Given)>,
     /// The settings that the start options give; scenes do not change them.
@@ -53,12 +54,13 @@ impl Opened {
         Self { fixed: with.iter().map(key).collect(), ..Self::default() }
     }
 
-    /// Gives the settings of a scene when it is opened.
+    /// Gives the settings of a scene when it is opened, and when its `[view]` gives others.
     pub fn open(&mut self, name: &Arc<str>, scene: &Scene, settings: &mut Settings) {
-        if self.name.as_ref() == Some(name) {
+        let of = Some((name.clone(), scene.view.trails, scene.view.field.clone()));
+        if self.of == of {
             return;
         }
-        self.name = Some(name.clone());
+        self.of = of;
         *settings = self.own(settings);
         let own = Given::of(settings);
         let (mut given, is_free) = (own, |key: &str| !self.fixed.iter().any(|fixed| fixed == key));
@@ -117,6 +119,16 @@ mod tests {
         assert_eq!(settings, Settings { trails: 0.0, ..usual.clone() }, "and the scene's settings end with the scene");
         opened.open(&"c".into(), &scene("field = true"), &mut settings);
         assert_eq!((settings.layers.streams, settings.trails), (Streams::Lines, 0.0));
+    }
+
+    #[test]
+    fn settings_follow_the_text() {
+        let (mut settings, mut opened) = (Settings::default(), Opened::new(&[]));
+        let usual = settings.clone();
+        for (view, trails) in [("", 1.5), ("trails = 4.0", 4.0), ("trails = 0.5", 0.5), ("", 1.5)] {
+            opened.open(&"a".into(), &scene(view), &mut settings);
+            assert_eq!(settings, Settings { trails, ..usual.clone() }, "{view}");
+        }
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Start options, from the command line or from the address of a page.
 
+use crate::Face;
 use crate::settings::Settings;
-use crate::view::Mode;
+use crate::view::{FirstView, Mode};
 use std::path::PathBuf;
 use throng_draw::Typeface;
 use throng_scene::Plugins;
@@ -19,6 +20,14 @@ pub struct Options {
     pub select: Option<u32>,
     /// The first camera. Without it, the plan view.
     pub camera: Option<Mode>,
+    /// The pose of the first camera ([`Eye::pose`](crate::view::Eye::pose)).
+    pub eye: Option<String>,
+    /// Whether the stored settings are not used.
+    pub defaults: bool,
+    /// What is around the view. Without it, the studio, or the start page at the first start.
+    pub face: Option<Face>,
+    /// Whether the scene waits for the user to play it.
+    pub paused: bool,
     /// Settings that differ from the stored ones: `key=value`, as in [`Settings::set`].
     pub with: Vec<String>,
     /// The file that the [`State`](crate::state::State) is written to.
@@ -33,7 +42,8 @@ pub struct Options {
 
 impl Options {
     /// Parses the part of an address after `#`: `circle`, or `circle@500` for the state after 500 steps, followed by
-    /// `select=3`, `camera=orbit` and [settings](Settings::set) such as `panels.plots=true`, each after a `&`.
+    /// `select=3`, `camera=orbit`, `eye=` with the pose of the camera, `defaults` for no stored settings, a
+    /// [face](Face::named), and [settings](Settings::set) such as `panels.plots=true`, each after a `&`.
     ///
     /// # Errors
     /// A step, a number or a camera is invalid.
@@ -59,6 +69,9 @@ impl Options {
                     options.select = Some(number);
                 }
                 Some(("camera", mode)) => options.camera = Some(mode.parse()?),
+                Some(("eye", pose)) => options.eye = Some(pose.to_owned()),
+                None if part == "defaults" => options.defaults = true,
+                None if Face::named(part).is_some() => options.face = Face::named(part),
                 _ => options.with.push(part.to_owned()),
             }
         }
@@ -70,7 +83,15 @@ impl Options {
     /// # Errors
     /// There is no such setting, or the value is invalid.
     pub fn adjust(&self, settings: &mut Settings) -> Result<(), String> {
+        if self.defaults {
+            *settings = Settings { scene: std::mem::take(&mut settings.scene), ..Settings::default() };
+        }
         self.with.iter().try_for_each(|said| settings.set(said))
+    }
+
+    /// Returns what the view begins with.
+    pub fn first_view(&self) -> FirstView {
+        FirstView { selected: self.select, mode: self.camera, pose: self.eye.clone() }
     }
 }
 
@@ -101,5 +122,29 @@ mod tests {
             assert!(says.contains(wrong.split('=').next().unwrap()), "{says}");
         }
         assert_eq!(settings, before);
+    }
+
+    #[test]
+    fn choices_have_the_labels_of_the_panels() {
+        use crate::play::Speed;
+        use crate::view::{Coloring, Heat, Marks};
+        let mut settings = Settings::default();
+        for with in ["coloring=time to goal", "marks=Discs", "speed=2x", "layers.heat=DENSITY"] {
+            settings.set(with).unwrap();
+        }
+        assert_eq!((settings.coloring, settings.marks), (Coloring::TimeToGoal, Marks::Discs));
+        assert_eq!((settings.speed, settings.layers.heat), (Speed::Times(2.0), Heat::Density));
+        for (with, coloring) in [("coloring=time-to-goal", Coloring::TimeToGoal), ("coloring=Speed", Coloring::Speed)] {
+            settings.set("coloring=group").unwrap();
+            settings.set(with).unwrap();
+            assert_eq!(settings.coloring, coloring, "{with}");
+        }
+        settings.set(r#"speed={"Times":0.5}"#).unwrap();
+        assert_eq!(settings.speed, Speed::Times(0.5));
+        let says = settings.set("coloring=loud").unwrap_err();
+        assert!(
+            says.ends_with("coloring is one of: group, speed, goal, altitude, density, model, time to goal"),
+            "{says}"
+        );
     }
 }

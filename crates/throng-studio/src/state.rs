@@ -12,6 +12,8 @@ pub struct State {
     pub step: u64,
     /// Simulation time, seconds.
     pub time: f64,
+    /// Number of frames that the studio has drawn.
+    pub frames: u64,
     /// Number of agents.
     pub agents: usize,
     /// Number of agents that have arrived.
@@ -30,17 +32,24 @@ pub struct State {
     pub trouble: Option<String>,
     /// Whether the text has unsaved changes.
     pub unsaved: bool,
-    /// The open question about unsaved work.
+    /// The step of the run with the second model.
+    pub beside: Option<u64>,
+    /// The number of changes that the user has made to the running scene.
+    pub interventions: usize,
+    /// Whether the window that explains the selected agent is open.
+    pub why: bool,
+    /// The open question about unsaved work, or the title of the window that asks for a name.
     pub asks: Option<String>,
 }
 
 impl State {
-    /// Creates the state of a published moment, without selection, error or unsaved text.
+    /// Creates the state of a published moment, without selection, frames, error or unsaved text.
     pub fn new(shown: &RunMoment) -> Self {
         Self {
             scene: shown.name.to_string(),
             step: shown.step,
             time: shown.frame.time,
+            frames: 0,
             agents: shown.frame.total,
             arrived: shown.frame.arrived,
             hash: format!("{:016x}", shown.hash),
@@ -50,6 +59,9 @@ impl State {
             title: shown.setting.title.clone(),
             trouble: None,
             unsaved: false,
+            beside: shown.beside.as_ref().map(|beside| beside.step),
+            interventions: shown.interventions.len(),
+            why: false,
             asks: None,
         }
     }

@@ -56,15 +56,27 @@ pub fn apply(ctx: &Context, theme: &Theme, dark: bool, touch: bool) {
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = [8.0, 5.0].into();
         let usual = Spacing::default();
-        style.spacing.button_padding = if touch { [10.0, 9.0] } else { [8.0, 4.0] }.into();
-        style.spacing.interact_size.y = if touch { 34.0 } else { usual.interact_size.y };
+        style.spacing.button_padding = if touch { [10.0, 11.0] } else { [8.0, 4.0] }.into();
+        style.spacing.interact_size.y = if touch { 40.0 } else { usual.interact_size.y };
         style.spacing.icon_width = if touch { 22.0 } else { usual.icon_width };
         style.interaction.selectable_labels = false;
         let sizes =
-            [(TextStyle::Heading, 17.0), (TextStyle::Body, 13.0), (TextStyle::Button, 13.0), (TextStyle::Small, 11.0)];
+            [(TextStyle::Heading, 18.0), (TextStyle::Body, 14.0), (TextStyle::Button, 14.0), (TextStyle::Small, 14.0)];
         for (text, size) in sizes {
             style.text_styles.insert(text, FontId::new(size, FontFamily::Proportional));
         }
-        style.text_styles.insert(TextStyle::Monospace, FontId::new(12.0, FontFamily::Monospace));
+        style.text_styles.insert(TextStyle::Monospace, FontId::new(14.0, FontFamily::Monospace));
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_type_is_smaller_than_14_points() {
+        let ctx = Context::default();
+        apply(&ctx, &Theme::light(), false, false);
+        assert!(ctx.global_style().text_styles.values().all(|font| font.size >= 14.0));
+    }
 }

@@ -1,9 +1,12 @@
 //! The studio in a window.
 
+use crate::outside::Files;
+use crate::settings::Settings;
 use crate::view::Mode;
-use crate::{App, Options};
+use crate::{App, Face, Options};
 use eframe::egui::ViewportBuilder;
 use std::path::PathBuf;
+use std::sync::Arc;
 use throng_scene::Plugins;
 
 /// The command line of the studio.
@@ -34,7 +37,11 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     pub camera: Option<Mode>,
 
-    /// Change a setting: dark=true, panels.plots=true, coloring=Speed, beside=rvo; may be repeated
+    /// What is around the view: studio, start, present (large type), embed (nothing) [default: studio; start at first]
+    #[arg(long, value_name = "NAME", value_parser = face)]
+    pub face: Option<Face>,
+
+    /// Change a setting: dark=true, panels.plots=true, coloring=speed, beside=rvo; may be repeated
     #[arg(long, value_name = "KEY=VALUE")]
     pub with: Vec<String>,
 
@@ -45,10 +52,14 @@ pub struct Arguments {
 
 impl From<Arguments> for Options {
     fn from(arguments: Arguments) -> Self {
-        let Arguments { scene, state, screenshot, at_step, select, camera, with, size: _ } = arguments;
+        let Arguments { scene, state, screenshot, at_step, select, camera, face, with, size: _ } = arguments;
         let at_step = at_step.or(screenshot.as_ref().map(|_| 0));
-        Self { scene, state, screenshot, at_step, select, camera, with, ..Self::default() }
+        Self { scene, state, screenshot, at_step, select, camera, face, with, ..Self::default() }
     }
+}
+
+fn face(name: &str) -> Result<Face, String> {
+    Face::named(name).ok_or_else(|| "studio, start, present or embed is expected".into())
 }
 
 /// Parses a size such as `1280x800`. Each side is from 200 to 8192.
@@ -61,10 +72,15 @@ fn size(said: &str) -> Result<[f32; 2], String> {
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// There is no screen, or no OpenGL.
+/// An argument is invalid, the scene does not exist, or there is no screen or no OpenGL.
 pub fn open(arguments: Arguments, plugins: Plugins) -> Result<(), String> {
     let size = arguments.size;
     let options = Options { plugins, ..arguments.into() };
+    // errors of the command line are reported before the window opens
+    options.adjust(&mut Settings::default())?;
+    if let Some(scene) = &options.scene {
+        Files::default().open(scene, &Arc::new(options.plugins.clone()))?;
+    }
     let native = eframe::NativeOptions {
         viewport: ViewportBuilder::default().with_title("throng").with_app_id("throng").with_inner_size(size),
         depth_buffer: 24,

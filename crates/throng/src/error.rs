@@ -57,6 +57,12 @@ pub enum Error {
         /// Why it is invalid.
         why: String,
     },
+    /// A crowd that several worlds cannot step together with the bits of one world.
+    #[error("the crowd cannot be divided among several worlds: {what}")]
+    Undivided {
+        /// The group, and the reason.
+        what: String,
+    },
     /// A saved state that this world cannot continue.
     #[error("this is not a saved state of this world: {why}")]
     Snapshot {

@@ -22,7 +22,7 @@
 //! | to | calls of [`World`] |
 //! |---|---|
 //! | make a world | [`new`](World::new), [`set_simd_level`](World::set_simd_level), [`reserve`](World::reserve) |
-//! | add what shapes the place | [`set_walkable`](World::set_walkable), [`add_obstacle`](World::add_obstacle), [`add_obstacles`](World::add_obstacles), [`set_obstacle`](World::set_obstacle), [`move_obstacle`](World::move_obstacle), [`remove_obstacle`](World::remove_obstacle) |
+//! | add what shapes the place | [`set_walkable`](World::set_walkable), [`add_obstacle`](World::add_obstacle), [`add_obstacles`](World::add_obstacles), [`set_obstacle`](World::set_obstacle), [`move_obstacle`](World::move_obstacle), [`remove_obstacle`](World::remove_obstacle), [`find_obstacle`](World::find_obstacle) |
 //! | add agents | [`add_agent`](World::add_agent), [`schedule_agent`](World::schedule_agent), [`remove_agent`](World::remove_agent), [`replace`](World::replace), [`is_free`](World::is_free), [`no_room`](World::no_room) |
 //! | say what groups do | [`add_group`](World::add_group), [`set_group`](World::set_group), [`set_guidance`](World::set_guidance), [`set_rules`](World::set_rules), [`notify`](World::notify) |
 //! | send agents | [`set_goal`](World::set_goal), [`set_journey`](World::set_journey), [`add_goal`](World::add_goal), [`add_journey`](World::add_journey), [`add_choice`](World::add_choice), [`add_script`](World::add_script), [`face_ways`](World::face_ways) |
@@ -34,6 +34,8 @@
 //! | read results | [`summary`](World::summary), [`counts`](World::counts), [`figures`](World::figures), [`figure`](World::figure), [`standing`](World::standing), [`refused`](World::refused), [`draw`](World::draw) |
 //! | see reasons | [`explain`](World::explain), [`explain_all`](World::explain_all), [`request_traces`](World::request_traces), [`relative_traces`](World::relative_traces) |
 //! | keep a run | [`save`](World::save), [`load`](World::load), [`state_hash`](World::state_hash) |
+//!
+//! Several worlds, in threads or processes, can step one crowd together with the bits of one world: [halo].
 //!
 //! A program of its own extends the engine at four traits: [`LocalModel`](avoid::LocalModel),
 //! [`Behaviour`](steer::Behaviour), [`Field`](field::Field) and [`Rules`]. The crates `throng-steer` and `throng-field`
@@ -48,6 +50,7 @@ pub mod avoid;
 mod error;
 pub mod field;
 pub mod guard;
+pub mod halo;
 mod intend;
 pub mod motion;
 mod moving;

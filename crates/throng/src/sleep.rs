@@ -246,6 +246,8 @@ impl State {
     fn may_sleep(&self) -> bool {
         let agents = &self.agents;
         self.lanes_to_move().is_some()
+            // ghosts change between sub-steps
+            && !self.others.are_there
             // traces need the neighbour data of every step
             && !self.traced.any()
             && agents.script.uniform() == Some(None)

@@ -3,6 +3,7 @@
 mod agents;
 mod build;
 mod control;
+mod divide;
 mod events;
 mod explain;
 mod local;
@@ -22,6 +23,7 @@ pub(crate) use state::State;
 use crate::Position;
 use crate::agent::{AgentId, Columns, GoalId, Group, GroupId, JourneyId, Status};
 use crate::field::Field;
+use crate::halo::Alone;
 use crate::intend::TraceRequest;
 use crate::navigate::{Goal, Journey, Script, Unreachable};
 use crate::perceive::{Grid, SimdLevel};
@@ -107,9 +109,8 @@ impl World {
 
     /// As [`step`](Self::step), and calls `ended` at the end of each stage of each sub-step. The world has no clock: a
     /// caller that profiles the stages measures the time itself.
-    pub fn step_in_stages(&mut self, mut ended: impl FnMut(Stage)) {
-        self.step.run(&mut self.state, &mut ended);
-        self.play();
+    pub fn step_in_stages(&mut self, ended: impl FnMut(Stage)) {
+        self.step_beside(&mut Alone, ended);
     }
 
     /// Returns the seconds since the start.

@@ -37,7 +37,8 @@ pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> 
     let style = Style { legend: false, ..style(scene, look).style(scene, built.bounds)? };
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
-    let mut painter = Painter::new(&loaded.setting(&world, &built)?, &style, &frame)?;
+    let setting = loaded.setting(&world, &built)?;
+    let mut painter = Painter::new(&setting, &style, &frame)?;
     let end = look.at.unwrap_or_else(|| scene.moment());
     while world.time() + 0.5 * scene.time.step < end && !scene.time.over(&world) {
         if interrupt::asked() {
@@ -46,6 +47,7 @@ pub fn still(loaded: &Loaded, look: &Look) -> Result<(Painter, Frame), Failure> 
         painter.follow(&frame);
         world.step();
         moment::capture(&world, &mut frame);
+        moment::capture_obstacles(&world, scene, &setting, &mut frame);
     }
     painter.follow(&frame);
     Ok((painter, frame))
@@ -59,6 +61,7 @@ fn style(scene: &Scene, look: &Look) -> LookArgs {
         trails: look.trails.or(scene.view.trails).or(Some(TRAILS)),
         color: ColorArg::Group,
         no_headings: false,
+        no_captions: false,
         dark: false,
         field: look.field.clone(),
     }

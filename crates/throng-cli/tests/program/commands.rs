@@ -37,7 +37,7 @@ fn list_of_a_scene_prints_its_words() {
         assert!(words.contains(line), "{line:?} is not in {words}");
     }
     assert_eq!(list("--long").matches("\n  why ").count(), throng_scene::gallery::names().count());
-    assert_eq!(list("air").matches("\n  why ").count(), 2);
+    assert_eq!(list("air").matches("\n  why ").count(), 3);
     std::fs::write(folder.path().join("walk.toml"), crate::shared::WALK).unwrap();
     assert_eq!(list("walk.toml"), "walk  (walk)\n");
     assert!(stderr(&call(folder.path(), "list nowhere").code(2)).contains("there is no scene `nowhere`"));

@@ -145,7 +145,9 @@ fn finished(folder: &Path) -> Vec<(String, Vec<u8>, std::time::SystemTime)> {
     let file = |entry: std::fs::DirEntry| {
         let name = entry.file_name().into_string().unwrap();
         let time = entry.metadata().ok()?.modified().unwrap();
-        name.ends_with(".json").then(|| (name, std::fs::read(entry.path()).unwrap(), time))
+        // the program renames a file when it is complete: one that is gone by now was not finished
+        let text = name.ends_with(".json").then(|| std::fs::read(entry.path()).ok())??;
+        Some((name, text, time))
     };
     let mut files: Vec<_> = entries.filter_map(file).collect();
     files.sort();

@@ -258,3 +258,23 @@ fn the_hash_is_of_the_last_state() {
     }
     assert_eq!(report["state_hash"], format!("{:016x}", world.state_hash()));
 }
+
+#[test]
+fn pictures_show_the_obstacles_of_their_moment() {
+    let folder = folder();
+    let picture = |name: &str, more: &str| {
+        let scene = format!(
+            "title = \"x\"\ntime = {{ until = \"limit\", limit = 1 }}\nview = {{ min = [-9, -9], max = [9, 9] }}\n\
+             [[group]]\nplace.point = [-8, -8]\ngoal.point = [8, -8]\n{more}"
+        );
+        std::fs::write(folder.path().join(format!("{name}.toml")), scene).unwrap();
+        call(folder.path(), &format!("run {name}.toml -q -o {name}.png")).success();
+        std::fs::read(folder.path().join(format!("{name}.png"))).unwrap()
+    };
+    let pillar = "[[obstacle]]\nshape.circle = { center = [0, 6], radius = 1 }\n";
+    let bare = picture("bare", "");
+    let stands = picture("stands", pillar);
+    let opened = picture("opened", &format!("{pillar}[[intervention]]\ntime = 0.4\nchange.open = 0\n"));
+    let built = "[[intervention]]\ntime = 0.4\nchange.obstacle.shape.circle = { center = [0, 6], radius = 1 }\n";
+    assert!(opened == bare && picture("built", built) == stands && stands != bare);
+}

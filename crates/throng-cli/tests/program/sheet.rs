@@ -38,8 +38,8 @@ fn a_group_shows_all_its_scenes_under_its_name() {
     let folder = folder();
     call(folder.path(), "sheet air bodies --columns 2 --width 400 --at 1 -o a.svg").success();
     let svg = read(folder.path(), "a.svg");
-    assert_eq!(svg.matches("<svg x=").count(), 5);
-    for name in ["air", "sphere", "drones", "bodies", "mixed-sizes", "vehicle", "sliding-door"] {
+    assert_eq!(svg.matches("<svg x=").count(), 6);
+    for name in ["air", "sphere", "drones", "street", "bodies", "mixed-sizes", "vehicle", "sliding-door"] {
         assert!(svg.contains(&format!(">{name}</text>")), "{name}");
     }
 }

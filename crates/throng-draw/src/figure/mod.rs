@@ -26,6 +26,9 @@ use std::path::Path;
 use throng::Explanation;
 use throng_record::{Frame, Output, Setting};
 
+/// The size of letters in a figure of 1200 by 760 pixels, pixels.
+const LETTERS: f32 = 14.0;
+
 /// A finished figure.
 ///
 /// ```
@@ -63,10 +66,40 @@ impl Figure {
     /// # Errors
     /// [`Error::Size`] if the style's width or height is out of its limits.
     pub fn explain(setting: &Setting, frame: &Frame, why: &Explanation, style: &Style) -> Result<Self, Error> {
+        let unit = (style.width as f32 / 1200.0).min(style.height as f32 / 760.0).max(0.05);
+        Self::explain_at(setting, frame, why, style, unit)
+    }
+
+    /// As [`explain`](Self::explain), with letters of a given size, pixels: what they leave of the picture is the room
+    /// of the drawings. Where that is little, the key is left out, and in a narrow figure the surroundings.
+    ///
+    /// # Errors
+    /// As [`explain`](Self::explain).
+    pub fn explain_in_letters(
+        setting: &Setting,
+        frame: &Frame,
+        why: &Explanation,
+        style: &Style,
+        letters: f32,
+    ) -> Result<Self, Error> {
+        Self::explain_at(setting, frame, why, style, letters / LETTERS)
+    }
+
+    /// Draws an explanation at a scale: 1 for letters of [`LETTERS`] pixels.
+    fn explain_at(
+        setting: &Setting,
+        frame: &Frame,
+        why: &Explanation,
+        style: &Style,
+        unit: f32,
+    ) -> Result<Self, Error> {
         Error::check_size(style.width, style.height)?;
         let key = velocities::key(why);
-        let sheet = FigureLayout::new(style, words::caption(why), key);
-        let [near, scale] = near::marks(setting, frame, why, &sheet);
+        let sheet = FigureLayout::new(style, unit, words::caption(why), key);
+        let [near, scale] = match sheet.near.is_empty() {
+            true => Default::default(),
+            false => near::marks(setting, frame, why, &sheet),
+        };
         let [plot, numbers] = velocities::marks(why, &sheet);
         let mut marks = vec![sheet.near.clip(near), sheet.plot.clip(plot)];
         marks.extend([scale, numbers].concat());

@@ -40,6 +40,10 @@ impl Rect {
         Self { low: self.low.round(), high: self.high.max(self.low).round() }
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.low.cmpge(self.high).any()
+    }
+
     pub(super) fn corners(&self) -> Vec<Vec2> {
         vec![self.low, Vec2::new(self.high.x, self.low.y), self.high, Vec2::new(self.low.x, self.high.y)]
     }
@@ -53,7 +57,7 @@ pub(super) struct FigureLayout<'a> {
     pub unit: f32,
     /// The size of the type.
     pub size: f32,
-    /// The panel of the agent and what is near it.
+    /// The panel of the agent and what is near it. Empty in a narrow figure.
     pub near: Rect,
     /// The panel of its velocities.
     pub plot: Rect,
@@ -72,21 +76,28 @@ const BELOW: f32 = 36.0;
 const GAP: f32 = 26.0;
 /// The width of a sample in the key.
 const SAMPLE: f32 = 30.0;
+/// The least side of the plot. The key yields to it, from its last row on, and so do the surroundings.
+const LEAST: f32 = 170.0;
 
 impl<'a> FigureLayout<'a> {
-    pub(super) fn new(style: &'a Style, caption: Vec<String>, key: Vec<Entry>) -> Self {
+    pub(super) fn new(style: &'a Style, unit: f32, caption: Vec<String>, key: Vec<Entry>) -> Self {
         let (width, height) = (style.width as f32, style.height as f32);
-        let unit = (width / 1200.0).min(height / 760.0).max(0.05);
-        let (typeface, size, margin) = (Type::of(&style.typeface), 14.0 * unit, MARGIN * unit);
-        let key = rows(key, width - 2.0 * margin, |entry| entry_width(entry, &typeface, size, unit));
-        let below = (BELOW + LINE * (caption.len() + key.len()) as f32 + 12.0) * unit;
+        let (typeface, size, margin) = (Type::of(&style.typeface), super::LETTERS * unit, MARGIN * unit);
+        let wrapped =
+            caption.iter().flat_map(|text| wrap(text, width - 2.0 * margin, |text| typeface.width(text, size)));
+        let caption: Vec<String> = wrapped.collect();
+        let mut key = rows(key, width - 2.0 * margin, |entry| entry_width(entry, &typeface, size, unit));
         let top = margin + HEAD * unit;
-        let bottom = height - margin - below;
+        let bottom = |rows: usize| height - margin - (BELOW + LINE * (caption.len() + rows) as f32 + 12.0) * unit;
+        while bottom(key.len()) - top < LEAST * unit && key.pop().is_some() {}
+        let bottom = bottom(key.len());
         let between = (BESIDE + GAP) * unit;
-        let side = (bottom - top).min(0.5 * (width - 2.0 * margin - between)).max(1.0);
+        let (half, whole) = (0.5 * (width - 2.0 * margin - between), width - 2.0 * margin - BESIDE * unit);
+        let side = (bottom - top).min(if half < LEAST * unit { whole } else { half }).max(1.0);
         let right = width - margin;
         let plot = Rect { low: Vec2::new(right - side, top), high: Vec2::new(right, top + side) };
         let near = Rect { low: Vec2::new(margin, top), high: Vec2::new(right - side - between, top + side) };
+        let near = if half < LEAST * unit { Rect { high: near.low, ..near } } else { near };
         let (near, plot) = (near.whole(), plot.whole());
         Self { style, typeface, unit, size, near, plot, margin, caption, key }
     }
@@ -114,7 +125,7 @@ impl<'a> FigureLayout<'a> {
         let panels = [self.near, self.plot];
         let stroke = Stroke::plain(unit, theme.edge);
         let edge = |rect: Rect| Primitive::Line { points: rect.corners(), closed: true, stroke };
-        let mut marks = panels.map(edge).to_vec();
+        let mut marks: Vec<Primitive> = panels.into_iter().filter(|panel| !panel.is_empty()).map(edge).collect();
 
         let (left, room) = (self.margin, self.style.width as f32 - 2.0 * self.margin);
         let mut line = |text: &str, at: Vec2, size: f32, room: f32, color: Color| {
@@ -123,7 +134,8 @@ impl<'a> FigureLayout<'a> {
         };
         line(&title, Vec2::new(left, self.margin + 16.0 * unit), 1.45 * self.size, room, theme.text);
         line(&subtitle, Vec2::new(left, self.margin + 39.0 * unit), self.size, room, theme.quiet);
-        for (panel, name) in panels.iter().zip(["surroundings", "velocities, m/s"]) {
+        let named = panels.iter().zip(["surroundings", "velocities, m/s"]);
+        for (panel, name) in named.filter(|(panel, _)| !panel.is_empty()) {
             let at = panel.low - Vec2::new(0.0, 8.0 * unit);
             line(name, at, self.size, panel.high.x - panel.low.x, theme.quiet);
         }
@@ -148,6 +160,19 @@ impl<'a> FigureLayout<'a> {
 
 fn entry_width(entry: &Entry, typeface: &Type, size: f32, unit: f32) -> f32 {
     typeface.width(entry.says(), size) + (SAMPLE + 7.0 + 20.0) * unit
+}
+
+/// Breaks a text at its spaces into lines of a maximum width.
+fn wrap(text: &str, room: f32, width: impl Fn(&str) -> f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        let longer = lines.last().map(|line| format!("{line} {word}")).filter(|line| width(line) <= room);
+        match (longer, lines.last_mut()) {
+            (Some(longer), Some(line)) => *line = longer,
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 /// Distributes entries to rows of a maximum width.

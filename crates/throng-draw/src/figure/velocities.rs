@@ -125,6 +125,9 @@ fn pushes(why: &Explanation) -> impl Iterator<Item = (Cause, Vec2)> {
     })
 }
 
+/// The least distance of two numbers of an axis, in sizes of letters.
+const NUMBER: f32 = 2.8;
+
 struct Plot<'a> {
     why: &'a Explanation,
     sheet: &'a FigureLayout<'a>,
@@ -149,9 +152,13 @@ impl<'a> Plot<'a> {
         self.camera.pixel(velocity.as_dvec2())
     }
 
-    /// Returns round values along an axis, m/s.
+    /// Returns round values along an axis, m/s. Their numbers have room beside each other.
     fn ticks(&self) -> impl Iterator<Item = f64> + use<> {
-        let (step, reach) = (legend::round_length(f64::from(self.reach) / 2.4), f64::from(self.reach));
+        let reach = f64::from(self.reach);
+        let mut step = legend::round_length(reach / 2.4);
+        while step < reach && self.camera.length(step) < NUMBER * self.sheet.size {
+            step = legend::round_length(2.5 * step);
+        }
         let most = (reach / step).floor() as i32;
         (-most..=most).map(move |k| f64::from(k) * step)
     }

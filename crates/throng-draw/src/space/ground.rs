@@ -1,8 +1,8 @@
 //! The ground: walkable areas, a fading grid, and goals.
 
-use super::Lens;
 use super::extent::Extent;
 use super::light::light_of;
+use super::{Lens, lamps};
 use crate::legend::round_length;
 use crate::place::{LINE, spots_to_go};
 use crate::ribbon::Ribbon;
@@ -33,15 +33,15 @@ const GRAIN: f32 = 0.07;
 /// viewpoint.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
-    /// The ground without end; `None` if things are below it.
+    /// The ground without end; `None` if things are below it, or a set stands in its place.
     pub plane: Option<Material>,
     pub areas: Vec<Area>,
     lines: Vec<Line>,
     /// The point goals, and their tolerances.
     spots: Vec<(DVec3, f64)>,
     goal: Color,
-    /// The width of the grid's cells, metres.
-    pub cell: f64,
+    /// The width of the grid's cells, metres; `None` without a grid.
+    pub cell: Option<f64>,
     unit: f32,
 }
 
@@ -56,7 +56,8 @@ impl Ground {
         let below = first.bodies.iter().any(|body| body.altitude < 0.0);
         let around = if setting.walkable.is_empty() { theme.ground } else { theme.outside };
         let (mut areas, mut lines) = (Vec::new(), Vec::new());
-        for area in &setting.walkable {
+        let replaced = setting.is_replaced();
+        for area in setting.walkable.iter().filter(|_| !replaced) {
             let rings: Vec<Vec<DVec2>> = std::iter::once(&area.outer).chain(&area.holes).cloned().collect();
             lines.push(line(rings[0].iter().map(|p| p.extend(0.0)), true, (1.2 * unit, theme.edge)));
             areas.push(Area::new(&rings, plain(theme.ground)));
@@ -80,13 +81,16 @@ impl Ground {
             let edge = (1.1 * unit, theme.goal.alpha(0.8));
             lines.push(line(corners.iter().map(|corner| corner.extend(0.0)), true, edge));
         }
+        areas.extend(lamps::pools(&style.lamps));
         let spots = spots_to_go(setting, first).filter(|(at, near)| style.goals && at.is_finite() && near.is_finite());
         let reach = GRID * extent.reach();
-        let cell = round_length(2.0 * extent.reach() / CELLS);
-        lines.splice(0..0, grid(extent.middle().truncate(), reach, cell, (0.9 * unit, theme.edge)));
+        let cell = (!replaced).then_some(round_length(2.0 * extent.reach() / CELLS));
+        if let Some(cell) = cell {
+            lines.splice(0..0, grid(extent.middle().truncate(), reach, cell, (0.9 * unit, theme.edge)));
+        }
         let spots: Vec<(DVec3, f64)> = spots.collect();
         let faint = if spots.len() > MANY_GOALS { 0.35 } else { 0.9 };
-        let plane = (!below).then(|| plain(around));
+        let plane = (!below && !replaced).then(|| plain(around));
         Self { plane, areas, lines, spots, goal: theme.goal.alpha(faint), cell, unit }
     }
 

@@ -2,13 +2,16 @@
 
 use super::{CameraKey, Sight};
 
+/// The precision of the time of a picture, seconds: a picture at the time of a cut is behind the cut.
+const PRECISION: f64 = 1e-10;
+
 /// Returns the viewpoint and the field of view, degrees, at a time; `None` without keys. Before the first key it is
 /// that of the first, after the last key that of the last. `usual` is the field of view of keys without one.
 ///
 /// Between keys it moves on cubic Hermite curves. The velocity at a key is that from the key before to the key after;
 /// it is 0 at the first and last key of a shot, so that movements begin and end softly.
 pub(super) fn at(keys: &[CameraKey], time: f64, usual: f64) -> Option<(Sight, f64)> {
-    let next = keys.partition_point(|key| key.time <= time);
+    let next = keys.partition_point(|key| key.time <= time + PRECISION);
     let (first, last) = (keys.first()?, keys.last()?);
     let values = |key: &CameraKey| Values {
         sight: Sight { eye: key.eye, target: key.target },
@@ -99,6 +102,7 @@ mod tests {
         }
         assert!((speed(2.0) - 10.0 / 3.0).abs() < 1e-3, "the velocity from the key before to the key after");
         assert_eq!(eye(&keys, 4.999), 10.0, "it rests until the cut");
+        assert_eq!(eye(&keys, 5.0 - 1e-12), 3.0, "times are sums of steps");
         assert_eq!(eye(&keys, 5.0), 3.0);
     }
 

@@ -7,6 +7,7 @@ mod extent;
 mod film_camera;
 mod ground;
 mod keys;
+mod lamps;
 mod lens;
 mod light;
 mod people;
@@ -18,6 +19,7 @@ pub(crate) use birds::Birds;
 pub use chase::{Chase, Followed, Following, Sight};
 pub use film_camera::FilmCamera;
 pub use lens::Lens;
+pub use light::Sun;
 pub(crate) use people::People;
 pub use viewpoint::{CameraKey, Motion, Viewpoint};
 
@@ -49,6 +51,9 @@ pub(crate) struct SpaceScene {
     pub lens: Lens,
     ground: Ground,
     solids: Vec<Solid>,
+    set: Option<Solid>,
+    /// The height of walls, metres.
+    height: f64,
     /// The edges of containers.
     edges: Vec<Line>,
     light: Light,
@@ -76,11 +81,6 @@ impl SpaceScene {
         let theme = &style.theme;
         // People can look over walls, and so can viewpoints.
         let height = if setting.in_space { extent.height.max(WALL) } else { WALL };
-        let holes = setting.walkable.iter().flat_map(|area| &area.holes);
-        let solids = setting.obstacles.iter().flat_map(|obstacle| Solid::obstacle(obstacle, height, theme.obstacle));
-        let solids = solids.chain(holes.map(|hole| Solid::prism(hole, [0.0, height], theme.obstacle)));
-        let shells = setting.shells.iter();
-        let solids = solids.chain(shells.filter_map(|shell| Solid::shell(shell, setting.origin, theme.obstacle)));
         let edge = |shell| container(shell, setting.origin, 0.9 * unit, theme.edge);
         let shown = |radii: &mut dyn Iterator<Item = f32>| radii.fold(0.0, f32::max) * lens.scale(rig.middle()) as f32;
         let darts = shown(&mut first.bodies.iter().filter(|body| body.basis.is_some()).map(|body| body.radius));
@@ -88,15 +88,22 @@ impl SpaceScene {
         Self {
             lens,
             ground: Ground::new(setting, style, &extent, first, unit),
-            solids: solids.collect(),
+            solids: solids(setting, theme.obstacle, height),
+            set: setting.set.as_ref().map(|set| Solid::set(set, setting.origin)),
+            height,
             edges: setting.shells.iter().flat_map(edge).collect(),
-            light: light(theme, out, out.length() + extent.reach(), setting.in_space),
+            light: light(style, out, out.length() + extent.reach(), setting.in_space),
             stock: Stock::new(style.headings),
             growth: growth(LEAST_DART * unit, darts),
             shown: shown(&mut first.bodies.iter().map(|body| body.radius)),
             size: [style.width, style.height],
             rig,
         }
+    }
+
+    /// Takes the present obstacles.
+    pub(crate) fn build(&mut self, setting: &Setting, style: &Style) {
+        self.solids = solids(setting, style.theme.obstacle, self.height);
     }
 
     /// Returns the factor by which insects are enlarged.
@@ -114,10 +121,22 @@ impl SpaceScene {
         self.lens.scale(self.rig.middle())
     }
 
-    /// Returns the width of the grid's cells, metres.
-    pub(crate) fn cell(&self) -> f64 {
+    /// Returns the width of the grid's cells, metres; `None` without a grid.
+    pub(crate) fn cell(&self) -> Option<f64> {
         self.ground.cell
     }
+}
+
+/// Returns what stands: obstacles, holes in the ground and surfaces; nothing if a set stands in their place.
+fn solids(setting: &Setting, color: Color, height: f64) -> Vec<Solid> {
+    if setting.is_replaced() {
+        return Vec::new();
+    }
+    let holes = setting.walkable.iter().flat_map(|area| &area.holes);
+    let obstacles = setting.obstacles.iter().flat_map(|obstacle| Solid::obstacle(obstacle, height, color));
+    let holes = holes.map(|hole| Solid::prism(hole, [0.0, height], color));
+    let shells = setting.shells.iter().filter_map(|shell| Solid::shell(shell, setting.origin, color));
+    obstacles.chain(holes).chain(shells).collect()
 }
 
 /// Returns the factor by which something is enlarged that needs `least` pixels and has `shown`.
@@ -126,7 +145,7 @@ fn growth(least: f32, shown: f32) -> f32 {
 }
 
 impl Painter {
-    /// Returns the rendered picture, and the insects that it does not hide.
+    /// Returns the rendered picture, and the glow of lamps and the insects that it does not hide.
     pub(crate) fn scene(&self, stage: &SpaceScene, frame: &Frame) -> Vec<(&'static str, Vec<Primitive>)> {
         let mut bodies = stacked(frame);
         bodies.retain(|body| stage.lens.pixel(body.center()).is_some_and(|pixel| pixel.is_finite()));
@@ -137,7 +156,13 @@ impl Painter {
         let scene = Scene {
             ground: stage.ground.plane,
             areas: stage.ground.areas.clone(),
-            bodies: stage.solids.iter().map(Solid::body).chain(agents.placed(stage, &self.look)).collect(),
+            bodies: stage
+                .solids
+                .iter()
+                .chain(&stage.set)
+                .map(Solid::body)
+                .chain(agents.placed(stage, &self.look))
+                .collect(),
             lines: stage
                 .ground
                 .lines(&stage.lens)
@@ -149,10 +174,11 @@ impl Painter {
         };
         let picture = Picture::render(&scene, &stage.lens.view(), stage.size).expect("the size was checked");
         let crowd = self.crowd(frame);
-        let swarm = self.swarm(stage, &insects, &picture, (frame, crowd));
+        let mut lit = lamps::glows(&self.style.lamps, &stage.lens, &picture);
+        lit.extend(self.swarm(stage, &insects, &picture, (frame, crowd)));
         let [width, height] = stage.size;
         let pixels = Primitive::Pixels(Image::of(width, height, picture.into_bytes()));
-        vec![("scene", vec![pixels]), ("insects", swarm)]
+        vec![("scene", vec![pixels]), ("insects", lit)]
     }
 
     /// Returns shadows, streaks and bodies of insects, far to near.

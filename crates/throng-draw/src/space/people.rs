@@ -13,8 +13,8 @@ use throng_render::{Mesh, linear};
 /// The people of a recording, by agent number.
 #[derive(Debug, Default)]
 pub(crate) struct People {
-    /// Whether agents of the scene are people.
-    any: bool,
+    /// Whether agents of the size of people are people.
+    wanted: bool,
     /// Whether clothes have the colours of agents; otherwise those of people.
     colored: bool,
     /// The bodies of groups, from files.
@@ -31,23 +31,29 @@ impl People {
         let one = setting.groups.len() < 2 && first.bodies.iter().all(|body| body.group == group);
         let named = style.groups.iter().any(Option::is_some);
         let colored = !one || named || style.color_by != ColorBy::Group;
-        Self { any: !setting.in_space, colored, characters: setting.characters.clone(), ..Self::default() }
+        Self { wanted: style.people, colored, characters: setting.characters.clone(), ..Self::default() }
     }
 
-    /// Whether an agent is a person: a disc on the ground of the size of people, or an agent with the shape of one.
-    fn has(&self, body: &Body, look: &Look) -> bool {
+    /// Whether an agent is a person: a disc of the size of people that is on the ground when it appears, or an agent with
+    /// the shape of a person.
+    fn has(&self, body: &Body, look: &Look, known: bool) -> bool {
         let disc = body.basis.is_none() && body.core == Vec2::ZERO;
         let shape = look.form(body);
-        shape == AgentShape::Shaped(Shape::Walker) || self.any && disc && shape == AgentShape::Body
+        let stands = known || body.altitude == 0.0;
+        shape == AgentShape::Shaped(Shape::Walker) || self.wanted && stands && disc && shape == AgentShape::Body
     }
 
     /// Moves people to a moment. Absent agents are dropped.
     pub fn follow(&mut self, frame: &Frame, look: &Look) {
         let mut before = std::mem::take(&mut self.figures);
         let mut now = BTreeMap::new();
-        for body in frame.bodies.iter().filter(|body| self.has(body, look)) {
+        for body in &frame.bodies {
+            let known = before.remove(&body.number);
+            if !self.has(body, look, known.is_some()) {
+                continue;
+            }
             let sample = Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) };
-            let known = before.remove(&body.number).and_then(|(mut live, skeleton)| {
+            let known = known.and_then(|(mut live, skeleton)| {
                 let known = live.sample() == sample || live.step(sample).is_ok();
                 known.then_some((live, skeleton))
             });

@@ -2,16 +2,18 @@
 
 use super::extent::{Extent, people};
 use super::{Followed, Lens, Motion, Sight, Viewpoint, keys};
+use crate::exposure::is_moved;
 use glam::{DVec2, DVec3, Vec2};
-use throng_record::Frame;
+use throng_record::{Body, Frame};
 
 /// The default elevation of the viewpoint above the ground, and its azimuth from +x, radians.
 const ELEVATION: f64 = 0.36;
 const AZIMUTH: f64 = -2.0;
 /// The number of iterations that centre things in the picture.
 const CENTERING: usize = 8;
-/// The rates at which a viewpoint approaches its place behind a followed agent, and before a crowd, 1/s.
+/// The rates at which a viewpoint approaches its place behind a followed agent, beside an agent, and before a crowd, 1/s.
 const CHASING: f64 = 7.0;
+const BESIDE: f64 = 1.0;
 const FRAMING: f64 = 2.0;
 /// The least distance of the viewpoint from a crowd, metres, and over the radius of the largest agent: people, and what is
 /// larger, are no nearer than 6 m; insects of 1 cm are as near as 0.5 m.
@@ -30,6 +32,8 @@ pub(crate) struct Rig {
     reach: f64,
     /// Where it is, and since when.
     now: Option<(Sight, f64)>,
+    /// The agents at that time, of a viewpoint before a crowd.
+    seen: Vec<Body>,
 }
 
 /// The part of the picture that things are to fill.
@@ -102,6 +106,7 @@ impl Rig {
             window,
             reach: extent.reach(),
             now: None,
+            seen: Vec::new(),
         }
     }
 
@@ -145,7 +150,16 @@ impl Rig {
                 let followed = found.map(|at| Followed::from(&frame.bodies[at]));
                 (followed.map(|followed| follow.chase.sight(&followed, follow.aside, from)), CHASING)
             }
+            Motion::Beside(number) => {
+                let found = frame.bodies.binary_search_by_key(number, |body| body.number).ok();
+                let center = found.map(|at| frame.bodies[at].center());
+                (center.map(|center| Sight { eye: center + eye - target, target: center }), BESIDE)
+            }
             Motion::Crowd => {
+                if self.cuts(frame) {
+                    self.now = None;
+                }
+                self.seen.clone_from(&frame.bodies);
                 // The viewpoint lags behind: it aims at where people are, and at where they will be when it is there.
                 let points: Vec<DVec3> = people(frame, 0.0).chain(people(frame, 1.0 / FRAMING)).collect();
                 let out = (eye - target).normalize_or(DVec3::Z);
@@ -167,100 +181,22 @@ impl Rig {
         (self.now.map_or(self.start, |(sight, _)| sight), self.angle)
     }
 
+    /// Whether an agent has been moved elsewhere, out of the picture.
+    fn cuts(&self, frame: &Frame) -> bool {
+        let Some((sight, since)) = self.now else { return false };
+        let (lens, half) = (self.lens(sight, self.angle), self.window.half.as_vec2());
+        frame.bodies.iter().any(|body| {
+            let before = self.seen.binary_search_by_key(&body.number, |body| body.number).ok();
+            let moved = before.is_some_and(|at| is_moved(&self.seen[at], body, frame.time - since));
+            let shown = |pixel: Vec2| (pixel - self.window.anchor).abs().cmple(half).all();
+            moved && !lens.pixel(body.center()).is_some_and(shown)
+        })
+    }
+
     fn lens(&self, Sight { eye, target }: Sight, angle: f64) -> Lens {
         Lens::new(eye, target, self.window.focal(angle), self.window.anchor, self.reach)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::WorldBox;
-    use throng_record::Setting;
-
-    /// Returns how far from the edges of a room all points are, pixels: the least.
-    fn inside(lens: &Lens, points: &[DVec3], (low, high): (Vec2, Vec2)) -> f32 {
-        let pixel = |point: &DVec3| lens.pixel(*point).expect("the point is before the viewpoint");
-        points.iter().map(pixel).fold(f32::INFINITY, |least, at| least.min((at - low).min(high - at).min_element()))
-    }
-
-    #[test]
-    fn everything_is_in_the_picture_all_the_way_round() {
-        let room = (Vec2::splat(20.0), Vec2::new(620.0, 460.0));
-        let ground = WorldBox { min: DVec2::new(10.0, -3.0), max: DVec2::new(40.0, 2.0) };
-        for (height, orbit) in [(0.0, 0.0), (12.0, 0.0), (90.0, 0.0), (12.0, 20.0)] {
-            let setting = Setting {
-                in_space: true,
-                walkable: vec![throng::Walkable { outer: vec![DVec2::ZERO; 3], ..Default::default() }],
-                ..Setting::default()
-            };
-            let body = throng_record::Body { altitude: height as f32, radius: 0.0, ..body(DVec2::new(20.0, 0.0)) };
-            let extent = Extent::of(ground, true, &setting, &Frame { bodies: vec![body], ..Frame::default() });
-            let motion = if orbit == 0.0 { Motion::Still } else { Motion::Orbit(orbit) };
-            let mut rig = Rig::new(&Viewpoint { motion, ..Viewpoint::default() }, &extent, 480, room);
-            let least = (0..18).map(|time| {
-                let lens = rig.turn(&Frame { time: f64::from(time), ..Frame::default() });
-                inside(&lens, &extent.points(false), room)
-            });
-            let tightest = least.fold(f32::INFINITY, f32::min);
-            assert!((-1e-3..60.0).contains(&tightest), "{height} m high, {orbit} degrees a second: {tightest} pixels");
-        }
-    }
-
-    fn body(position: DVec2) -> throng_record::Body {
-        throng_record::Body { position, velocity: Vec2::ZERO, radius: 0.25, ..crate::harness::body() }
-    }
-
-    #[test]
-    fn a_crowd_fills_the_picture_wherever_it_goes() {
-        let room = (Vec2::splat(20.0), Vec2::new(620.0, 460.0));
-        let moment = |time: f64| {
-            let spread = 3.0 + 0.5 * time;
-            let bodies = (0..12).map(|k| {
-                let out = DVec2::from_angle(f64::from(k));
-                let velocity = if time < 20.0 { out * 0.5 + DVec2::X * 1.2 } else { DVec2::ZERO };
-                let at = out * spread + DVec2::X * 1.2 * time;
-                throng_record::Body { velocity: velocity.as_vec2(), ..body(at) }
-            });
-            Frame { time, bodies: bodies.collect(), ..Frame::default() }
-        };
-        let ground = WorldBox { min: DVec2::splat(-90.0), max: DVec2::splat(90.0) };
-        let extent = Extent::of(ground, true, &Setting::default(), &moment(0.0));
-        let mut rig = Rig::new(&Viewpoint { motion: Motion::Crowd, ..Viewpoint::default() }, &extent, 480, room);
-        for k in 0..500 {
-            let frame = moment(f64::from(k) / 25.0);
-            let lens = rig.turn(&frame);
-            let least = inside(&lens, &people(&frame, 0.0).collect::<Vec<_>>(), room);
-            assert!((-8.0..90.0).contains(&least), "{least} pixels after {} s", frame.time);
-        }
-        let rest = rig.turn(&Frame { time: 30.0, ..moment(20.0) });
-        let least = inside(&rest, &people(&moment(20.0), 0.0).collect::<Vec<_>>(), room);
-        assert!((-1.0..8.0).contains(&least), "{least} pixels at rest");
-    }
-    /// Returns the distance of the viewpoint from a small group of agents of a size, metres.
-    fn distance_from(radius: f32, flies: bool) -> f64 {
-        let basis = flies.then(throng::motion::Basis::default);
-        let spread = 4.0 * f64::from(radius);
-        let bodies = (0..6).map(|k| {
-            let at = DVec2::from_angle(f64::from(k)) * spread;
-            throng_record::Body { radius, basis, altitude: if flies { 2.0 } else { 0.0 }, ..body(at) }
-        });
-        let frame = Frame { bodies: bodies.collect(), ..Frame::default() };
-        let ground = WorldBox { min: DVec2::splat(-9.0), max: DVec2::splat(9.0) };
-        let extent = Extent::of(ground, true, &Setting::default(), &frame);
-        let viewpoint = Viewpoint { motion: Motion::Crowd, ..Viewpoint::default() };
-        let mut rig = Rig::new(&viewpoint, &extent, 480, (Vec2::splat(20.0), Vec2::new(620.0, 460.0)));
-        rig.turn(&frame);
-        let (sight, _) = rig.now.expect("the viewpoint follows the crowd");
-        sight.eye.distance(sight.target)
-    }
-
-    #[test]
-    fn the_least_distance_is_that_of_the_size_of_the_agents() {
-        for (radius, flies, least) in [(0.2, false, 6.0), (0.4, true, 6.0), (0.01, true, 0.5), (0.005, true, 0.25)] {
-            let distance = distance_from(radius, flies);
-            assert!((distance - least).abs() < 0.5 * least, "{distance} m from agents of {radius} m");
-            assert!(distance >= least - 1e-6, "{distance} m from agents of {radius} m");
-        }
-    }
-}
+mod tests;

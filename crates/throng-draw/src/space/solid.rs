@@ -5,7 +5,7 @@ use crate::Color;
 use glam::{DVec2, DVec3, Mat3, Vec2, Vec3};
 use std::collections::BTreeMap;
 use throng::Obstacle;
-use throng_record::Shell;
+use throng_record::{SetMesh, Shell};
 use throng_render::{Body, Line, LineEnd, Material, Mesh, Pattern};
 
 /// The number of corners of a round obstacle.
@@ -68,6 +68,14 @@ impl Solid {
         // A single facet is a sheet, which has two sides.
         let thin = shell.facets.len() == 1;
         Some(Self { mesh, place: origin.extend(0.0), material: material(color), thin })
+    }
+
+    /// Returns a set, at the origin of the setting.
+    pub fn set(set: &SetMesh, origin: DVec2) -> Self {
+        let colors: Vec<Vec3> = set.colors.iter().map(|&[r, g, b]| light_of(Color { r, g, b, a: 255 })).collect();
+        let mesh = Mesh::new(set.positions.clone(), set.normals.clone(), colors, set.triangles.clone());
+        let mesh = mesh.unwrap_or_default();
+        Self { mesh, place: origin.extend(0.0), material: Material::plain(Vec3::ONE), thin: true }
     }
 
     /// Returns it as a part of a scene.

@@ -34,7 +34,11 @@ pub enum Motion {
     Orbit(f64),
     /// It follows an agent. The film begins at the position to which following leads from [`Viewpoint::eye`].
     Follow(Following),
-    /// It keeps its direction, and moves so that the agents on the ground fill the picture.
+    /// It moves with the agent of this number, and keeps its direction and its distance. It lags behind, so a fast agent is
+    /// ahead in the picture.
+    Beside(u32),
+    /// It keeps its direction, and moves so that the agents on the ground fill the picture. When an agent is moved
+    /// elsewhere, out of the picture, the film cuts to where all agents are.
     Crowd,
     /// It moves through keys, in the order of their times. Without keys it stays where it is.
     Keys(Vec<CameraKey>),

@@ -9,6 +9,7 @@ mod framing;
 mod insects;
 mod people;
 mod pictures;
+mod places;
 mod shapes;
 mod sheets;
 mod shells;

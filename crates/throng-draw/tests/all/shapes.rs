@@ -29,12 +29,18 @@ fn differ(a: &Image, b: &Image) -> usize {
     a.data().chunks_exact(4).zip(b.data().chunks_exact(4)).filter(|(a, b)| a != b).count()
 }
 
+/// An agent a little above the ground: without a shape it is a ball.
+fn floating() -> Frame {
+    let mut frame = alone(0.0);
+    frame.bodies[0].altitude = 0.02;
+    frame
+}
+
 #[test]
 fn a_figure_stands_on_its_place_and_is_as_tall_as_a_person() {
-    let frame = alone(0.0);
+    let frame = floating();
     let empty = Frame { bodies: Vec::new(), ..frame.clone() };
     let painted = |form: AgentShape, up: f64| {
-        // where agents fly, those without a shape are balls
         let place = Setting { in_space: true, ..place() };
         let mut painter = Painter::new(&place, &in_space(form), &frame).unwrap();
         let at = painter.pixel(DVec3::new(0.0, 0.0, up)).unwrap();
@@ -95,8 +101,8 @@ fn every_shape_is_drawn_from_above_and_in_space() {
         for form in Shape::ALL.map(AgentShape::Shaped).into_iter().chain([AgentShape::Body]) {
             let style = Style { projection: Some(projection), ..in_space(form) };
             let place = Setting { in_space: true, ..place() };
-            let mut painter = Painter::new(&place, &style, &alone(0.0)).unwrap();
-            let image = painter.paint(&alone(0.0)).clone();
+            let mut painter = Painter::new(&place, &style, &floating()).unwrap();
+            let image = painter.paint(&floating()).clone();
             assert!(pictures.iter().all(|other| differ(other, &image) > 5), "{form:?}, {projection:?}");
             pictures.push(image);
         }

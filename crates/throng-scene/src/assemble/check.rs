@@ -72,7 +72,7 @@ fn check_names(scene: &Scene) -> Checked {
     Ok(())
 }
 
-fn check_obstacle(path: &Path, obstacle: &Obstacle) -> Checked {
+pub(super) fn check_obstacle(path: &Path, obstacle: &Obstacle) -> Checked {
     let path = path.key("shape");
     match &obstacle.shape {
         Shape::Circle(circle) => {
@@ -210,8 +210,22 @@ fn check_view(view: &View) -> Checked {
     if let Some(camera) = &view.camera {
         check_camera(&path.key("camera"), camera)?;
     }
+    for (i, lamp) in view.lamps.iter().enumerate() {
+        check_spot(&path.key("lamps").index(i), lamp)?;
+    }
     check_some(&path.key("fps"), view.fps, Limit::Between(0.001, 1000.0))?;
     check_some(&path.key("moment"), view.moment, Limit::NotNegative)?;
+    check_some(&path.key("sun").key("azimuth"), view.sun.azimuth, Limit::Between(-360.0, 360.0))?;
+    check_some(&path.key("sun").key("height"), view.sun.height, Limit::Between(3.0, 90.0))?;
+    check_some(&path.key("haze"), view.haze, Limit::Positive)?;
+    if let Some(set) = &view.set {
+        let path = path.key("set");
+        let [x, y, z] = set.at;
+        check_point(&path.key("at"), &[x, y])?;
+        check(&path.key("at").index(2), z, Limit::Between(-10_000.0, 10_000.0))?;
+        check(&path.key("turn"), set.turn, Limit::Between(-360.0, 360.0))?;
+        check_some(&path.key("scale"), set.scale, Limit::Between(1e-6, 1e6))?;
+    }
     check_some(&path.key("trails"), view.trails, Limit::NotNegative)
 }
 

@@ -119,17 +119,24 @@ pub(super) fn check_polygon(path: &Path, corners: &[Point], what: &str) -> Resul
 
 /// Returns the obstacles of a scene.
 pub(super) fn obstacles(scene: &Scene) -> Result<Vec<throng::Obstacle>, Problem> {
-    let one = |(i, obstacle): (usize, &Obstacle)| {
-        let path = Path::of("obstacle").index(i).key("shape");
-        if let Shape::Polygon(corners) = &obstacle.shape {
-            check_polygon(&path.key("polygon"), corners, &obstacle_name(&obstacle.name, i))?;
-        }
-        Ok(match obstacle.solid_as {
-            As::Shape => solid_shape(&obstacle.shape),
-            As::Circle => bounding_circle(&obstacle.shape),
-        })
-    };
-    scene.obstacles.iter().enumerate().map(one).collect()
+    let all = scene.obstacles.iter().enumerate();
+    all.map(|(i, said)| obstacle(said, &Path::of("obstacle").index(i), &obstacle_name(&said.name, i))).collect()
+}
+
+/// Returns an obstacle; `name` is its name in messages.
+pub(super) fn obstacle(said: &Obstacle, path: &Path, name: &str) -> Result<throng::Obstacle, Problem> {
+    if let Shape::Polygon(corners) = &said.shape {
+        check_polygon(&path.key("shape").key("polygon"), corners, name)?;
+    }
+    Ok(solid(said))
+}
+
+/// Returns the solid form of an obstacle with a valid shape.
+pub(super) fn solid(said: &Obstacle) -> throng::Obstacle {
+    match said.solid_as {
+        As::Shape => solid_shape(&said.shape),
+        As::Circle => bounding_circle(&said.shape),
+    }
 }
 
 /// Returns the solid form of a shape.

@@ -1,5 +1,6 @@
 //! The rules of a scene's game.
 
+use super::intervene::{Intervening, Interventions};
 use super::limits::{Limit, check, check_some};
 use crate::error::Kind;
 use crate::file::{Path, Problem};
@@ -16,11 +17,22 @@ pub(super) fn make(scene: &Scene, cast: &SceneNames) -> Result<Option<Arc<dyn Ru
     made.map(Some).map_err(|error| unfit(scene, &error))
 }
 
-/// Gives the world its rules, and checks that the figures of `[expect]` exist.
-pub(super) fn begin(scene: &Scene, rules: Option<Arc<dyn Rules>>, world: &mut World) -> Result<(), Problem> {
+/// Gives the world its rules and interventions, and checks that the figures of `[expect]` exist.
+pub(super) fn begin(
+    scene: &Scene,
+    game: Option<Arc<dyn Rules>>,
+    interventions: &Interventions,
+    world: &mut World,
+) -> Result<(), Problem> {
+    let rules = match (game, interventions.made().is_empty()) {
+        (game, true) => game,
+        (game, false) => Some(Arc::new(Intervening { game, interventions: interventions.clone() }) as Arc<dyn Rules>),
+    };
     if let Some(rules) = rules {
         world.set_rules(rules).map_err(|error| unfit(scene, &error))?;
     }
+    let at_start = interventions.act(world);
+    at_start.map_err(|error| Problem::new(&Path::of("intervention"), Kind::World, error.to_string()))?;
     let path = Path::of("expect");
     let figures = scene.expect.figure.iter().enumerate();
     figures

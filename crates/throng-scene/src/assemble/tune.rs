@@ -33,6 +33,9 @@ impl Scene {
         if before.groups.len() != self.groups.len() || before.with_the_groups_of(self) != *self {
             return Ok(false);
         }
+        if self.has_the_world_of(before) {
+            return Ok(true);
+        }
         let plan = self.plan()?;
         let numbers = built.groups.iter().map(|group| group.numbers.len()).sum::<usize>();
         if plan.agents.len() != numbers || plan.groups.len() != built.groups.len() {
@@ -52,6 +55,19 @@ impl Scene {
         adjusted.map_err(|error| self.refused("group", None, &error))?;
         (built.fields, built.notes) = (plan.fields, plan.notes);
         Ok(true)
+    }
+
+    /// Whether this scene and another differ at most in what has no effect on the world: title, view, expectations, and
+    /// the words about the scene.
+    pub fn has_the_world_of(&self, other: &Self) -> bool {
+        let same = Self {
+            title: self.title.clone(),
+            about: self.about.clone(),
+            view: self.view.clone(),
+            expect: self.expect.clone(),
+            ..other.clone()
+        };
+        same == *self
     }
 
     /// Returns this scene with everything of another scene that may differ.

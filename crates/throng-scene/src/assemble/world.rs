@@ -1,5 +1,6 @@
 //! Builds a world from a plan.
 
+use super::intervene::Interventions;
 use super::plan::{Plan, PlannedField};
 use crate::error::{Error, Kind};
 use crate::file::{Path, Problem};
@@ -34,6 +35,8 @@ pub struct Built {
     pub fields: Vec<PlannedField>,
     /// Notes about things that are valid but may not be intended, a sentence each.
     pub notes: Vec<String>,
+    /// The interventions of the scene.
+    pub interventions: Interventions,
     /// Lower left and upper right corner of everything except surfaces and paths, metres.
     pub bounds: [DVec2; 2],
 }
@@ -79,7 +82,7 @@ impl Scene {
             .enumerate()
             .map(|(i, script)| world.add_script(script.clone()).map_err(|error| self.refused("mover", Some(i), &error)))
             .collect::<Result<_, Error>>()?;
-        let built = self.built(&plan, &groups, &goals);
+        let mut built = self.built(&plan, &groups, &goals);
         let mut unturned = vec![];
         world.reserve(plan.agents.len());
         for planned in &plan.agents {
@@ -103,8 +106,30 @@ impl Scene {
         }
         self.check_long_bodies(&world, &built)?;
         world.face_ways(&unturned);
-        super::rules::begin(self, plan.rules, &mut world).map_err(|problem| self.explain(problem))?;
+        let wrong = |problem| self.explain(problem);
+        built.interventions = self.interventions_of(&plan, &groups, &journeys).map_err(wrong)?;
+        super::rules::begin(self, plan.rules, &built.interventions, &mut world).map_err(wrong)?;
         Ok((world, built))
+    }
+
+    /// Returns the interventions of the scene, for the groups and journeys of its world.
+    fn interventions_of(
+        &self,
+        plan: &Plan,
+        groups: &[GroupId],
+        journeys: &[JourneyId],
+    ) -> Result<Interventions, Problem> {
+        let of = |k: usize| {
+            let agents = plan.agents.iter().filter(|planned| planned.group == k);
+            let agents = agents.map(|planned| throng::Agent {
+                group: groups[k],
+                journey: planned.journey.map_or(JourneyId::STAY, |journey| journeys[journey]),
+                velocity: glam::Vec2::ZERO,
+                ..planned.agent.clone()
+            });
+            (plan.groups[k].name.clone(), agents.collect())
+        };
+        Interventions::new(self, (0..self.groups.len()).map(of).collect(), &plan.obstacles)
     }
 
     fn built(&self, plan: &Plan, ids: &[GroupId], goals: &[GoalId]) -> Built {
@@ -129,6 +154,7 @@ impl Scene {
             paths: self.paths.iter().map(|said| said.name.clone()).zip(plan.paths.iter().cloned()).collect(),
             fields: plan.fields.clone(),
             notes: plan.notes.clone(),
+            interventions: Interventions::default(),
             bounds: plan.bounds,
         }
     }

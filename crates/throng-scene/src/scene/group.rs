@@ -201,9 +201,9 @@ pub enum Preset {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Speed {
-    /// The speed of an agent that nothing hinders. Limit: >= 0, at most 1000.
+    /// The speed of an agent that nothing hinders, m/s. Limit: >= 0, at most 1000.
     pub preferred: Number,
-    /// The greatest speed. Without it, 1.8, or the preferred speed if that is greater. Limit: at least `preferred`.
+    /// The greatest speed, m/s. Without it, 1.8, or the preferred speed if that is greater. Limit: at least `preferred`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Number>,
 }

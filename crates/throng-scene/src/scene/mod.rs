@@ -9,6 +9,7 @@ pub mod flow;
 pub(crate) mod goal;
 mod ground;
 mod group;
+mod intervention;
 mod motor;
 mod mover;
 mod names;
@@ -37,6 +38,7 @@ pub use goal::{
 };
 pub use ground::{Area, PlanFile, Rectangle, Region, Walkable};
 pub use group::{Group, Preset, Speed};
+pub use intervention::{AddAgents, Change, Intervention, Led, NewGoal, Push};
 pub use motor::Motor;
 pub use mover::{Keyframe, Mover};
 pub use names::SceneNames;
@@ -52,7 +54,7 @@ pub use surface::{
     Ball, Block, Column, Form, HalfSpace, HeightField, MeshFile, Pathway, Rod, SeenFrom, Sheet, Surface, Up,
 };
 pub use time::{SubSteps, Time, Until};
-pub use view::{AgentShape, Camera, CameraKey, Colour, DrawnFields, FieldLayer, Projection, View};
+pub use view::{AgentShape, Camera, CameraKey, Colour, DrawnFields, FieldLayer, Projection, StageSet, Sun, View};
 pub use wrap_around::WrapAround;
 
 pub use crate::file::Origin;
@@ -103,6 +105,9 @@ pub struct Scene {
     /// Obstacles that move by a script.
     #[serde(default, rename = "mover", skip_serializing_if = "Vec::is_empty")]
     pub movers: Vec<Mover>,
+    /// Changes that are made while the scene runs.
+    #[serde(default, rename = "intervention", skip_serializing_if = "Vec::is_empty")]
+    pub interventions: Vec<Intervention>,
     /// The name of the rules of a game. Without it, the scene has no rules.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rules: Option<String>,
@@ -151,6 +156,7 @@ impl Default for Scene {
             fields: vec![],
             groups: vec![],
             movers: vec![],
+            interventions: vec![],
             rules: None,
             view: View::default(),
             expect: Expect::default(),

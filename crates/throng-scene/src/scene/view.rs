@@ -1,5 +1,6 @@
 //! The look of a scene's pictures.
 
+use super::surface::is_default;
 use super::{Annotate, Point, SpacePoint};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -56,12 +57,69 @@ pub struct View {
     /// Whether goals are drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub goals: Option<bool>,
+    /// Whether agents on the ground of the size of people are drawn as people, in perspective. Without it, they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub people: Option<bool>,
+    /// The sun, in perspective.
+    #[serde(skip_serializing_if = "Sun::is_default")]
+    pub sun: Sun,
+    /// The distance at which haze has taken 63 % of the colour of things, in perspective, metres. Without it, little: 4.5
+    /// times the distance of the farthest things. Limit: > 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub haze: Option<f64>,
+    /// A set to look at, in perspective. Agents do not see it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub set: Option<StageSet>,
+    /// The positions of lamps that shine, in perspective. A scene with lamps is drawn at night, in dark colours.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lamps: Vec<SpacePoint>,
 }
 
 impl View {
     pub(super) fn is_default(&self) -> bool {
         *self == Self::default()
     }
+}
+
+/// The sun of pictures in perspective.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Sun {
+    /// The direction to the sun, seen from above, degrees from the axis x, counter-clockwise. Without it, behind the
+    /// camera, to its left. Limit: -360 to 360.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub azimuth: Option<f64>,
+    /// The height of the sun above the horizon, degrees. Without it, as in the afternoon: 41, or 69 over agents that
+    /// fly. Limit: 3 to 90.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
+}
+
+impl Sun {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// A set: the meshes of a glTF file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StageSet {
+    /// A `.glb` file, or a `.gltf` file with everything in it. A relative name refers to the scene file's folder. The axis y
+    /// of the file points up: its point (x, y, z) is (x, -z, y) of the scene.
+    pub file: String,
+    /// The place of the file's origin. Its height is within 10000 m.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub at: SpacePoint,
+    /// The angle by which the set is turned, degrees, counter-clockwise from above. Limit: -360 to 360.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub turn: f64,
+    /// The length of the file's unit, metres. Without it, 1. Limit: 0.000001 to 1000000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<f64>,
+    /// Whether the set stands in place of the ground and the obstacles, which are not drawn then.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub replaces: bool,
 }
 
 /// How fields are drawn. In files `true` (the default layers), `false`, or a list of layers.
@@ -150,7 +208,8 @@ pub struct Camera {
     /// Angular speed of the eye around its target, degrees a second, counter-clockwise from above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orbit: Option<f64>,
-    /// Number of the agent that the camera follows, from 0.
+    /// Number of the agent that the camera follows, from 0. With `eye` and `target` the camera keeps the direction and the
+    /// distance that these have, and lags behind the agent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub follow: Option<u32>,
     /// Whether the camera moves so that the agents fill the picture.

@@ -1,7 +1,7 @@
 //! Flocks for ten minutes, in each set of constraints: no agent touches an obstacle, no two guarded agents overlap, and
 //! the agents flock. The figures of docs/flocks.md.
 
-use glam::Vec3;
+use glam::{DMat3, DVec3, Vec3};
 use std::io::Write;
 use throng::World;
 use throng::space::surface::SeenFrom;
@@ -21,6 +21,10 @@ struct Figures {
     local_order: f64,
     /// The mean distance between the centres of neighbours, metres.
     nearest: f64,
+    /// The extents of the largest flock along its second and its third axis, over that along its thinnest one.
+    proportions: [f64; 2],
+    /// The cosine of the angle between the thinnest axis and the vertical.
+    upright: f64,
     /// The least distance between the centres of two agents, over the sum of their radii.
     separation: f64,
     /// The least distance between a body and a surface, metres.
@@ -49,8 +53,66 @@ fn clearance(world: &World, built: &Built) -> f64 {
     (0..agents.len()).map(one).fold(f64::INFINITY, f64::min)
 }
 
-/// Returns order, local order, and mean distance of neighbours.
-fn moment(world: &World) -> [f64; 3] {
+/// Returns the positions of the largest flock: agents within [`NEAR`] of each other belong together.
+fn largest(at: &[Vec3]) -> Vec<Vec3> {
+    let mut left: Vec<Vec3> = at.to_vec();
+    let mut best: Vec<Vec3> = Vec::new();
+    while let Some(first) = left.pop() {
+        let (mut flock, mut next) = (vec![first], 0);
+        while next < flock.len() {
+            let here = flock[next];
+            next += 1;
+            let (near, far) = left.iter().partition(|place| place.distance(here) < NEAR);
+            flock.extend::<Vec<Vec3>>(near);
+            left = far;
+        }
+        if flock.len() > best.len() {
+            best = flock;
+        }
+    }
+    best
+}
+
+/// Returns the root mean square extents of points along their principal axes, ascending, and the axis of the first:
+/// eigenvalues and eigenvectors of the covariance, by Jacobi's rotations.
+fn axes(points: &[Vec3]) -> ([f64; 3], DVec3) {
+    let points: Vec<DVec3> = points.iter().map(|point| point.as_dvec3()).collect();
+    let middle = points.iter().sum::<DVec3>() / points.len() as f64;
+    let mut spread = DMat3::ZERO;
+    for offset in points.iter().map(|&point| point - middle) {
+        spread += DMat3::from_cols(offset * offset.x, offset * offset.y, offset * offset.z);
+    }
+    let mut turn = DMat3::IDENTITY;
+    for (p, q) in [(0, 1), (0, 2), (1, 2)].into_iter().cycle().take(30) {
+        let angle = 0.5 * f64::atan2(2.0 * spread.col(q)[p], spread.col(q)[q] - spread.col(p)[p]);
+        let (sin, cos) = angle.sin_cos();
+        let mut step = DMat3::IDENTITY;
+        (step.col_mut(p)[p], step.col_mut(q)[q]) = (cos, cos);
+        (step.col_mut(q)[p], step.col_mut(p)[q]) = (sin, -sin);
+        (spread, turn) = (step.transpose() * spread * step, turn * step);
+    }
+    let mut all = [0, 1, 2].map(|k| ((spread.col(k)[k].max(0.0) / points.len() as f64).sqrt(), turn.col(k)));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    (all.map(|axis| axis.0), all[0].1)
+}
+
+#[test]
+fn the_axes_of_a_turned_slab_are_found() {
+    let turn = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 0.7);
+    let corner = |k: u8| {
+        let side = |bit: u8, half: f64| if k & bit == 0 { -half } else { half };
+        (turn * DVec3::new(side(1, 3.0), side(2, 1.0), side(4, 7.0)) + DVec3::splat(20.0)).as_vec3()
+    };
+    let (extents, thin) = axes(&(0..8).map(corner).collect::<Vec<_>>());
+    assert!(extents.iter().zip([1.0, 3.0, 7.0]).all(|(a, b)| (a - b).abs() < 1e-5), "{extents:?}");
+    assert!(thin.dot(turn * DVec3::Y).abs() > 1.0 - 1e-6, "{thin}");
+    let apart = [0.0, 5.0, 30.0, 35.0, 40.0].map(|x| Vec3::X * x);
+    assert_eq!(largest(&apart).len(), 3);
+}
+
+/// Returns order, local order, mean distance of neighbours, and of the largest flock the proportions and the cosine of
+/// the angle between its thinnest axis and the vertical.
+fn moment(world: &World) -> [f64; 6] {
     let agents = world.relative_columns();
     let at = |row: usize| agents.position[row].extend(agents.altitude[row]);
     let way = |row: usize| agents.velocity[row].extend(agents.vertical_velocity[row]).normalize_or_zero();
@@ -65,7 +127,16 @@ fn moment(world: &World) -> [f64; 3] {
         let others = rows().filter(|&other| other != row).map(|other| at(other).distance(at(row)));
         f64::from(others.fold(f32::INFINITY, f32::min))
     };
-    [f64::from(all.length()) / agents.len() as f64, mean(rows().filter_map(local)), mean(rows().map(nearest))]
+    let places: Vec<Vec3> = rows().map(at).collect();
+    let ([thin, wide, long], axis) = axes(&largest(&places));
+    [
+        f64::from(all.length()) / agents.len() as f64,
+        mean(rows().filter_map(local)),
+        mean(rows().map(nearest)),
+        wide / thin,
+        long / thin,
+        axis.z.abs(),
+    ]
 }
 
 fn fly(name: &str) -> Figures {
@@ -82,12 +153,23 @@ fn fly(name: &str) -> Figures {
     }
     let over = |k: usize| mean(moments.iter().map(|moment| moment[k]));
     let separation = world.summary().least_separation;
-    Figures { order: over(0), local_order: over(1), nearest: over(2), separation, clearance: clear }
+    Figures {
+        order: over(0),
+        local_order: over(1),
+        nearest: over(2),
+        proportions: [over(3), over(4)],
+        upright: over(5),
+        separation,
+        clearance: clear,
+    }
 }
 
 fn check(name: &str) {
-    let Figures { order, local_order, nearest, separation, clearance } = fly(name);
-    let row = format!("| `{name}` | {order:.2} | {local_order:.2} | {nearest:.2} | {separation:.3} | {clearance:.3} |");
+    let Figures { order, local_order, nearest, proportions: [wide, long], upright, separation, clearance } = fly(name);
+    let shape = format!("1 : {wide:.1} : {long:.1} | {upright:.2}");
+    let row = format!(
+        "| `{name}` | {order:.2} | {local_order:.2} | {nearest:.2} | {shape} | {separation:.3} | {clearance:.3} |"
+    );
     std::io::stdout().write_all(format!("{row}\n").as_bytes()).unwrap();
     assert!(clearance > 0.0, "{name}: an agent touched an obstacle: {clearance} m");
     // random directions give less than 0.4: an agent has ten neighbours on average

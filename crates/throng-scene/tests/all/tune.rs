@@ -49,6 +49,22 @@ fn people_have_the_speeds_that_they_would_have_been_given() {
 }
 
 #[test]
+fn another_look_leaves_the_world_as_it_is() {
+    let scene = gallery::scene("circle").unwrap();
+    let (mut world, mut built) = scene.build().unwrap();
+    world.step();
+    // the world is no longer what the scene says
+    world.adjust(|_, agent| agent.preferred_speed = 0.7).unwrap();
+    let hash = world.state_hash();
+    let mut other = scene.clone();
+    other.view.camera = Some(toml::from_str("keys = [{ time = 1, eye = [0, -9, 5], target = [0, 0, 0] }]").unwrap());
+    assert!(other.has_the_world_of(&scene) && other.tune(&scene, &mut world, &mut built).unwrap());
+    assert_eq!(world.state_hash(), hash);
+    other.groups[0].guard = Some(false);
+    assert!(!other.has_the_world_of(&scene));
+}
+
+#[test]
 fn other_places_need_another_world() {
     let scene = gallery::scene("circle").unwrap();
     let (mut world, mut built) = scene.build().unwrap();

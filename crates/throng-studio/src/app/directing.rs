@@ -1,19 +1,23 @@
 //! Editing the scene in the view.
 
-use super::{App, frame_of};
+use super::{App, floating_frame};
 use crate::direct::{DirectedWorld, Sight};
-use crate::keep::Leaving;
 use crate::panels;
 use crate::play::RunMoment;
-use eframe::egui::{self, Context, Ui};
+use eframe::egui::{self, Ui};
 
 impl App {
-    /// Handles the result of a gesture. After an edit, the scene restarts, running or paused as before.
+    /// Handles the result of a gesture. After an edit, the scene restarts, running or paused as before, or goes on where the
+    /// user wants no restarts.
     fn directed(&mut self, edited: Result<bool, String>, shown: &RunMoment) {
         match edited {
             Ok(true) => {
                 self.notice = None;
-                self.play(shown.playing);
+                if self.settings.restarts {
+                    self.play(shown.playing);
+                } else {
+                    self.change();
+                }
             }
             Ok(false) => {}
             Err(says) => self.notice = Some(says),
@@ -26,11 +30,20 @@ impl App {
         let (projector, theme) = (self.views[0].eye.projector(size), self.settings.theme());
         let stage = DirectedWorld { first: &shown.first, bounds: shown.bounds, scale: 1.0 };
         let sight = Sight { projector: &projector, theme: &theme };
+        self.director.snapping = self.settings.snapping;
         if self.views[0].lent {
             let area = egui::Area::new(egui::Id::unique("tool")).fixed_pos(response.rect.min + egui::vec2(12.0, 12.0));
-            let frame = frame_of(&self.settings).corner_radius(6).stroke(ui.visuals().window_stroke);
-            area.show(ui.ctx(), |ui| frame.show(ui, |ui| panels::tool_options(ui, &mut self.director, &shown.scene)));
+            let frame = floating_frame(&self.settings, ui);
+            area.show(ui.ctx(), |ui| {
+                frame.show(ui, |ui| panels::tool_options(ui, &mut self.director, &mut self.intervener, &shown.scene))
+            });
+            self.settings.snapping = self.director.snapping;
         }
+        if self.director.tool.intervenes() {
+            self.intervene(ui, response, shown);
+            return;
+        }
+        self.let_go();
         let edited = self.director.ui(ui, response, &mut self.document, stage, sight);
         self.directed(edited, shown);
     }
@@ -52,24 +65,5 @@ impl App {
         let group = selected.unwrap_or(self.director.group);
         let edited = self.director.more(&mut self.document, group, by);
         self.directed(edited, shown);
-    }
-
-    /// Shows the windows "Save as" and "Open" and handles their answers.
-    pub(super) fn ask_name(&mut self, ctx: &Context) {
-        if let Some(name) = self.open.ui(ctx) {
-            let opened = self.files.open(&name, self.document.plugins()).map(|_| ());
-            let good = opened.is_ok();
-            self.open.answer(opened);
-            if good {
-                self.leave(Leaving::Open(name));
-            }
-        }
-        if let Some(name) = self.save_as.ui(ctx) {
-            let saved = self.outside.save_as(&mut self.document, &name);
-            if saved.is_ok() {
-                self.settings.scene.clone_from(&name);
-            }
-            self.save_as.answer(saved);
-        }
     }
 }

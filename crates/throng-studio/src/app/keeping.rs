@@ -5,8 +5,9 @@ use crate::document::Document;
 use crate::keep::{Answer, Draft, Leaving, Unfinished, remembered};
 use crate::outside::Files;
 use crate::panels;
+use crate::play::Trouble;
 use eframe::Storage;
-use eframe::egui::{Context, ViewportCommand};
+use eframe::egui::{Context, Ui, ViewportCommand};
 use std::sync::Arc;
 use std::time::Duration;
 use throng_scene::Plugins;
@@ -14,25 +15,34 @@ use throng_scene::Plugins;
 /// The interval at which unsaved text is stored.
 pub(super) const AUTOSAVE: Duration = Duration::from_secs(3);
 
-/// Returns the initial document, a message for the user, and the question to ask first. The document is the unsaved
-/// text of the previous session if there is one, else the scene `wanted`. `named` says whether the scene was given at
-/// the start.
+/// The first document, a message for the user, and the unsaved texts of other documents.
+pub(super) type Beginning = (Document, Option<String>, Vec<Draft>);
+
+/// Returns the first document: the unsaved text of the previous session, or the scene `wanted`. `named` says whether the
+/// scene was given at the start: then it is opened, and the unsaved text of another scene is set aside.
 pub(super) fn begin(
     storage: Option<&dyn Storage>,
     (wanted, named): (&str, bool),
     files: &Files,
     plugins: &Arc<Plugins>,
-) -> Result<(Document, Option<String>, Option<Leaving>), String> {
+) -> Result<Beginning, String> {
+    let mut aside: Vec<Draft> = storage.and_then(|storage| remembered(storage, Draft::ASIDE)).unwrap_or_default();
     let draft: Option<Draft> = storage.and_then(|storage| remembered(storage, Draft::KEY)).flatten();
-    if let Some(draft) = draft {
-        let document = draft.restore(|scene| files.open(scene, plugins)).with(plugins);
-        let notice = format!("restored: the changes of {} that were not saved", document.name);
-        let asked = named && document.origin() != wanted;
-        return Ok((document, Some(notice), asked.then(|| Leaving::Open(wanted.to_owned()))));
+    match draft {
+        Some(draft) if named && draft.origin() != wanted => {
+            aside.retain(|other| *other != draft);
+            aside.push(draft);
+        }
+        Some(draft) => {
+            let document = draft.restore(|scene| files.open(scene, plugins)).with(plugins);
+            let notice = format!("restored: the changes of {} that were not saved", document.name);
+            return Ok((document, Some(notice), aside));
+        }
+        None => {}
     }
     match files.open(wanted, plugins) {
-        Ok(document) => Ok((document.with(plugins), None, None)),
-        Err(says) => Ok((Document::named("circle", plugins).ok_or("there is no gallery")?, Some(says), None)),
+        Ok(document) => Ok((document.with(plugins), None, aside)),
+        Err(says) => Ok((Document::named("circle", plugins).ok_or("there is no gallery")?, Some(says), aside)),
     }
 }
 
@@ -60,15 +70,23 @@ impl App {
             Leaving::Open(scene) => match self.files.open(&scene, self.document.plugins()) {
                 Ok(document) => {
                     self.show(document);
-                    self.settings.scene = scene;
+                    self.opened_file(scene);
                     self.begin(true);
                 }
                 Err(says) => self.notice = Some(says),
             },
+            Leaving::Step(lesson, step) => self.teach(lesson, step),
             Leaving::Reload(text) => {
                 self.document.edit(text);
                 self.document.mark_saved();
                 self.change();
+            }
+            Leaving::Restore(draft) => {
+                self.aside.retain(|other| *other != draft);
+                let plugins = self.document.plugins().clone();
+                self.show(draft.restore(|scene| self.files.open(scene, &plugins)));
+                self.opened_file(self.document.origin());
+                self.begin(true);
             }
             Leaving::New => {
                 self.show(Document::empty());
@@ -78,13 +96,35 @@ impl App {
         }
     }
 
-    fn show(&mut self, document: Document) {
+    pub(super) fn show(&mut self, document: Document) {
         let document = document.with(self.document.plugins());
         self.outside = crate::outside::Outside::new(&document);
         self.document = document;
         self.director.cancel();
         self.notice = None;
         self.player.command(self.meters.clear());
+    }
+
+    /// Offers the unsaved texts of other documents that an earlier session left.
+    pub(super) fn offer(&mut self, ui: &mut Ui) {
+        let Some(draft) = self.aside.last().cloned() else { return };
+        ui.horizontal(|ui| {
+            ui.label(format!("{} has changes of an earlier session that were not saved.", draft.name()));
+            if ui.button("Open them").clicked() {
+                self.leave(Leaving::Restore(draft));
+            } else if ui.button("Discard them").clicked() {
+                self.aside.pop();
+            }
+        });
+    }
+
+    /// Opens the text panel if the first scene of the session has an error.
+    pub(super) fn explain_first_error(&mut self, found: bool, trouble: Option<&Trouble>) {
+        let wrong = self.document.scene().is_err() || matches!(trouble, Some(Trouble::Scene(_)));
+        if !self.begun && (found || wrong) {
+            self.begun = true;
+            self.settings.panels.text |= wrong;
+        }
     }
 
     /// Shows only the text and the gallery. Used after the scene stopped the studio.
@@ -181,12 +221,21 @@ impl App {
         self.go(to);
     }
 
+    /// Remembers what was opened or saved last.
+    pub(super) fn opened_file(&mut self, scene: String) {
+        if let Some(path) = self.files.folder.path(&scene) {
+            self.settings.used(path);
+        }
+        self.settings.scene = scene;
+    }
+
     /// Writes the text to its file.
     pub(super) fn save(&mut self) {
         match self.outside.save(&mut self.document) {
-            Ok(()) => {
-                self.settings.scene = self.document.origin();
+            Ok(says) => {
+                self.opened_file(self.document.origin());
                 self.notice = None;
+                self.pass(says);
                 self.change();
             }
             Err(says) => self.notice = Some(says),

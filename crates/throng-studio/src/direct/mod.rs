@@ -8,10 +8,12 @@ pub mod goals;
 pub mod obstacles;
 mod overlay;
 pub mod parts;
+mod precision;
 mod shapes;
 mod tool;
 
 pub use overlay::Sight;
+pub use precision::{Snap, Snapping};
 pub use tool::Tool;
 
 use crate::document::{Document, Edit};
@@ -77,6 +79,8 @@ struct Gesture {
     at: DVec2,
     /// The dragged handle.
     held: Option<Handle>,
+    /// The typed size.
+    typed: String,
 }
 
 /// Turns events of the pointer into edits of the text.
@@ -88,6 +92,10 @@ pub struct Director {
     pub group: usize,
     /// The settings of the brush.
     pub brush: Brush,
+    /// What gestures snap to.
+    pub snapping: Snapping,
+    /// What the pointer has snapped to.
+    snap: Option<(DVec2, Snap)>,
     gesture: Option<Gesture>,
     /// The position of the selected item, and what is removed with it.
     selected: Option<(DVec2, Removal)>,
@@ -121,7 +129,7 @@ impl Director {
             gesture.at = at;
         }
         match event {
-            Event::Press if self.tool != Tool::Hand => self.press(document, at, stage),
+            Event::Press if self.tool != Tool::Hand && !self.tool.intervenes() => self.press(document, at, stage),
             Event::Move if !self.tool.clicks() => {
                 let apart = 0.5 * CLICK / stage.scale;
                 let gesture = self.gesture.as_mut();
@@ -135,6 +143,48 @@ impl Director {
         }
     }
 
+    /// Whether the gesture under way takes digits as its size.
+    pub fn takes_numbers(&self) -> bool {
+        self.gesture.is_some() && self.tool.has_size()
+    }
+
+    /// Types characters of a size, or removes the last one.
+    fn write(&mut self, text: &str, remove: bool) {
+        let sized = self.tool.has_size();
+        let Some(gesture) = self.gesture.as_mut().filter(|_| sized) else { return };
+        gesture.typed.extend(precision::signs(text));
+        if remove {
+            gesture.typed.pop();
+        }
+    }
+
+    /// Returns the position that a gesture takes for the pointer at a position: the typed size, or what is near. `straight`:
+    /// in directions of multiples of 45°. `free`: without snapping.
+    fn aim(&mut self, document: &Document, at: DVec2, (straight, free): (bool, bool), scale: f64) -> DVec2 {
+        let gesture = self.gesture.as_ref();
+        let from =
+            gesture.and_then(|gesture| if self.tool.clicks() { gesture.points.last() } else { gesture.points.first() });
+        let from = from.copied().filter(|_| self.tool.has_size() || self.tool == Tool::Select);
+        let typed = gesture.map_or("", |gesture| &gesture.typed);
+        if let Some(at) = from.and_then(|from| precision::sized(self.tool, from, at, typed)) {
+            self.snap = None;
+            return at;
+        }
+        let snaps = self.tool.snaps() && !free && (straight || self.snapping.on);
+        let Some(scene) = document.scene().ok().filter(|_| snaps) else {
+            self.snap = None;
+            return at;
+        };
+        let held = gesture.and_then(|gesture| gesture.held.as_ref()).map(|held| held.at);
+        // a handle is dragged by its own position, not by that of the pointer in it
+        let off = held.zip(from).map_or(DVec2::ZERO, |(held, from)| held - from);
+        let ends = (from.map(|from| from + off), at + off);
+        let reach = (REACH / scale, held.or(from.filter(|_| self.tool.clicks())));
+        let (to, snap) = precision::snapped(self.snapping, &Parts::of(scene), ends, straight, reach);
+        self.snap = snap.map(|snap| (to, snap));
+        to - off
+    }
+
     fn press(&mut self, document: &mut Document, at: DVec2, stage: DirectedWorld<'_>) -> Result<bool, String> {
         let reach = REACH / stage.scale;
         if self.tool.clicks() {
@@ -146,6 +196,7 @@ impl Director {
                 return self.finish(document, stage);
             }
             gesture.points.push(at);
+            gesture.typed.clear();
             return Ok(false);
         }
         let held = (self.tool == Tool::Select).then(|| {
@@ -155,7 +206,7 @@ impl Director {
         let held = held.flatten();
         self.selected = held.as_ref().and_then(|held| Some((held.at, held.removal.clone()?)));
         if self.tool != Tool::Select || held.is_some() {
-            self.gesture = Some(Gesture { points: vec![at], at, held });
+            self.gesture = Some(Gesture { points: vec![at], at, held, typed: String::new() });
         }
         Ok(false)
     }
@@ -199,7 +250,14 @@ impl Director {
         let smooth = || simplified(line, 2.0 / stage.scale);
         let needs_drag = || if dragged { Ok(()) } else { Err("drag to set the size".to_owned()) };
         match self.tool {
-            Tool::Hand => {}
+            Tool::Hand
+            | Tool::Grab
+            | Tool::Lead
+            | Tool::Push
+            | Tool::Crowd
+            | Tool::Barrier
+            | Tool::Door
+            | Tool::Send => {}
             Tool::Select => {
                 if let Some(held) = &gesture.held {
                     let to = held.at + gesture.by();
@@ -265,7 +323,7 @@ impl Gesture {
 }
 
 /// Returns the line without the points that lie within `tolerance` of the simplified line (Douglas and Peucker).
-fn simplified(line: &[DVec2], tolerance: f64) -> Vec<DVec2> {
+pub(crate) fn simplified(line: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     let [first, .., last] = line else { return line.to_vec() };
     let way = (*last - *first).normalize_or_zero();
     let off = |at: &DVec2| {

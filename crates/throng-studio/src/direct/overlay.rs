@@ -2,12 +2,12 @@
 
 use super::fields::AHEAD;
 use super::parts::{Handle, Look, OutlineKind, Parts};
-use super::{DirectedWorld, Director, Event, Gesture, REACH, Tool};
+use super::{DirectedWorld, Director, Event, Gesture, REACH, Snap, Tool};
 use crate::document::Document;
 use crate::style::color;
 use crate::view::ground;
+use eframe::egui::{self, CursorIcon, vec2};
 use eframe::egui::{Align2, FontId, Key, Painter, Pos2, Rect, Response, Shape, Stroke, Ui};
-use eframe::egui::{CursorIcon, vec2};
 use glam::{DVec2, Vec2};
 use throng_draw::{Color, Projector, Theme};
 use throng_scene::Scene;
@@ -50,11 +50,21 @@ impl Director {
                 let pointer = &input.pointer;
                 (pointer.primary_pressed(), pointer.primary_released(), input.key_pressed(Key::Enter))
             });
+            self.type_size(ui);
+            let (straight, free) = ui.input(|input| (input.modifiers.shift, input.modifiers.alt));
+            let at = self.aim(document, at, (straight, free), stage.scale);
+            let typed = self.gesture.as_ref().is_some_and(|gesture| !gesture.typed.is_empty());
+            // a typed corner is a click there, and the size of a drag ends it
+            let by_enter = match (typed, self.tool.clicks()) {
+                (true, true) => Event::Press,
+                (true, false) => Event::Release,
+                (false, _) => Event::Finish,
+            };
             let events = [
                 (pressed && response.contains_pointer(), Event::Press),
                 (true, Event::Move),
                 (released, Event::Release),
-                (enter, Event::Finish),
+                (enter, by_enter),
             ];
             for (_, event) in events.into_iter().filter(|(happens, _)| *happens) {
                 if let Some(done) = Some(self.point(document, at, event, stage)).filter(|done| *done != Ok(false)) {
@@ -69,6 +79,24 @@ impl Director {
         }
         self.draw(&ui.painter_at(rect), rect, document, at, stage, sight);
         edited
+    }
+
+    /// Takes what the user types as the size of the gesture. Escape cancels the gesture.
+    fn type_size(&mut self, ui: &Ui) {
+        if !self.takes_numbers() {
+            return;
+        }
+        let (typed, back, leave) = ui.input(|input| {
+            let typed = input.events.iter().filter_map(|event| match event {
+                egui::Event::Text(text) => Some(text.as_str()),
+                _ => None,
+            });
+            (typed.collect::<String>(), input.key_pressed(Key::Backspace), input.key_pressed(Key::Escape))
+        });
+        self.write(&typed, back);
+        if leave {
+            self.cancel();
+        }
     }
 
     fn draw(
@@ -95,6 +123,9 @@ impl Director {
                     pen.says(gesture.at, says.lines().next().unwrap_or_default());
                 }
             }
+        }
+        if let Some((at, snap)) = self.snap.filter(|_| self.tool.snaps()) {
+            pen.snap(at, snap);
         }
         if let Some(gesture) = &self.gesture {
             pen.gesture(self, gesture);
@@ -142,7 +173,7 @@ impl Pen<'_> {
     fn says(&self, at: DVec2, words: &str) {
         let Some(at) = self.at(at) else { return };
         let red = self.painter.ctx().global_style().visuals.error_fg_color;
-        self.painter.text(at + vec2(14.0, -14.0), Align2::LEFT_BOTTOM, words, FontId::proportional(12.5), red);
+        self.painter.text(at + vec2(14.0, -14.0), Align2::LEFT_BOTTOM, words, FontId::proportional(14.0), red);
     }
 
     fn parts(&self, director: &Director, scene: &Scene, pointer: Option<DVec2>) {
@@ -189,7 +220,7 @@ impl Pen<'_> {
                     1.0,
                     if hovered { color(self.sight.theme.palette[0]) } else { fill },
                     edge,
-                    eframe::egui::StrokeKind::Middle,
+                    egui::StrokeKind::Middle,
                 );
             }
             Look::Arrow(from) => {
@@ -209,6 +240,10 @@ impl Pen<'_> {
                 for at in gesture.points.iter().filter_map(|&at| self.at(at)) {
                     self.painter.circle_filled(at, 4.0, stroke.color);
                 }
+                let by = gesture.at - gesture.points.last().copied().unwrap_or(gesture.at);
+                if by != DVec2::ZERO {
+                    self.size(gesture, &format!("{:.2} m, {:.0}°", by.length(), by.to_angle().to_degrees()));
+                }
             }
             Tool::Brush | Tool::Eraser => {
                 let width = (2.0 * director.brush.radius * self.stage.scale) as f32;
@@ -223,19 +258,44 @@ impl Pen<'_> {
             }
             Tool::Disc | Tool::Vortex | Tool::Source | Tool::Sink | Tool::Saddle => {
                 self.line(&[start, gesture.at], false, Stroke::new(1.0, stroke.color));
-                self.note(gesture.at, &format!("{:.2} m", gesture.by().length()));
+                self.size(gesture, &format!("{:.2} m", gesture.by().length()));
             }
             Tool::Rectangle | Tool::Goal | Tool::Exit if gesture.dragged(self.stage.scale) => {
                 let size = gesture.by().abs();
-                self.note(gesture.at, &format!("{:.2} x {:.2} m", size.x, size.y));
+                self.size(gesture, &format!("{:.2} x {:.2} m", size.x, size.y));
             }
             _ => {}
+        }
+    }
+
+    /// Writes the size of the gesture at the pointer, and what the user types.
+    fn size(&self, gesture: &Gesture, size: &str) {
+        match gesture.typed.as_str() {
+            "" => self.note(gesture.at, size),
+            typed => self.note(gesture.at, &format!("{typed}_   {size}")),
+        }
+    }
+
+    /// Marks what the pointer has snapped to: a square around points, a cross on edges and the grid.
+    fn snap(&self, at: DVec2, snap: Snap) {
+        let Some(at) = self.at(at) else { return };
+        let stroke = Stroke::new(1.5, color(self.sight.theme.palette[0]));
+        match snap {
+            Snap::Point => {
+                let square = Rect::from_center_size(at, vec2(12.0, 12.0));
+                self.painter.rect_stroke(square, 0.0, stroke, egui::StrokeKind::Middle);
+            }
+            Snap::Edge | Snap::Grid | Snap::Direction => {
+                for half in [vec2(5.0, 0.0), vec2(0.0, 5.0)] {
+                    self.painter.line_segment([at - half, at + half], stroke);
+                }
+            }
         }
     }
 
     fn note(&self, at: DVec2, words: &str) {
         let Some(at) = self.at(at) else { return };
         let tone = color(self.sight.theme.text);
-        self.painter.text(at + vec2(14.0, 14.0), Align2::LEFT_TOP, words, FontId::proportional(12.0), tone);
+        self.painter.text(at + vec2(14.0, 14.0), Align2::LEFT_TOP, words, FontId::proportional(14.0), tone);
     }
 }

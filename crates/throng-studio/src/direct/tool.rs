@@ -40,16 +40,31 @@ pub enum Tool {
     Brush,
     /// Erases sketched and painted parts.
     Eraser,
+    /// Moves an agent of the running scene.
+    Grab,
+    /// Leads an agent of the running scene.
+    Lead,
+    /// Drives agents of the running scene away.
+    Push,
+    /// Adds agents to the running scene.
+    Crowd,
+    /// Puts a wall into the running scene.
+    Barrier,
+    /// Opens and closes obstacles of the running scene.
+    Door,
+    /// Gives a group of the running scene another goal.
+    Send,
 }
 
 impl Tool {
-    /// All tools in groups: view, agents, obstacles, goals, fields.
-    pub const GROUPS: [&[Self]; 5] = [
+    /// All tools in groups: view, agents, obstacles, goals, fields, running scene.
+    pub const GROUPS: [&[Self]; 6] = [
         &[Self::Hand, Self::Select],
         &[Self::Agents],
         &[Self::Polygon, Self::Rectangle, Self::Disc, Self::Wall],
         &[Self::Goal, Self::Exit],
         &[Self::Anchor, Self::Stroke, Self::Vortex, Self::Source, Self::Sink, Self::Saddle, Self::Brush, Self::Eraser],
+        &[Self::Grab, Self::Lead, Self::Push, Self::Crowd, Self::Barrier, Self::Door, Self::Send],
     ];
 
     /// All tools.
@@ -77,12 +92,37 @@ impl Tool {
             Self::Saddle => (Key::Num4, "4", "saddle: drag from its centre to its rim"),
             Self::Brush => (Key::Q, "Q", "brush: paint velocities along a line"),
             Self::Eraser => (Key::Num0, "0", "eraser: erase sketched and painted parts"),
+            Self::Grab => (Key::Num5, "5", "grab: drag an agent of the running scene"),
+            Self::Lead => (Key::Num6, "6", "lead: press on an agent, and it follows the pointer, such as a predator"),
+            Self::Push => (Key::Num7, "7", "drive away: agents move away from the pressed pointer"),
+            Self::Crowd => (Key::Num8, "8", "crowd: click to drop agents into the running scene"),
+            Self::Barrier => (Key::Num9, "9", "barrier: drag a wall into the running scene"),
+            Self::Door => (Key::Y, "Y", "door: click an obstacle to open it, and again to close it"),
+            Self::Send => (Key::Z, "Z", "send: click a new goal for the group of the running scene"),
         }
     }
 
     /// Returns the tool that a key selects.
     pub fn of_key(key: Key) -> Option<Self> {
         Self::all().find(|tool| tool.says().0 == key)
+    }
+
+    /// Whether a gesture of the tool has a size that can be typed: a length, or two sides.
+    pub fn has_size(self) -> bool {
+        matches!(
+            self,
+            Self::Polygon | Self::Wall | Self::Disc | Self::Vortex | Self::Source | Self::Sink | Self::Saddle
+        ) || self.spans()
+    }
+
+    /// Whether a gesture of the tool spans a rectangle.
+    pub fn spans(self) -> bool {
+        matches!(self, Self::Rectangle | Self::Goal | Self::Exit)
+    }
+
+    /// Whether gestures of the tool snap.
+    pub fn snaps(self) -> bool {
+        self.has_size() || matches!(self, Self::Select | Self::Anchor)
     }
 
     /// Whether the tool works click by click instead of along a drag.
@@ -97,6 +137,12 @@ impl Tool {
 
     /// Whether the tool edits a group.
     pub fn directs(self) -> bool {
-        matches!(self, Self::Agents | Self::Goal | Self::Exit) || Self::GROUPS[4].contains(&self)
+        matches!(self, Self::Agents | Self::Goal | Self::Exit | Self::Crowd | Self::Send)
+            || Self::GROUPS[4].contains(&self)
+    }
+
+    /// Whether the tool changes the running scene instead of the text.
+    pub fn intervenes(self) -> bool {
+        Self::GROUPS[5].contains(&self)
     }
 }

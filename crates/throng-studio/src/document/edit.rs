@@ -3,38 +3,59 @@
 //! A path consists of keys and list positions, separated by dots: `group.0.place.ring.radius`.
 
 use super::Document;
-use super::layout::{add_element, add_pair, drop_element, drop_pair, put, table_of, unplace};
+use super::layout::{
+    add_element, add_pair, drop_element, drop_pair, number, put, sort_elements, sort_tables, table_of, unplace,
+};
 use std::sync::Arc;
-use throng_scene::Scene;
+use throng_scene::{Error, Scene, caught};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 impl Document {
     /// Changes the text in one step that can be undone.
     ///
     /// # Errors
-    /// The change does not fit the text, or the result is no valid scene. The text is unchanged.
+    /// The change does not fit the text, or the result is a scene that cannot be built. The text is unchanged.
     pub fn change(&mut self, change: impl FnOnce(&mut Edit) -> Result<(), String>) -> Result<(), String> {
         let (text, scene) = self.changed_by(change)?;
         if text != self.text {
+            self.buildable(&scene)?;
             self.history.push(std::mem::replace(&mut self.text, text));
             self.scene = Ok(scene);
         }
         Ok(())
     }
 
-    /// Returns the scene that a change would produce.
+    /// Returns the scene that a change would produce, if it can be built.
     ///
     /// # Errors
     /// As [`Document::change`].
+    pub fn tried(&self, change: impl FnOnce(&mut Edit) -> Result<(), String>) -> Result<Arc<Scene>, String> {
+        let (_, scene) = self.changed_by(change)?;
+        self.buildable(&scene).map(|()| scene)
+    }
+
+    /// Returns the scene that a change would produce. It is not built, which is fast enough for each frame.
+    ///
+    /// # Errors
+    /// The change does not fit the text, or the result is no valid scene.
     pub fn preview(&self, change: impl FnOnce(&mut Edit) -> Result<(), String>) -> Result<Arc<Scene>, String> {
         self.changed_by(change).map(|(_, scene)| scene)
+    }
+
+    /// Checks that a scene can be built: its numbers fit each other, and its agents have room. Another look of the present
+    /// scene needs no check.
+    fn buildable(&self, scene: &Scene) -> Result<(), String> {
+        if self.scene.as_ref().is_ok_and(|now| scene.has_the_world_of(now)) {
+            return Ok(());
+        }
+        caught(|| scene.build())?.map(drop).map_err(|error| reason(&error))
     }
 
     fn changed_by(&self, change: impl FnOnce(&mut Edit) -> Result<(), String>) -> Result<(String, Arc<Scene>), String> {
         let mut edit = Edit::new(&self.text)?;
         change(&mut edit)?;
         let text = edit.text();
-        let scene = self.read(&text).map_err(|error| error.to_string())?;
+        let scene = self.read(&text).map_err(|error| reason(&error))?;
         Ok((text, scene))
     }
 
@@ -49,6 +70,14 @@ impl Document {
     /// Returns the value at a path: a number, a string, a list or an inline table.
     pub fn value(&self, path: &str) -> Option<Value> {
         Edit::new(&self.text).ok()?.value(path).cloned()
+    }
+}
+
+/// Returns an error without its place, which is in a text that the user does not see.
+fn reason(error: &Error) -> String {
+    match &error.hint {
+        Some(hint) => format!("{}: {hint}", error.message),
+        None => error.message.clone(),
     }
 }
 
@@ -164,6 +193,26 @@ impl Edit {
             _ => return Err(no_list()),
         }
         Ok(position)
+    }
+
+    /// Sorts the tables of the list at a path by the number of a key. Comments go with their tables.
+    ///
+    /// # Errors
+    /// The path does not fit the text.
+    pub fn sort(&mut self, path: &str, key: &str) -> Result<(), String> {
+        let (parent, name) = self.parent(path, false)?;
+        let of = |table: Option<&dyn TableLike>| {
+            let value = table.and_then(|table| table.get(key)).and_then(Item::as_value);
+            value.and_then(number).unwrap_or(f64::INFINITY)
+        };
+        match parent.child(name) {
+            Some(Item::ArrayOfTables(tables)) => sort_tables(tables, |table| of(Some(table))),
+            Some(Item::Value(Value::Array(array))) => {
+                sort_elements(array, |value| of(value.as_inline_table().map(|table| table as &dyn TableLike)));
+            }
+            _ => return Err(format!("{path} is no list")),
+        }
+        Ok(())
     }
 
     /// Appends a copy of a table to its list, without the comments before it, and returns its position.

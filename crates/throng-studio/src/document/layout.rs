@@ -1,6 +1,6 @@
 //! Layout of TOML values: changes preserve the layout and comments of the existing text.
 
-use toml_edit::{Array, Decor, InlineTable, Item, Table, Value};
+use toml_edit::{Array, ArrayOfTables, Decor, InlineTable, Item, Table, Value};
 
 /// The prefix of the elements of a new list: each starts on its own line.
 const LINE: &str = "\n    ";
@@ -113,6 +113,35 @@ pub(super) fn drop_element(array: &mut Array, position: usize) {
     }
     if array.is_empty() {
         array.set_trailing_comma(false);
+    }
+}
+
+/// Sorts a list by numbers. Comments go with their elements, other space stays in its place.
+pub(super) fn sort_elements(array: &mut Array, number: impl Fn(&Value) -> f64) {
+    let spaces: Vec<Decor> = array.iter().map(|value| value.decor().clone()).collect();
+    array.sort_by(|a, b| number(a).total_cmp(&number(b)));
+    let has_comment = |decor: &Decor| {
+        [decor.prefix(), decor.suffix()]
+            .into_iter()
+            .flatten()
+            .any(|raw| raw.as_str().is_some_and(|raw| raw.contains('#')))
+    };
+    for (value, space) in array.iter_mut().zip(spaces) {
+        if !has_comment(value.decor()) && !has_comment(&space) {
+            *value.decor_mut() = space;
+        }
+    }
+}
+
+/// Sorts a list of tables by numbers. Comments go with their tables.
+pub(super) fn sort_tables(tables: &mut ArrayOfTables, number: impl Fn(&Table) -> f64) {
+    let mut all: Vec<Table> = tables.iter().cloned().collect();
+    let places: Vec<Option<isize>> = all.iter().map(Table::position).collect();
+    all.sort_by(|a, b| number(a).total_cmp(&number(b)));
+    tables.clear();
+    for (mut table, place) in all.into_iter().zip(places) {
+        table.set_position(place);
+        tables.push(table);
     }
 }
 

@@ -1,15 +1,19 @@
 //! The text of the scene. It is the only editable representation: every edit of the scene changes this text, so
 //! comments and layout survive.
 
+mod camera;
 mod edit;
 mod history;
 mod layout;
+mod tokens;
 #[cfg(not(target_arch = "wasm32"))]
 mod watched;
 
+pub use camera::CameraEdit;
 pub use edit::Edit;
-pub use history::EditHistory;
+pub use history::{EditHistory, PastEdit};
 pub use layout::number;
+pub use tokens::{Token, tokens};
 #[cfg(not(target_arch = "wasm32"))]
 pub use watched::Watched;
 
@@ -125,6 +129,16 @@ impl Document {
     pub fn redo(&mut self) -> bool {
         let text = self.history.redo(&self.text);
         self.replaced(text)
+    }
+
+    /// Whether there is an edit to undo.
+    pub fn is_edited(&self) -> bool {
+        !self.history.is_empty()
+    }
+
+    /// Returns the last edits, the last first.
+    pub fn edits(&self) -> Vec<PastEdit> {
+        self.history.edits(&self.text)
     }
 
     fn replaced(&mut self, text: Option<String>) -> bool {

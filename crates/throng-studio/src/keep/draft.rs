@@ -13,8 +13,10 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// The storage key of the draft.
+    /// The storage key of the draft of the open document.
     pub const KEY: &str = "draft";
+    /// The storage key of the drafts of other documents, which wait until the user opens them.
+    pub const ASIDE: &str = "drafts";
 
     /// Returns the draft of a document that has changes.
     pub fn of(document: &Document) -> Option<Self> {
@@ -25,10 +27,19 @@ impl Draft {
         })
     }
 
+    /// Returns the name of the document.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns the file, or else the name: what opens the document without its changes.
+    pub fn origin(&self) -> &str {
+        self.file.as_deref().unwrap_or(&self.name)
+    }
+
     /// Returns the document with its changes. `open` opens the original, which may no longer exist.
     pub fn restore(self, open: impl Fn(&str) -> Result<Document, String>) -> Document {
-        let from = self.file.as_deref().unwrap_or(&self.name);
-        let mut document = open(from).unwrap_or_else(|_| match &self.file {
+        let mut document = open(self.origin()).unwrap_or_else(|_| match &self.file {
             Some(file) => Document::of_file(Path::new(file), ""),
             None => Document::new(&self.name, ""),
         });

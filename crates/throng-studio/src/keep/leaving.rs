@@ -1,5 +1,7 @@
 //! Questions before unsaved text is left or an unfinished recording is dropped.
 
+use super::Draft;
+
 /// The action that would leave the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Leaving {
@@ -7,6 +9,10 @@ pub enum Leaving {
     Open(String),
     /// Opens an empty scene.
     New,
+    /// Goes to a step of a lesson, both by position.
+    Step(usize, usize),
+    /// Opens a text that an earlier session did not save.
+    Restore(Draft),
     /// Loads the text that another program wrote to the file.
     Reload(String),
     /// Closes the studio.
@@ -39,7 +45,9 @@ impl Leaving {
     /// Returns the question.
     pub fn says(&self, of: Unfinished, name: &str) -> String {
         match (of, self) {
-            (Unfinished::Text, Self::Open(_) | Self::New) => format!("{name} has changes that are not saved."),
+            (Unfinished::Text, Self::Open(_) | Self::Step(..) | Self::New | Self::Restore(_)) => {
+                format!("{name} has changes that are not saved.")
+            }
             (Unfinished::Text, Self::Reload(_)) => {
                 format!("The file of {name} was changed by another program, and the text here has unsaved changes.")
             }
@@ -54,8 +62,8 @@ impl Leaving {
     /// Returns the answers and their labels.
     pub fn answers(&self, of: Unfinished) -> Vec<(Answer, &'static str)> {
         let (save, discard, keep) = match (of, self) {
-            (Unfinished::Text, Self::Open(_) | Self::New | Self::Close) => ("Save", "Discard", "Keep editing"),
             (Unfinished::Text, Self::Reload(_)) => ("Save mine", "Take the file's", "Keep editing"),
+            (Unfinished::Text, _) => ("Save", "Discard", "Keep editing"),
             (Unfinished::Recording, Self::Close) => ("Finish and keep", "Discard", "Go on recording"),
             (Unfinished::Recording, _) => {
                 return vec![(Answer::Save, "Finish and keep"), (Answer::Beside, "Go on recording")];

@@ -6,7 +6,9 @@ use crate::play::Film;
 use std::path::Path;
 use std::sync::Arc;
 use throng_record::Trajectories;
-use throng_scene::{Plugins, gallery};
+#[cfg(any(target_arch = "wasm32", test))]
+use throng_record::formats::FORMATS;
+use throng_scene::Plugins;
 
 /// The gallery, the scenes of the plug-ins, and the files of a [`Folder`]: the file system, or the files given to a
 /// page.
@@ -34,7 +36,7 @@ impl Files {
         }
         match self.folder.text(Path::new(scene)) {
             Some(text) => Ok(self.folder.document(scene, text?)),
-            None => Err(gallery::scene(scene).err().map_or_else(String::new, |error| error.to_string())),
+            None => Err(missing(scene, plugins)),
         }
     }
 
@@ -61,6 +63,62 @@ impl Files {
         let first = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('-');
         Document::named(name, plugins).or_else(|| Document::named(first, plugins))
     }
+}
+
+/// Returns the message for a name that is neither a scene nor a file, with similar names of scenes.
+fn missing(name: &str, plugins: &Plugins) -> String {
+    let path = Path::new(name);
+    if path.extension().is_some() || path.components().count() > 1 {
+        let folder = std::path::absolute(path).ok().and_then(|path| Some(path.parent()?.display().to_string()));
+        return format!("there is no file {name}{}", folder.map_or_else(String::new, |folder| format!(" in {folder}")));
+    }
+    let near = near(name, plugins.names());
+    let near = match near.is_empty() {
+        true => String::new(),
+        false => format!("did you mean {}? ", near.join(", ")),
+    };
+    format!("there is no scene and no file `{name}`: {near}`throng list` lists all scenes, other scenes are files")
+}
+
+/// Returns at most three names that resemble a name, the nearest first: by the share of their pairs of letters that both
+/// have.
+fn near<'a>(name: &str, known: Vec<&'a str>) -> Vec<&'a str> {
+    let pairs = |word: &str| -> Vec<[char; 2]> {
+        let letters: Vec<char> = format!(" {} ", word.to_lowercase()).chars().collect();
+        letters.windows(2).map(|two| [two[0], two[1]]).collect()
+    };
+    let own = pairs(name);
+    let likeness = |word: &str| {
+        let mut other = pairs(word);
+        let all = own.len() + other.len();
+        let both =
+            own.iter().filter(|pair| other.iter().position(|at| at == *pair).map(|at| other.remove(at)).is_some());
+        2.0 * both.count() as f64 / all as f64
+    };
+    let mut near: Vec<(f64, &str)> = known.into_iter().map(|word| (likeness(word), word)).collect();
+    near.retain(|(likeness, _)| *likeness > 0.4);
+    near.sort_by(|a, b| b.0.total_cmp(&a.0));
+    near.into_iter().take(3).map(|(_, word)| word).collect()
+}
+
+/// Returns the message for a file that a page cannot open.
+#[cfg(any(target_arch = "wasm32", test))]
+pub(super) fn not_in_page(file: &Path) -> String {
+    let mut endings: Vec<String> = Vec::new();
+    for format in FORMATS.iter().filter(|format| format.is_read()) {
+        let ending = format!(".{}", format.ending);
+        if !endings.contains(&ending) {
+            endings.push(ending);
+        }
+    }
+    let csv = file.with_extension("csv");
+    format!(
+        "{}: a page opens scenes (.toml) and trajectories ({}). The program converts other trajectories: throng convert {} -o {}",
+        file.display(),
+        endings.join(", "),
+        file.display(),
+        csv.display()
+    )
 }
 
 /// Returns the file to open among files that arrive together: the first trajectory file, else the first file.
@@ -94,6 +152,22 @@ mod tests {
         assert_eq!((document.origin(), &*document.scene().unwrap().title), (own.clone(), "mine"));
         assert!(files.film(&own, &document).is_none() && files.film("circle", &document).is_none());
         assert!(files.open("no such scene", &plugins).unwrap_err().contains("no such scene"));
+    }
+
+    #[test]
+    fn a_name_that_is_missing_has_near_names() {
+        let open = |name: &str| Files::default().open(name, &Arc::default()).unwrap_err();
+        let says = open("circel");
+        assert!(says.contains("`circel`") && says.contains("did you mean circle"), "{says}");
+        assert!(open("boid").contains("boids") && !open("xyz").contains("did you mean"));
+        let says = open("plans/mine.toml");
+        assert!(says.starts_with("there is no file plans/mine.toml in /") && says.ends_with("plans"), "{says}");
+    }
+
+    #[test]
+    fn a_page_says_how_to_convert_what_it_does_not_open() {
+        let says = not_in_page(Path::new("people.parquet"));
+        assert!(says.contains(".csv") && says.ends_with("throng convert people.parquet -o people.csv"), "{says}");
     }
 
     #[test]

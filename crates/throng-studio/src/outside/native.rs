@@ -9,9 +9,9 @@ use eframe::egui::{Context, DroppedFileHandle, ViewportCommand};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use throng_draw::record::{Plan, Recorder};
-use throng_record::Output;
+use throng_record::{Output, Trajectories};
 use throng_scene::Imported;
 
 /// The file system.
@@ -19,7 +19,14 @@ use throng_scene::Imported;
 pub struct Folder {
     /// The file dropped on the window.
     dropped: Option<String>,
+    /// The folder that was listed last, its names, and when.
+    listed: Option<(PathBuf, Vec<String>, Instant)>,
 }
+
+/// The time after which a folder is listed again.
+const LISTED: Duration = Duration::from_secs(2);
+/// The most names of a list.
+const NAMES: usize = 500;
 
 impl Folder {
     /// Whether the file exists.
@@ -52,6 +59,23 @@ impl Folder {
         };
         let document = throng_scene::open(file).and_then(text).map(|text| Document::new(&name, text));
         Some(document.map_err(|error| error.to_string()))
+    }
+
+    /// Returns the absolute path of a file, `None` if there is no such file.
+    pub fn path(&self, file: &str) -> Option<String> {
+        let path = Path::new(file).is_file().then(|| std::path::absolute(file).ok()).flatten()?;
+        Some(path.display().to_string())
+    }
+
+    /// Returns the folder of a typed name, and its scenes, trajectories and folders.
+    pub fn list(&mut self, typed: &str) -> (String, Vec<String>) {
+        let parent = typed.rfind(['/', std::path::MAIN_SEPARATOR]).map_or(".", |end| &typed[..=end]);
+        let folder = std::path::absolute(parent).unwrap_or_else(|_| parent.into());
+        let fresh = |(of, _, at): &(PathBuf, Vec<String>, Instant)| *of == folder && at.elapsed() < LISTED;
+        let known = self.listed.take().filter(fresh);
+        let (of, names, at) = known.unwrap_or_else(|| (folder.clone(), names(&folder), Instant::now()));
+        self.listed = Some((of, names.clone(), at));
+        (folder.display().to_string(), names)
     }
 
     /// Returns `None`: the player reads trajectory files.
@@ -139,32 +163,35 @@ impl Outside {
 
     /// Writes a document to its file. A document without a file gets a new file of its name in the current folder.
     ///
+    /// Returns the message for the user.
+    ///
     /// # Errors
     /// The file cannot be written.
-    pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
+    pub fn save(&mut self, document: &mut Document) -> Result<String, String> {
         let path = document.path.clone().unwrap_or_else(|| unused(&document.name, ".toml"));
         write(&path, document.text().as_bytes())?;
         document.path = Some(path.clone());
         document.mark_saved();
         let watched = self.watched.get_or_insert_with(|| Watched::new(&path));
         watched.know();
-        Ok(())
+        Ok(saved(&path))
     }
 
-    /// Writes a document to another file, which becomes its file.
+    /// Writes a document to another file, which becomes its file. It `replaces` a file that exists only if the user has
+    /// agreed to that. Returns the message for the user.
     ///
     /// # Errors
     /// The file exists already, or it cannot be written.
-    pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
+    pub fn save_as(&mut self, document: &mut Document, name: &str, replaces: bool) -> Result<String, String> {
         let path = Path::new(name);
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension("toml") };
-        if path.exists() {
+        if path.exists() && !replaces {
             return Err(format!("there is a file {} already", path.display()));
         }
         write(&path, document.text().as_bytes())?;
         document.saved_in(&path);
         *self = Self::new(document);
-        Ok(())
+        Ok(saved(&path))
     }
 
     /// Takes the screenshot of the options when its step is reached, and closes the studio.
@@ -211,6 +238,26 @@ pub fn go_on(recording: &mut Recording, _: &Context) -> Result<bool, String> {
     recording.done()
 }
 
+/// Returns the scenes, trajectories and folders of a folder: folders first, in the order of their names.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(20 * NAMES);
+    let name = |entry: std::fs::DirEntry| {
+        let name = entry.file_name().into_string().ok().filter(|name| !name.starts_with('.'))?;
+        let is_folder = entry.path().is_dir();
+        let opens = Path::new(&name).extension().is_some_and(|end| end == "toml") || Trajectories::are_in(&name);
+        (is_folder || opens).then(|| if is_folder { format!("{name}/") } else { name })
+    };
+    let mut names: Vec<String> = entries.filter_map(name).collect();
+    names.sort_by_key(|name| (!name.ends_with('/'), name.to_lowercase()));
+    names.truncate(NAMES);
+    names
+}
+
+/// Returns the message for a saved file.
+fn saved(path: &Path) -> String {
+    format!("saved: {}", std::path::absolute(path).unwrap_or_else(|_| path.into()).display())
+}
+
 /// Returns the message for a complete recording.
 pub fn recorded(path: &Path) -> String {
     format!("recorded: {}", std::path::absolute(path).unwrap_or_else(|_| path.into()).display())
@@ -238,7 +285,12 @@ pub fn tell(options: &Options, state: &str) {
 pub fn hand_over(name: &str, kind: &str, bytes: &[u8]) -> Result<String, String> {
     let path = unused(name, &format!(".{kind}"));
     write(&path, bytes)?;
-    Ok(format!("saved: {}", path.display()))
+    Ok(saved(&path))
+}
+
+/// Returns the new addresses: a window has none.
+pub fn addresses(_: &Context) -> Receiver<String> {
+    channel().1
 }
 
 /// Returns an error: a window has no address.

@@ -1,5 +1,6 @@
 //! The platform of the web page.
 
+use super::Asks;
 use super::files::chosen;
 use crate::Options;
 use crate::document::Document;
@@ -27,6 +28,25 @@ const MOST: f64 = 512e6;
 /// Files that are read together: names and contents.
 type Batch = Vec<(String, Result<Vec<u8>, String>)>;
 
+/// A dialog of the system. A page has none but [`Folder::pick`].
+#[derive(Debug)]
+pub enum Dialog {}
+
+impl Dialog {
+    /// Whether there are dialogs.
+    pub const EXISTS: bool = false;
+
+    /// Returns `None`: a page opens no dialog for a name.
+    pub fn open(_: &str, _: Asks, _: &str, _: &Context) -> Option<Self> {
+        None
+    }
+
+    /// Returns the chosen file.
+    pub fn answer(&self) -> Option<Result<PathBuf, Option<&'static str>>> {
+        match *self {}
+    }
+}
+
 /// The files last dropped on the page or picked.
 pub struct Folder {
     files: BTreeMap<String, Arc<[u8]>>,
@@ -48,7 +68,7 @@ impl Folder {
     /// Returns the text of a file, `None` if the file does not exist.
     pub fn text(&self, file: &Path) -> Option<Result<String, String>> {
         let bytes = self.files.get(file.to_str()?)?;
-        Some(String::from_utf8(bytes.to_vec()).map_err(|_| format!("{}: it is no text", file.display())))
+        Some(String::from_utf8(bytes.to_vec()).map_err(|_| super::files::not_in_page(file)))
     }
 
     /// Returns a document with this text. The document has no file, because a page cannot write files.
@@ -60,6 +80,16 @@ impl Folder {
     /// Returns `None`: a page imports no files of other programs.
     pub fn import(&self, _: &Path) -> Option<Result<Document, String>> {
         None
+    }
+
+    /// Returns `None`: a page does not remember files.
+    pub fn path(&self, _: &str) -> Option<String> {
+        None
+    }
+
+    /// Returns the place of downloads, and no names.
+    pub fn list(&mut self, _: &str) -> (String, Vec<String>) {
+        ("the downloads of the browser".into(), Vec::new())
     }
 
     /// Returns the content of a file.
@@ -207,26 +237,26 @@ impl Outside {
         None
     }
 
-    /// Downloads the text.
+    /// Downloads the text. Returns the message for the user.
     ///
     /// # Errors
     /// The browser refuses.
-    pub fn save(&mut self, document: &mut Document) -> Result<(), String> {
-        hand_over(&document.name, "toml", document.text().as_bytes())?;
+    pub fn save(&mut self, document: &mut Document) -> Result<String, String> {
+        let says = hand_over(&document.name, "toml", document.text().as_bytes())?;
         document.mark_saved();
-        Ok(())
+        Ok(says)
     }
 
-    /// Downloads the text under another name.
+    /// Downloads the text under another name. Returns the message for the user.
     ///
     /// # Errors
     /// The browser refuses.
-    pub fn save_as(&mut self, document: &mut Document, name: &str) -> Result<(), String> {
+    pub fn save_as(&mut self, document: &mut Document, name: &str, _: bool) -> Result<String, String> {
         let name = if name.contains('.') { name.to_owned() } else { format!("{name}.toml") };
         download(&name, document.text().as_bytes())
             .map_err(|error| format!("the browser does not save it: {error:?}"))?;
         document.mark_saved();
-        Ok(())
+        Ok(recorded(Path::new(&name)))
     }
 
     /// Does nothing: the browser takes screenshots.
@@ -296,6 +326,30 @@ fn download(file: &str, bytes: &[u8]) -> Result<(), JsValue> {
     link.set_download(file);
     link.click();
     web_sys::Url::revoke_object_url(&url)
+}
+
+/// Returns what follows the `#` of the page's address whenever the user changes it, and wakes the page.
+pub fn addresses(ctx: &Context) -> Receiver<String> {
+    let ((sender, receiver), ctx) = (channel(), ctx.clone());
+    let changed = Closure::<dyn FnMut()>::new(move || {
+        // sending fails only after the studio has closed
+        let _ = sender.send(hash());
+        ctx.request_repaint();
+    });
+    if let Some(window) = web_sys::window() {
+        window.set_onhashchange(Some(changed.as_ref().unchecked_ref()));
+        // the page lives as long as the studio
+        changed.forget();
+    }
+    receiver
+}
+
+/// Returns what follows the `#` of the page's address.
+pub fn hash() -> String {
+    let hash = web_sys::window().and_then(|window| window.location().hash().ok()).unwrap_or_default();
+    let hash = hash.trim_start_matches('#');
+    // browsers escape quotes of lists
+    js_sys::decode_uri_component(hash).map_or_else(|_| hash.to_owned(), String::from)
 }
 
 /// Puts a link after the `#` of the page's address, and returns the address.

@@ -1,25 +1,26 @@
-//! The gallery: the scenes of the project and of plug-ins, in groups, and what the open scene says to viewers. The search
+//! The gallery: the scenes of the project and of plug-ins by topics, and what the open scene says to viewers. The search
 //! covers names, titles and texts.
 
 use super::thumbnails::Thumbnails;
+use super::tile::{Tile, tiles, tiles_height};
+use super::topics::{TOPICS, Topic, sections};
 use super::words;
-use eframe::egui::text::{LayoutJob, TextWrapping};
-use eframe::egui::{
-    CollapsingHeader, CornerRadius, FontId, Key, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
-    TextEdit, Ui, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{CollapsingHeader, Key, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 use std::sync::Arc;
-use throng_scene::{About, Plugins, gallery};
+use throng_scene::{About, Plugins};
 
-/// The width of a tile, points of the screen, and the aspect ratio (width over height) of its picture.
-const TILE: f32 = 99.0;
-const ASPECT: f32 = 1.5;
+/// The least width of a tile, points.
+const TILE: f32 = 104.0;
+/// The least width of the card of a topic, points.
+const CARD: f32 = 160.0;
 
 /// The panel of the gallery.
 #[derive(Default)]
 pub struct Gallery {
     /// The search text.
     pub search: String,
+    /// The scene that was open last.
+    open: String,
     thumbnails: Thumbnails,
 }
 
@@ -27,11 +28,26 @@ impl Gallery {
     /// Shows the gallery. `open` is the name of the open scene, `about` what it says to viewers. Returns the name of the
     /// scene to open.
     pub fn ui(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, open: &str, about: &About) -> Option<String> {
+        // a scene that was opened elsewhere is not to be hidden
+        if self.open != open && !self.open.is_empty() && !finds(plugins, open, &self.search) {
+            self.search.clear();
+        }
+        open.clone_into(&mut self.open);
         let mut asked = None;
-        let search = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(f32::INFINITY));
-        search.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "search"));
-        let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        ui.add_space(4.0);
+        let entered = self.field(ui);
+        let all = sections(plugins).into_iter();
+        let sections: Vec<(&str, Vec<&str>)> = all
+            .map(|(title, names)| {
+                (title, names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect())
+            })
+            .filter(|(_, names): &(_, Vec<_>)| !names.is_empty())
+            .collect();
+        if sections.is_empty() {
+            ui.label(format!("No scene has all words of “{}” in its name, title or text.", self.search.trim()));
+        }
+        if entered {
+            asked = sections.first().and_then(|(_, names)| names.first()).map(|&name| name.to_owned());
+        }
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             if about.texts().next().is_some() {
                 let title = RichText::new(plugins.title(open).unwrap_or(open)).strong();
@@ -41,57 +57,51 @@ impl Gallery {
                     });
                 header.header_response.on_hover_text("what the open scene shows");
             }
-            let papers = gallery::papers().iter().map(|&(name, _)| name).collect();
-            for (group, names) in plugins.groups().into_iter().chain([(gallery::PAPERS, papers)]) {
-                let found: Vec<&str> = names.into_iter().filter(|name| finds(plugins, name, &self.search)).collect();
-                if found.is_empty() {
-                    continue;
-                }
-                if entered && asked.is_none() {
-                    asked = found.first().map(|&name| name.to_owned());
-                }
-                CollapsingHeader::new(RichText::new(group).strong()).default_open(true).show_unindented(ui, |ui| {
-                    ui.horizontal_wrapped(|ui| {
-                        ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
-                        for name in found {
-                            if self.tile(ui, plugins, name, name == open).clicked() {
-                                asked = Some(name.to_owned());
-                            }
-                        }
-                    });
+            for (section, names) in sections {
+                CollapsingHeader::new(RichText::new(section).strong()).default_open(true).show_unindented(ui, |ui| {
+                    asked = asked.take().or(self.scenes(ui, plugins, &names, open));
                 });
             }
         });
         asked
     }
 
-    fn tile(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, name: &str, open: bool) -> Response {
-        let title = plugins.title(name).unwrap_or(name);
-        let picture = vec2(TILE, TILE / ASPECT);
-        let (rect, response) = ui.allocate_exact_size(picture + vec2(0.0, 17.0), Sense::click());
-        response.widget_info(|| WidgetInfo::selected(Role::Button, true, open, title));
-        if ui.is_rect_visible(rect) {
-            let (visuals, painter) = (ui.visuals(), ui.painter());
-            let frame = Rect::from_min_size(rect.min, picture);
-            painter.rect_filled(frame, CornerRadius::same(4), visuals.faint_bg_color);
-            if let Some(texture) = self.thumbnails.of(name, plugins, ui.ctx()) {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture.id(), frame, whole, eframe::egui::Color32::WHITE);
+    /// Shows the search field and the button that clears it. Returns whether the user pressed Enter.
+    fn field(&mut self, ui: &mut Ui) -> bool {
+        let field = ui.horizontal(|ui| {
+            let clear = if self.search.is_empty() { 0.0 } else { 58.0 };
+            let width = ui.available_width() - clear;
+            let field = ui.add(TextEdit::singleline(&mut self.search).hint_text("search").desired_width(width));
+            field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "search"));
+            if clear > 0.0 && ui.button("Clear").on_hover_text("show all scenes").clicked() {
+                self.search.clear();
             }
-            let edge = match (open, response.hovered()) {
-                (true, _) => Stroke::new(2.0, visuals.hyperlink_color),
-                (false, true) => Stroke::new(1.0, visuals.text_color()),
-                (false, false) => visuals.window_stroke,
-            };
-            painter.rect_stroke(frame, CornerRadius::same(4), edge, StrokeKind::Outside);
-            let color = if open { visuals.text_color() } else { visuals.weak_text_color() };
-            let at = frame.left_bottom() + vec2(1.0, 3.0);
-            let mut line = LayoutJob::simple_singleline(title.to_owned(), FontId::proportional(11.0), color);
-            line.wrap = TextWrapping::truncate_at_width(TILE);
-            painter.galley(at, painter.layout_job(line), color);
-        }
-        response.on_hover_text(format!("{title} ({name})"))
+            field
+        });
+        ui.add_space(4.0);
+        field.inner.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
     }
+
+    /// Shows tiles of scenes. Returns the name of the clicked one.
+    pub fn scenes(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>, names: &[&str], open: &str) -> Option<String> {
+        let tile = |&scene| {
+            let title = plugins.title(scene).unwrap_or(scene);
+            Tile { scene, title, says: "", open: scene == open }
+        };
+        let all: Vec<Tile<'_>> = names.iter().map(tile).collect();
+        tiles(ui, TILE, &all, &mut self.thumbnails, plugins).map(|k| names[k].to_owned())
+    }
+
+    /// Shows a card for each of [`TOPICS`]. Returns the index of the clicked one.
+    pub fn topics(&mut self, ui: &mut Ui, plugins: &Arc<Plugins>) -> Option<usize> {
+        let all = TOPICS.map(|Topic { title, says, first, .. }| Tile { scene: first, title, says, open: false });
+        tiles(ui, CARD, &all, &mut self.thumbnails, plugins)
+    }
+}
+
+/// Returns the height of the cards of all topics in this width.
+pub fn cards_height(ui: &Ui, width: f32) -> f32 {
+    tiles_height(ui, width, CARD, TOPICS.len(), 2)
 }
 
 /// Whether a scene contains every word of the search.
@@ -113,6 +123,7 @@ pub fn beside(plugins: &Plugins, name: &str, by: isize) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use throng_scene::gallery;
 
     #[test]
     fn words_are_found_wherever_they_stand() {

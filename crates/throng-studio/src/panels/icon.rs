@@ -15,13 +15,16 @@ pub enum Icon {
     Pause,
     /// One step forward.
     Step,
+    /// A key of the camera.
+    Key,
 }
 
 impl Icon {
     /// Shows a button with the icon. `says` is its accessible name and tooltip.
     pub fn button(self, ui: &mut Ui, says: &str) -> Response {
         let large = matches!(self, Self::Run | Self::Pause);
-        let side = if large { 34.0 } else { 28.0 };
+        // a finger needs more room
+        let side = ui.spacing().interact_size.y.max(28.0) + if large { 6.0 } else { 0.0 };
         let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
         response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Button, true, says));
         let visuals = ui.style().interact(&response);
@@ -49,6 +52,10 @@ impl Icon {
             Self::Pause => _ = (bar(0.08, 0.3), bar(0.62, 0.3)),
             Self::Step => _ = (triangle([at(0.0, 0.0), at(0.75, 0.5), at(0.0, 1.0)]), bar(0.82, 0.18)),
             Self::Back => _ = (triangle([at(1.0, 0.0), at(0.25, 0.5), at(1.0, 1.0)]), bar(0.0, 0.18)),
+            Self::Key => {
+                let corners = [at(0.5, -0.15), at(1.15, 0.5), at(0.5, 1.15), at(-0.15, 0.5)];
+                painter.add(Shape::closed_line(corners.to_vec(), Stroke::new(1.6, color)));
+            }
             Self::Restart => {
                 let (center, radius) = (rect.center(), 0.55 * rect.width());
                 let around = |k: usize| {

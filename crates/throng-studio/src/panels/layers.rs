@@ -3,7 +3,7 @@
 use crate::settings::Settings;
 use crate::view::{Heat, Streams};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{Grid, PopupCloseBehavior, RichText, Ui, vec2};
+use eframe::egui::{Grid, PopupCloseBehavior, RichText, ScrollArea, Ui, vec2};
 use throng_draw::Annotation;
 use throng_record::Setting;
 
@@ -14,10 +14,13 @@ const WINDOWS: [f32; 5] = [0.0, 2.0, 5.0, 10.0, 60.0];
 pub fn layers(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     MenuButton::new("View").config(stays).ui(ui, |ui| {
-        ui.set_min_width(230.0);
-        switches(ui, settings);
-        ui.separator();
-        Grid::new("layers").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| choices(ui, settings, setting));
+        let screen = ui.ctx().content_rect();
+        ui.set_width(360.0_f32.min(screen.width() - 40.0));
+        ScrollArea::vertical().max_height(screen.height() - 100.0).show(ui, |ui| {
+            switches(ui, settings);
+            ui.separator();
+            Grid::new("layers").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| choices(ui, settings, setting));
+        });
     });
 }
 
@@ -88,7 +91,7 @@ fn choices(ui: &mut Ui, settings: &mut Settings, setting: Option<&Setting>) {
 
 /// Shows a row of the menu with a choice between items.
 fn row<T: PartialEq>(ui: &mut Ui, chosen: &mut T, all: impl IntoIterator<Item = (T, String)>) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         all.into_iter().for_each(|(one, label)| _ = ui.selectable_value(chosen, one, label));
     });

@@ -22,8 +22,12 @@ pub fn plots(ui: &mut Ui, shown: &RunMoment, meters: &mut Meters) -> Option<Comm
         for (index, gauge) in shown.series.gauges().iter().enumerate() {
             metered(ui, shown, index, gauge);
         }
-        // a file of trajectories does not record the guard
-        let known = |quantity: &Quantity| shown.reel.is_none() || *quantity != Quantity::Guarded;
+        // a file of trajectories does not record the guard, and not always the arrivals
+        let known = |quantity: &Quantity| match (&shown.reel, quantity) {
+            (Some(_), Quantity::Guarded) => false,
+            (Some(reel), Quantity::Arrived) => reel.has_arrivals(),
+            _ => true,
+        };
         for (index, quantity) in Quantity::ALL.into_iter().enumerate().filter(|(_, quantity)| known(quantity)) {
             let value = |sample: &crate::play::Sample| [sample.time, f64::from(sample.values[index])];
             let points: Vec<_> = shown.series.samples().iter().map(value).collect();

@@ -1,7 +1,9 @@
-//! The recording window: the settings of a recording and its progress. The studio stays usable while it records.
+//! The export window: what a file is for, the settings of its recording, and the progress. The studio stays usable while
+//! it records.
 
 use super::Chosen;
 use super::bar::named;
+use super::purposes::{purpose_of, purposes};
 use super::request::{RecordRequest, WIDEST};
 use crate::play::{RunMoment, models_of};
 use crate::record::{Format, Which};
@@ -9,6 +11,9 @@ use eframe::egui::{
     Align2, Button, ComboBox, Context, DragValue, Grid, Pos2, ProgressBar, RichText, Role, TextEdit, Ui, Window, vec2,
 };
 use std::path::{Path, PathBuf};
+
+/// The width of texts, points.
+const WIDTH: f32 = 320.0;
 
 /// The recording window.
 #[derive(Clone, Debug, Default)]
@@ -61,17 +66,17 @@ impl Record {
     pub fn ui(&mut self, ctx: &Context, beside: &Beside<'_>) -> Option<Recorded> {
         if *self.of != *beside.shown.name || (self.open && self.wish.file.is_empty()) {
             let rate = beside.shown.scene.view.fps.unwrap_or(self.wish.rate);
-            let chosen = match *self.of == *beside.shown.name {
-                true => self.wish.chosen.clone(),
-                // another scene has other groups
-                false => Chosen::default(),
+            let (chosen, size) = match *self.of == *beside.shown.name {
+                true => (self.wish.chosen.clone(), self.wish.size),
+                // another scene has other groups, and its own size of pictures
+                false => (Chosen::default(), beside.shown.scene.view.size),
             };
-            self.wish = RecordRequest { from: 0.0, to: None, rate, chosen, ..self.wish.clone() };
+            self.wish = RecordRequest { from: 0.0, to: None, rate, size, chosen, ..self.wish.clone() };
             self.of = beside.shown.name.to_string();
             self.name(beside);
         }
         let mut open = self.open;
-        let window = Window::new("Record").open(&mut open).collapsible(false).resizable(false);
+        let window = Window::new("Export").open(&mut open).collapsible(false).resizable(false);
         let window = window.pivot(Align2::RIGHT_TOP).default_pos(beside.corner + vec2(-12.0, 12.0));
         let asked = window.show(ctx, |ui| {
             ui.add_enabled_ui(beside.share.is_none(), |ui| self.fields(ui, beside));
@@ -84,21 +89,27 @@ impl Record {
 
     /// Chooses an unused file name.
     fn name(&mut self, beside: &Beside<'_>) {
-        let path = (beside.unused)(&beside.shown.name, self.wish.format.ending());
+        self.name_as(beside, self.wish.format.ending());
+    }
+
+    /// Chooses an unused file name with an ending.
+    fn name_as(&mut self, beside: &Beside<'_>, ending: &str) {
+        let path = (beside.unused)(&beside.shown.name, ending);
         self.wish.file = path.display().to_string();
     }
 
     fn fields(&mut self, ui: &mut Ui, beside: &Beside<'_>) {
-        let before = self.wish.format;
+        let now = purpose_of(self.wish.format, self.wish.file.trim());
+        let mut chosen = now;
         Grid::new("record").num_columns(2).spacing([14.0, 6.0]).show(ui, |ui| {
             let wish = &mut self.wish;
-            ui.label("as");
-            let combo =
-                ComboBox::from_id_salt("format").width(206.0).selected_text(wish.format.label()).show_ui(ui, |ui| {
-                    for &format in Format::ALL {
-                        ui.selectable_value(&mut wish.format, format, format.label());
-                    }
-                });
+            ui.label("for");
+            let title = now.map_or(wish.format.label(), |purpose| purpose.title);
+            let combo = ComboBox::from_id_salt("format").width(206.0).selected_text(title).show_ui(ui, |ui| {
+                for purpose in purposes() {
+                    ui.selectable_value(&mut chosen, Some(purpose), purpose.title).on_hover_text(purpose.says);
+                }
+            });
             named(&combo.response, Role::ComboBox, "format");
             ui.end_row();
             let label = ui.label("file");
@@ -113,8 +124,13 @@ impl Record {
                 _ => pictures(ui, wish, beside),
             }
         });
-        if self.wish.format != before {
-            self.name(beside);
+        if let Some(purpose) = chosen {
+            ui.set_max_width(WIDTH);
+            ui.label(RichText::new(purpose.says).weak());
+        }
+        if let Some(purpose) = chosen.filter(|_| chosen != now) {
+            self.wish.format = purpose.format;
+            self.name_as(beside, purpose.ending);
         } else if let Ok(format) = Format::of(Path::new(self.wish.file.trim())) {
             // a typed ending selects the format
             self.wish.format = format;
@@ -123,7 +139,7 @@ impl Record {
 
     fn below(&mut self, ui: &mut Ui, beside: &Beside<'_>) -> Option<Recorded> {
         if let Some(share) = beside.share {
-            ui.add(ProgressBar::new(share).desired_width(262.0).show_percentage());
+            ui.add(ProgressBar::new(share).desired_width(WIDTH).show_percentage());
             let buttons = ui.horizontal(|ui| {
                 let finish = ui.button("Finish now").on_hover_text("completes the file with the frames so far");
                 let finish = finish.clicked().then_some(Recorded::Finish);
@@ -131,14 +147,14 @@ impl Record {
             });
             return buttons.inner;
         }
-        ui.set_max_width(262.0);
+        ui.set_max_width(WIDTH);
         match &self.said {
             Some(Ok(says)) => _ = ui.label(says),
             Some(Err(says)) => _ = ui.colored_label(ui.visuals().error_fg_color, says),
             None => {}
         }
         let selection = ui.visuals().selection;
-        let button = Button::new(RichText::new("Record").color(selection.stroke.color)).fill(selection.bg_fill);
+        let button = Button::new(RichText::new("Export").color(selection.stroke.color)).fill(selection.bg_fill);
         let ready = ui.add_enabled(!self.wish.file.trim().is_empty(), button);
         ready.on_hover_text("plays the scene from its start and records it").clicked().then(|| {
             self.said = None;

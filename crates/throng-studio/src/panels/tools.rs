@@ -1,30 +1,92 @@
 //! The toolbar of the editing tools, and the options of the selected tool.
 
-use crate::direct::{Director, Tool};
+use super::bar::named;
+use crate::direct::{Director, Snapping, Tool};
+use crate::intervene::Intervener;
+use eframe::egui::containers::menu::MenuButton;
 use eframe::egui::{
     Color32, ComboBox, DragValue, Painter, Pos2, Rect, Response, RichText, Role, Sense, Shape, Stroke, StrokeKind, Ui,
     Vec2, WidgetInfo, pos2, vec2,
 };
 use throng_scene::Scene;
 
-/// Shows the toolbar.
+/// The space between buttons, and between their groups, points.
+const GAP: f32 = 2.0;
+const GROUP_GAP: f32 = 7.0;
+/// The most columns of the toolbar.
+const WIDEST: usize = 4;
+/// The height of the bars above and below the view, points.
+const BARS: f32 = 260.0;
+
+/// Returns the side of a button, points. A finger needs more room.
+fn side(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y.max(28.0)
+}
+
+/// Returns the width of a toolbar of this height: one column of buttons, or as many as it needs.
+pub fn tools_width(ui: &Ui, height: f32) -> f32 {
+    let columns = (1..WIDEST).find(|&columns| tools_height(ui, columns) <= height).unwrap_or(WIDEST);
+    columns as f32 * (side(ui) + GAP) - GAP
+}
+
+/// Whether the toolbar has room beside the view in a window of this height.
+pub fn tools_fit(ui: &Ui, height: f32) -> bool {
+    tools_height(ui, WIDEST) + BARS <= height
+}
+
+fn tools_height(ui: &Ui, columns: usize) -> f32 {
+    let rows: usize = Tool::GROUPS.iter().map(|group| group.len().div_ceil(columns)).sum();
+    rows as f32 * (side(ui) + GAP) + (Tool::GROUPS.len() - 1) as f32 * GROUP_GAP
+}
+
+/// Shows the toolbar. Groups have as many columns as fit.
 pub fn tools(ui: &mut Ui, director: &mut Director) {
-    ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
+    ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+    let columns = ((ui.available_width() + GAP) / (side(ui) + GAP)).floor().max(1.0) as usize;
     for (k, group) in Tool::GROUPS.into_iter().enumerate() {
         if k > 0 {
-            ui.add_space(7.0);
+            ui.add_space(GROUP_GAP - GAP);
         }
-        for &tool in group {
-            if button(ui, tool, director.tool == tool).clicked() {
-                director.take(tool);
-            }
+        for line in group.chunks(columns) {
+            ui.horizontal(|ui| {
+                for &tool in line {
+                    if button(ui, tool, director.tool == tool).clicked() {
+                        director.take(tool);
+                    }
+                }
+            });
         }
     }
 }
 
-/// Shows the options of the selected tool: its group, and the settings of the brush.
-pub fn tool_options(ui: &mut Ui, director: &mut Director, scene: &Scene) {
-    ui.horizontal(|ui| {
+/// Shows a button that opens the toolbar as a menu.
+pub fn tool_menu(ui: &mut Ui, director: &mut Director) {
+    let (menu, _) = MenuButton::new("Edit").ui(ui, |ui| {
+        ui.set_width(4.0 * (side(ui) + GAP) - GAP);
+        tools(ui, director);
+    });
+    menu.on_hover_text("tools that edit the scene in the view");
+}
+
+/// Shows the tools that change the running scene, by name.
+pub fn live_tools(ui: &mut Ui, director: &mut Director) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new("in the running scene").strong());
+        for tool in Tool::all().filter(|tool| tool.intervenes() || *tool == Tool::Hand) {
+            let says = tool.says().2;
+            let name = says.split(':').next().unwrap_or(says);
+            if ui.selectable_label(director.tool == tool, name).on_hover_text(says).clicked() {
+                director.take(tool);
+            }
+        }
+    });
+    ui.add_space(6.0);
+}
+
+/// Shows the options of the selected tool: its group, and the settings of the brush or of the change.
+pub fn tool_options(ui: &mut Ui, director: &mut Director, intervener: &mut Intervener, scene: &Scene) {
+    ui.set_max_width(ui.ctx().content_rect().width() - 60.0);
+    ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(director.tool.says().2).weak());
         if director.tool.directs() {
             ui.separator();
@@ -40,6 +102,16 @@ pub fn tool_options(ui: &mut Ui, director: &mut Director, scene: &Scene) {
                 }
             });
         }
+        if director.tool.snaps() {
+            snapping(ui, &mut director.snapping);
+        }
+        if director.tool == Tool::Crowd {
+            ui.add(DragValue::new(&mut intervener.count).range(1..=10_000).suffix(" agents"));
+        }
+        if director.tool == Tool::Push {
+            let radius = DragValue::new(&mut intervener.radius).range(0.2..=100.0).speed(0.05);
+            ui.add(radius.prefix("radius ").suffix(" m"));
+        }
         if director.tool.brushes() {
             let brush = &mut director.brush;
             ui.separator();
@@ -52,9 +124,26 @@ pub fn tool_options(ui: &mut Ui, director: &mut Director, scene: &Scene) {
     });
 }
 
+/// Shows whether and how gestures snap.
+fn snapping(ui: &mut Ui, snapping: &mut Snapping) {
+    ui.separator();
+    let says =
+        "corners, edges and a grid attract the pointer, except with Alt; with Shift, directions are multiples of 45°";
+    ui.checkbox(&mut snapping.on, "snap").on_hover_text(says);
+    if snapping.on {
+        let grid = ComboBox::from_id_salt("pitch").selected_text(format!("{} m", snapping.pitch)).width(64.0);
+        let grid = grid.show_ui(ui, |ui| {
+            for pitch in Snapping::PITCHES {
+                ui.selectable_value(&mut snapping.pitch, pitch, format!("{pitch} m"));
+            }
+        });
+        named(&grid.response, Role::ComboBox, "grid");
+    }
+}
+
 fn button(ui: &mut Ui, tool: Tool, chosen: bool) -> Response {
     let (_, key, says) = tool.says();
-    let (rect, response) = ui.allocate_exact_size(Vec2::splat(28.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(side(ui)), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, says));
     let visuals = ui.style().interact(&response);
     let (fill, color) = match chosen {
@@ -62,7 +151,7 @@ fn button(ui: &mut Ui, tool: Tool, chosen: bool) -> Response {
         false => (visuals.weak_bg_fill, visuals.fg_stroke.color),
     };
     ui.painter().rect_filled(rect, 6.0, fill);
-    draw(ui.painter(), rect.shrink(7.0), tool, color);
+    draw(ui.painter(), Rect::from_center_size(rect.center(), Vec2::splat(14.0)), tool, color);
     response.on_hover_text(format!("{says} ({key})"))
 }
 
@@ -158,6 +247,46 @@ fn draw(painter: &Painter, rect: Rect, tool: Tool, color: Color32) {
                 color,
                 Stroke::NONE,
             ));
+        }
+        Tool::Grab => {
+            ring(0.5, 0.55, 0.22 * side);
+            line(&[(0.0, 0.3), (0.0, 0.0), (0.3, 0.0)]);
+            line(&[(0.7, 0.0), (1.0, 0.0), (1.0, 0.3)]);
+            line(&[(0.0, 0.75), (0.0, 1.05), (0.3, 1.05)]);
+            line(&[(0.7, 1.05), (1.0, 1.05), (1.0, 0.75)]);
+        }
+        Tool::Lead => {
+            dot(0.15, 0.85, 0.2 * side);
+            arrow((0.35, 0.65), (1.05, -0.05));
+        }
+        Tool::Push => {
+            ring(0.5, 0.5, 0.2 * side);
+            for (from, to) in [
+                ((0.75, 0.5), (1.15, 0.5)),
+                ((0.25, 0.5), (-0.15, 0.5)),
+                ((0.5, 0.25), (0.5, -0.15)),
+                ((0.5, 0.75), (0.5, 1.15)),
+            ] {
+                arrow(from, to);
+            }
+        }
+        Tool::Crowd => {
+            for (x, y) in [(0.2, 0.2), (0.7, 0.1), (0.45, 0.5), (0.95, 0.55), (0.1, 0.75), (0.6, 0.95)] {
+                dot(x, y, 0.15 * side);
+            }
+        }
+        Tool::Barrier => {
+            painter.line_segment([at(0.5, -0.05), at(0.5, 1.05)], Stroke::new(3.0, color));
+            arrow((-0.15, 0.5), (0.38, 0.5));
+        }
+        Tool::Door => {
+            line(&[(0.05, 1.05), (0.05, 0.0), (0.95, 0.0), (0.95, 1.05)]);
+            line(&[(0.05, 0.0), (0.6, 0.3), (0.6, 1.2), (0.05, 1.05)]);
+        }
+        Tool::Send => {
+            line(&[(0.55, 1.1), (0.55, 0.0)]);
+            painter.add(Shape::convex_polygon(vec![at(0.55, 0.0), at(1.15, 0.25), at(0.55, 0.5)], color, Stroke::NONE));
+            arrow((-0.15, 0.9), (0.4, 0.9));
         }
         Tool::Eraser => {
             shut(&[(0.62, 0.0), (1.05, 0.42), (0.45, 1.0), (0.2, 1.0), (0.0, 0.62)]);

@@ -1,5 +1,6 @@
 //! The engine of playback: it takes commands, makes the steps that are due, and publishes states.
 
+use super::intervened::Act;
 use super::meter::Meter;
 use super::pace::{Pace, Speed};
 use super::reel::{Film, Reel};
@@ -37,6 +38,9 @@ pub enum Command {
         /// Whether it starts running.
         run: bool,
     },
+    /// Sets whether a change that the run cannot follow starts the scene again. Otherwise the run goes on with the scene
+    /// as it was, and the change waits for [`Command::Restart`].
+    Restarts(bool),
     /// Runs. After the end, starts again.
     Run,
     /// Pauses.
@@ -61,6 +65,8 @@ pub enum Command {
     Meters(Arc<[Meter]>),
     /// Sets whether people follow the agents, so that they can be drawn.
     People(bool),
+    /// Changes the run at its current moment. It goes on, running or paused.
+    Intervene(Act),
 }
 
 /// Plays scenes: give it a [`command`](Self::command), let it [`work`](Self::work), and read the published state
@@ -70,8 +76,8 @@ pub struct Engine {
     /// The same scene with a second model, on the same clock.
     beside: Option<PlayedRun>,
     model: Option<Model>,
-    /// The number of runs so far.
-    runs: u64,
+    /// The number of the run: of all runs so far.
+    number: u64,
     pace: Pace,
     playing: bool,
     /// The step to reach as fast as possible.
@@ -79,6 +85,9 @@ pub struct Engine {
     explained: Option<u32>,
     meters: Arc<[Meter]>,
     people: bool,
+    restarts: bool,
+    /// The changed scene that waits for a restart.
+    waiting: Option<Arc<Scene>>,
     trouble: Option<Trouble>,
 }
 
@@ -88,13 +97,15 @@ impl Default for Engine {
             run: None,
             beside: None,
             model: None,
-            runs: 0,
+            number: 0,
             pace: Pace::new(Speed::Times(1.0), Instant::now()),
             playing: false,
             goal: None,
             explained: None,
             meters: Arc::from([]),
             people: false,
+            restarts: true,
+            waiting: None,
             trouble: None,
         }
     }
@@ -110,6 +121,7 @@ impl Engine {
                 Err(says) => self.trouble = Some(Trouble::Film(says)),
             },
             Command::Change { name, scene } => self.change(name, scene),
+            Command::Restarts(restarts) => self.restarts = restarts,
             Command::Run if self.over() => {
                 self.restart(None);
                 self.playing = true;
@@ -129,6 +141,7 @@ impl Engine {
                 self.meters = meters;
             }
             Command::People(wanted) => self.people = wanted,
+            Command::Intervene(act) => self.intervene(&act),
             Command::Explain(number) => {
                 self.explained = number;
                 self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.stage.explain(number));
@@ -148,20 +161,31 @@ impl Engine {
     }
 
     fn begin(&mut self, mut run: PlayedRun, go: bool) {
+        self.waiting = None;
         run.stage.explain(self.explained);
-        self.runs += 1;
+        self.number += 1;
         (self.run, self.trouble, self.goal, self.playing) = (Some(run), None, None, go);
         self.put_beside();
+    }
+
+    fn intervene(&mut self, act: &Act) {
+        let done = self.run.iter_mut().chain(&mut self.beside).try_for_each(|run| run.intervene(act));
+        match done {
+            Ok(()) if matches!(self.trouble, Some(Trouble::Refused(_))) => self.trouble = None,
+            Ok(()) => {}
+            Err(trouble) => self.trouble = Some(trouble),
+        }
     }
 
     fn change(&mut self, name: Arc<str>, scene: Arc<Scene>) {
         let changed = self.run.as_mut().filter(|run| run.name == name).map(|run| run.change(scene.clone()));
         match changed {
             Some(Ok(true)) => {
-                self.trouble = None;
+                (self.trouble, self.waiting) = (None, None);
                 self.put_beside();
             }
             Some(Err(trouble)) => self.trouble = Some(trouble),
+            Some(Ok(false)) if !self.restarts && self.step() > 0 => self.waiting = Some(scene),
             Some(Ok(false)) | None => self.load(name, scene, self.playing),
         }
     }
@@ -188,7 +212,7 @@ impl Engine {
         if let Some(reel) = run.stage.reel() {
             return self.begin(PlayedRun::replay(reel, &self.meters), self.playing);
         }
-        let mut scene = run.scene.clone();
+        let mut scene = self.waiting.take().unwrap_or_else(|| run.scene.clone());
         if let Some(seed) = seed.filter(|seed| *seed != scene.seed) {
             Arc::make_mut(&mut scene).seed = seed;
         }
@@ -209,7 +233,7 @@ impl Engine {
     }
 
     fn over(&self) -> bool {
-        self.run.is_some() && self.run.iter().chain(&self.beside).all(|run| run.stage.over())
+        self.run.is_some() && self.runs().all(|run| run.stage.over())
     }
 
     /// Makes the steps that are due, until `budget` is used up. The last step may exceed the budget. Returns whether
@@ -218,24 +242,20 @@ impl Engine {
         let begin = Instant::now();
         self.pace.pass(begin, self.playing);
         let mut made = 0;
-        while begin.elapsed() < budget && (self.lags() || self.due()) {
-            let next = if self.lags() { &mut self.beside } else { &mut self.run };
-            let Some(run) = next else { break };
+        while begin.elapsed() < budget {
+            let until = self.until();
+            let Some(run) = self.next() else { break };
             if let Err(trouble) = run.step() {
                 (self.trouble, self.playing, self.goal) = (Some(trouble), false, None);
                 return true;
             }
             made += 1;
-            let step = run.stage.steps();
-            // on the way to a step, only the last two states are captured
-            if self.goal.is_none_or(|goal| step + 1 >= goal) {
-                run.see();
-            }
+            run.pass(until.saturating_sub(run.stage.steps()));
         }
         for run in self.run.iter_mut().chain(&mut self.beside).filter(|run| run.frame.time != run.stage.time()) {
             run.see();
         }
-        let (over, lags) = (self.over(), self.lags());
+        let (over, lagging) = (self.over(), self.lagging().is_some());
         let Some(run) = &mut self.run else { return false };
         if begin.elapsed() >= budget {
             self.pace.let_go(run.scene.time.step);
@@ -247,10 +267,11 @@ impl Engine {
             }
         };
         run.cost.usage = if self.playing { usage } else { 0.0 };
-        let last = run.stage.reel().is_some() && run.stage.over();
-        let arrived = !lags && self.goal.is_some_and(|goal| last || run.stage.steps() >= goal);
+        let arrived = !lagging && self.goal.is_some();
         if arrived {
             self.goal = None;
+            // a trajectory file, and a run beside another one, may end before the goal
+            self.run.iter_mut().chain(&mut self.beside).for_each(|run| run.wake.arrive());
         }
         let ended = self.playing && over;
         if ended {
@@ -259,20 +280,36 @@ impl Engine {
         made > 0 || arrived || ended
     }
 
-    /// Whether the run with the second model is behind.
-    fn lags(&self) -> bool {
-        self.beside.as_ref().is_some_and(|beside| beside.stage.steps() < self.step())
+    /// Returns the run that makes the next step, if one is due: a run that lags, or else the first that has not ended.
+    fn next(&mut self) -> Option<&mut PlayedRun> {
+        let at = match self.lagging() {
+            Some(at) => at,
+            None if self.playing && self.goal.is_none() => {
+                let next = self.runs().position(|run| !run.stage.over())?;
+                let step = self.run.as_ref()?.scene.time.step;
+                self.pace.take(step).then_some(next)?
+            }
+            None => return None,
+        };
+        self.run.iter_mut().chain(&mut self.beside).nth(at)
     }
 
-    /// Whether the main run is to make a step now.
-    fn due(&mut self) -> bool {
-        let over = self.over();
-        let Some(run) = &self.run else { return false };
-        match self.goal {
-            // a trajectory file has a last moment
-            Some(goal) => run.stage.steps() < goal && !(run.stage.over() && run.stage.reel().is_some()),
-            None => self.playing && !over && self.pace.take(run.scene.time.step),
-        }
+    /// Returns the step that all runs are to reach: the goal, or that of the run ahead.
+    fn until(&self) -> u64 {
+        self.goal.or_else(|| self.runs().map(|run| run.stage.steps()).max()).unwrap_or(0)
+    }
+
+    /// Returns the index of the run that is behind the step to reach, or behind the other run.
+    fn lagging(&self) -> Option<usize> {
+        let until = self.until();
+        // of two runs each stays at its own end, and a trajectory file has a last moment
+        let stays = |run: &PlayedRun| run.stage.over() && (self.beside.is_some() || run.stage.reel().is_some());
+        self.runs().position(|run| run.stage.steps() < until && !stays(run))
+    }
+
+    /// Returns the runs, the main run first.
+    fn runs(&self) -> impl Iterator<Item = &PlayedRun> {
+        self.run.iter().chain(&self.beside)
     }
 
     /// Returns how long the engine has nothing to do, `None` until the next command.
@@ -280,7 +317,7 @@ impl Engine {
         let run = self.run.as_ref()?;
         match (self.goal, self.playing) {
             (Some(_), _) => Some(Duration::ZERO),
-            _ if self.lags() => Some(Duration::ZERO),
+            _ if self.lagging().is_some() => Some(Duration::ZERO),
             (None, true) => Some(self.pace.wait(run.scene.time.step)),
             (None, false) => None,
         }
@@ -289,17 +326,17 @@ impl Engine {
     /// Returns the current state, `None` before the first scene.
     pub fn shown(&mut self) -> Option<Arc<RunMoment>> {
         // a run on the way to a step shows states for a moment only
-        let hurries = [self.lags() || self.goal.is_some(), self.goal.is_some()];
+        let hurries = [self.lagging().is_some() || self.goal.is_some(), self.goal.is_some()];
         let [beside, main] = hurries.map(|hurry| (self.people, hurry));
-        let now = (self.runs, self.playing, self.pace);
+        let now = (self.number, self.playing, self.pace);
         let beside = self.beside.as_mut().map(|run| Arc::new(Self::show(run, now, beside, None)));
         let run = self.run.as_mut()?;
-        Some(Arc::new(Self::show(run, now, main, beside)))
+        Some(Arc::new(RunMoment { waits: self.waiting.is_some(), ..Self::show(run, now, main, beside) }))
     }
 
     fn show(
         run: &mut PlayedRun,
-        (runs, playing, pace): (u64, bool, Pace),
+        (number, playing, pace): (u64, bool, Pace),
         (people, hurry): (bool, bool),
         beside: Option<Arc<RunMoment>>,
     ) -> RunMoment {
@@ -309,7 +346,7 @@ impl Engine {
             setting: run.setting.clone(),
             first: run.first.clone(),
             bounds: run.bounds,
-            run: runs,
+            run: number,
             frame: run.frame.clone(),
             before: run.before.clone(),
             step: run.stage.steps(),
@@ -321,10 +358,14 @@ impl Engine {
             summary: run.stage.summary(!playing),
             explanation: run.stage.explanation(!playing, run.cost.step),
             hash: run.stage.hash(),
+            interventions: run.stage.interventions(),
+            waits: false,
             kept: run.stage.kept(),
             reel: run.stage.reel(),
             pace,
             people: run.poses(people, hurry),
+            arriving: hurry,
+            wake: run.wake.moments().into(),
             beside,
         }
     }

@@ -45,6 +45,12 @@ impl StateHistory {
         Some(&self.states[after.checked_sub(1)?].1)
     }
 
+    /// Drops the states at a step and after it.
+    pub fn forget_from(&mut self, step: u64) {
+        self.states.retain(|&(at, _)| at < step);
+        self.bytes = self.states.iter().map(|(_, state)| state.len()).sum();
+    }
+
     /// Returns the bytes held.
     pub fn bytes(&self) -> usize {
         self.bytes

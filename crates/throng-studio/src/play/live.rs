@@ -1,6 +1,7 @@
 //! A simulated world: its steps and its saved states.
 
 use super::history::StateHistory;
+use super::intervened::{Act, Intervened};
 use super::observed::Observed;
 use super::playable::Playable;
 use super::run_moment::{Cost, Trouble};
@@ -8,7 +9,7 @@ use std::sync::Arc;
 use throng::{Explanation, Stage as Part, Summary, TraceRequest, World};
 use throng_draw::Annotations;
 use throng_record::{Frame, Setting, moment};
-use throng_scene::{Built, Scene, caught};
+use throng_scene::{Built, Intervention, Scene, caught};
 use web_time::Instant;
 
 /// The memory limit of saved states, bytes.
@@ -22,6 +23,8 @@ pub(super) struct Live {
     built: Built,
     scene: Arc<Scene>,
     history: StateHistory,
+    /// What the user has done to it.
+    intervened: Intervened,
     summary: (Instant, Arc<Summary>),
     /// The agent to explain, and the last explanation with its time.
     explained: Option<u32>,
@@ -37,6 +40,7 @@ impl Live {
         let mut live = Self {
             scene,
             history: StateHistory::new(MEMORY),
+            intervened: Intervened::new(&built),
             summary: (Instant::now(), Arc::new(world.summary())),
             explained: None,
             explanation: None,
@@ -60,7 +64,15 @@ impl Live {
             let Ok(Ok((mut world, built))) = guarded(|| self.scene.build()) else { return };
             let kept = self.history.nearest(step).is_some_and(|state| world.load(state).is_ok());
             let goal = if kept { goal } else { 0 };
-            if guarded(|| (world.steps()..goal).for_each(|_| world.step())).is_ok() {
+            let (intervened, scene) = (&mut self.intervened, &self.scene);
+            intervened.back();
+            let again = || {
+                (world.steps()..goal).for_each(|_| {
+                    world.step();
+                    intervened.step(&mut world, scene);
+                })
+            };
+            if guarded(again).is_ok() {
                 (self.world, self.built) = (world, built);
                 break;
             }
@@ -107,6 +119,7 @@ impl Playable for Live {
                 stages[stage as usize] += (now - last).as_secs_f64();
                 last = now;
             });
+            self.intervened.step(&mut self.world, &self.scene);
         });
         if made.is_err() {
             self.mend(before);
@@ -121,6 +134,7 @@ impl Playable for Live {
     }
 
     fn back_to(&mut self, step: u64) {
+        self.intervened.back();
         let Some(state) = self.history.nearest(step) else { return };
         // a state saved before the behaviours changed cannot be loaded
         if self.world.load(state).is_err() {
@@ -165,7 +179,36 @@ impl Playable for Live {
         self.explanation.as_ref().map(|(_, why)| why.clone())
     }
 
+    fn intervene(&mut self, act: &Act) -> Result<(), Trouble> {
+        let (world, scene) = (&mut self.world, &self.scene);
+        guarded(|| self.intervened.act(act, world, scene))?.map_err(Trouble::Refused)?;
+        // the states from here on are those without it
+        self.history.forget_from(self.world.steps());
+        self.keep();
+        Ok(())
+    }
+
+    fn interventions(&self) -> Arc<[Intervention]> {
+        self.intervened.made().clone()
+    }
+
+    fn changed_setting(&self, shown: &Setting) -> Option<Setting> {
+        let intervened = !(self.scene.interventions.is_empty() && self.intervened.made().is_empty());
+        let changed = intervened && !self.world.place().obstacles().eq(&shown.obstacles);
+        changed.then(|| moment::setting(&self.world, &self.built, &shown.title))
+    }
+
     fn tune(&mut self, new: &Arc<Scene>, old: &Scene, title: &str) -> Result<Option<Setting>, Trouble> {
+        if self.intervened.explains(new, old) {
+            // a world with these interventions among its rules goes on from the state
+            let (mut live, _) = Self::new(new.clone(), title)?;
+            if live.world.load(&self.world.save()).is_ok() {
+                (self.world, self.built, self.scene) = (live.world, live.built, new.clone());
+                self.intervened = Intervened::new(&self.built);
+                self.request_traces();
+                return Ok(Some(moment::setting(&self.world, &self.built, title)));
+            }
+        }
         let tuned = guarded(|| new.tune(old, &mut self.world, &mut self.built))?;
         let tuned = tuned.map_err(|error| Trouble::Scene(Box::new(error)))?;
         if tuned {

@@ -6,6 +6,7 @@
 
 mod engine;
 mod history;
+mod intervened;
 mod live;
 mod meter;
 mod observed;
@@ -19,9 +20,11 @@ mod run_moment;
 mod series;
 #[cfg(not(target_arch = "wasm32"))]
 mod threaded;
+mod wake;
 
 pub use engine::{Command, Engine};
 pub use history::StateHistory;
+pub use intervened::{Act, Held};
 pub(crate) use live::guarded;
 pub use meter::{Gauge, Meter};
 pub use observed::{AgentMoment, Observed};

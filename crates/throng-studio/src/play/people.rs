@@ -37,14 +37,14 @@ pub struct Poses {
 /// Poses from one state to the next, at equal intervals. Empty where no people are wanted.
 pub type PosesBetween = Arc<[Arc<Poses>]>;
 
-/// Returns the person of an agent, `None` for an agent that flies or is larger than a person.
-pub fn person(setting: &Setting, body: &Body) -> Option<Person> {
-    Person::of_agent(body.number, body.shape().clearance_radius()).filter(|_| stands(setting, body))
+/// Returns the person of an agent that appears, `None` for an agent in the air or larger than a person.
+pub fn person(body: &Body) -> Option<Person> {
+    Person::of_agent(body.number, body.shape().clearance_radius()).filter(|_| stands(body))
 }
 
 /// Whether an agent is on the ground and no larger than a person.
-fn stands(setting: &Setting, body: &Body) -> bool {
-    !setting.in_space && body.basis.is_none() && body.shape().bounding_radius() <= WIDEST
+fn stands(body: &Body) -> bool {
+    body.altitude == 0.0 && body.basis.is_none() && body.shape().bounding_radius() <= WIDEST
 }
 
 /// The people of a run. Their poses are a function of the states since the last jump in time.
@@ -64,7 +64,7 @@ impl People {
             *self = Self::default();
             return;
         };
-        self.enter(frame, setting);
+        self.enter(frame);
         let parts = (gap / LONGEST).ceil().clamp(1.0, MOST) as usize;
         let follow = |part: usize| {
             // as each part begins where the last one ended
@@ -80,7 +80,7 @@ impl People {
         if !self.poses.is_empty() {
             return self.poses.clone();
         }
-        self.enter(frame, setting);
+        self.enter(frame);
         let poses = self.pose(setting.origin, |follower| follower.begin(hurry));
         let poses: PosesBetween = [poses.clone(), poses].into();
         if hurry {
@@ -92,7 +92,7 @@ impl People {
     }
 
     /// Takes the next state of each agent. Agents without a person get one, and people without an agent leave.
-    fn enter(&mut self, frame: &Frame, setting: &Setting) {
+    fn enter(&mut self, frame: &Frame) {
         self.time = frame.time;
         let bodies = if frame.bodies.len() > MANY { &[] } else { frame.bodies.as_slice() };
         let mut known = std::mem::take(&mut self.followers).into_iter().peekable();
@@ -107,10 +107,10 @@ impl People {
                     follower.next = next;
                     Some(follower)
                 }
-                None => Follower::new(body.number, person(setting, body)?, next),
+                None => Follower::new(body.number, person(body)?, next),
             }
         };
-        self.followers = bodies.iter().filter(|body| stands(setting, body)).filter_map(follower).collect();
+        self.followers = bodies.iter().filter(|body| stands(body)).filter_map(follower).collect();
     }
 
     /// Moves all people and returns their poses.

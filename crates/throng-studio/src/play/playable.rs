@@ -1,12 +1,13 @@
 //! The common interface of a simulated world and of a replay.
 
+use super::intervened::Act;
 use super::observed::Observed;
 use super::reel::Reel;
 use super::run_moment::{Cost, Trouble};
 use std::sync::Arc;
 use throng::{Explanation, Summary};
 use throng_record::{Frame, Setting};
-use throng_scene::Scene;
+use throng_scene::{Intervention, Scene};
 
 /// A run at one of its moments.
 pub(super) trait Playable {
@@ -37,6 +38,18 @@ pub(super) trait Playable {
     /// differs in more.
     fn tune(&mut self, _new: &Arc<Scene>, _old: &Scene, _title: &str) -> Result<Option<Setting>, Trouble> {
         Ok(None)
+    }
+    /// Does what the user asks for at the current moment. A replay cannot be changed.
+    fn intervene(&mut self, _: &Act) -> Result<(), Trouble> {
+        Err(Trouble::Refused("a replay of recorded trajectories cannot be changed".into()))
+    }
+    /// Returns what the user has done so far.
+    fn interventions(&self) -> Arc<[Intervention]> {
+        Arc::default()
+    }
+    /// Returns the setting if an intervention has changed it.
+    fn changed_setting(&self, _shown: &Setting) -> Option<Setting> {
+        None
     }
     /// Returns a hash of the state.
     fn hash(&self) -> u64 {

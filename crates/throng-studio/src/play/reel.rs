@@ -84,6 +84,11 @@ impl Reel {
         self.moments.count()
     }
 
+    /// Whether the file tells when agents arrive: some agent arrives, or has no samples up to the end.
+    pub fn has_arrivals(&self) -> bool {
+        self.moments.arrived(self.count()) > 0
+    }
+
     /// Returns the time of a moment, seconds. Moments after the last have the time of the last.
     pub fn time(&self, moment: usize) -> f64 {
         self.moments.time(moment)

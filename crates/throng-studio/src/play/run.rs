@@ -1,5 +1,6 @@
 //! A run: its current and previous frames, and its measurements.
 
+use super::intervened::Act;
 use super::live::Live;
 use super::meter::Meter;
 use super::people::{People, PosesBetween};
@@ -7,6 +8,7 @@ use super::playable::Playable;
 use super::reel::{Reel, ReelReplay};
 use super::run_moment::{Cost, Trouble};
 use super::series::Series;
+use super::wake::Wake;
 use std::sync::Arc;
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting};
@@ -24,6 +26,7 @@ pub(super) struct PlayedRun {
     pub frame: Arc<Frame>,
     pub cost: Cost,
     pub series: Arc<Series>,
+    pub wake: Wake,
     /// The people, if they are wanted.
     people: Option<People>,
 }
@@ -64,6 +67,7 @@ impl PlayedRun {
             frame,
             cost: Cost::default(),
             series: Arc::new(Series::new(&stage.observe(), meters)),
+            wake: Wake::default(),
             people: None,
             name,
             scene,
@@ -94,9 +98,38 @@ impl PlayedRun {
         Ok(found)
     }
 
+    /// Does what the user asks for at the current moment.
+    pub fn intervene(&mut self, act: &Act) -> Result<(), Trouble> {
+        self.stage.intervene(act)?;
+        self.stage.capture(Arc::make_mut(&mut self.frame));
+        self.look_round();
+        Ok(())
+    }
+
+    /// Takes over the setting if an intervention has changed it.
+    fn look_round(&mut self) {
+        if let Some(setting) = self.stage.changed_setting(&self.setting) {
+            self.setting = Arc::new(setting);
+        }
+    }
+
+    /// Captures the current state, `ahead` steps before the step to reach. On the way to a step, only the last two states
+    /// and those of the wake are captured.
+    pub fn pass(&mut self, ahead: u64) {
+        if ahead <= 1 {
+            self.see();
+            self.wake.pass(&self.frame, ahead);
+        } else if ahead <= Wake::steps(self.scene.time.step, self.frame.bodies.len()) {
+            let mut moment = Frame::default();
+            self.stage.capture(&mut moment);
+            self.wake.pass(&Arc::new(moment), ahead);
+        }
+    }
+
     /// Goes to the last reachable state at or before a step.
     pub fn back_to(&mut self, step: u64) {
         self.stage.back_to(step);
+        self.wake = Wake::default();
         self.stand();
     }
 
@@ -113,6 +146,7 @@ impl PlayedRun {
         // reuses the memory of the previous frame if no reader holds it
         self.stage.capture(Arc::make_mut(&mut next));
         self.frame = next;
+        self.look_round();
         if let Some(people) = &mut self.people {
             people.see(&self.frame, &self.setting, self.scene.time.step);
         }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use throng::{Explanation, Summary};
 use throng_draw::WorldBox;
 use throng_record::{Frame, Setting};
-use throng_scene::Scene;
+use throng_scene::{Intervention, Scene};
 use web_time::Instant;
 
 /// A published moment of a run. Cheap to clone.
@@ -48,6 +48,10 @@ pub struct RunMoment {
     pub explanation: Option<Arc<Explanation>>,
     /// [`World::state_hash`](throng::World::state_hash) of the state at `step`.
     pub hash: u64,
+    /// What the user has done to the run so far.
+    pub interventions: Arc<[Intervention]>,
+    /// Whether a change of the scene waits for a restart.
+    pub waits: bool,
     /// The bytes of saved states.
     pub kept: usize,
     /// The run with the second model, at the same step.
@@ -56,13 +60,19 @@ pub struct RunMoment {
     pub reel: Option<Arc<Reel>>,
     /// The people from [`RunMoment::before`] to [`RunMoment::frame`], if they are wanted.
     pub people: PosesBetween,
+    /// Whether the run is on its way to a step, so that this moment is seen only in passing.
+    pub arriving: bool,
+    /// The moments before this one on the way to it, oldest first, if the run went to its step as fast as possible.
+    pub wake: Arc<[Arc<Frame>]>,
     pub(super) pace: Pace,
 }
 
 impl RunMoment {
     /// Returns the interpolation weight between [`RunMoment::before`] and [`RunMoment::frame`], 0 to 1.
     pub fn share(&self) -> f32 {
-        let share = if self.playing { self.pace.share(self.scene.time.step, Instant::now()) } else { 1.0 };
+        // of two runs, the one that has ended stands
+        let moves = self.playing && !self.over;
+        let share = if moves { self.pace.share(self.scene.time.step, Instant::now()) } else { 1.0 };
         share as f32
     }
 
@@ -92,13 +102,15 @@ pub enum Trouble {
     Panic(String),
     /// A trajectory file cannot be replayed.
     Film(String),
+    /// The run refuses an intervention. It continues without it.
+    Refused(String),
 }
 
 impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Scene(error) => error.fmt(f),
-            Self::Film(says) => f.write_str(says),
+            Self::Film(says) | Self::Refused(says) => f.write_str(says),
             Self::Panic(says) => write!(f, "a plug-in panicked: {says}"),
         }
     }

@@ -107,7 +107,7 @@ impl SceneRun {
         let built = guarded(|| scene.build()).map_err(|trouble| trouble.to_string())?;
         let (mut world, built) = built.map_err(|error| error.to_string())?;
         world.request_traces(annotations.asked());
-        let setting = moment::setting_with_figures(&world, &built, &scene, title(&scene, name));
+        let setting = moment::setting_with_files(&world, &built, &scene, title(&scene, name));
         let explained = annotations.explained();
         Ok(Self { setting: setting.map_err(|error| error.to_string())?, world, scene, explained })
     }
@@ -141,6 +141,7 @@ impl Source for SceneRun {
     fn capture(&self, frame: &mut Frame) {
         moment::capture(&self.world, frame);
         moment::explain(&self.world, &self.explained, frame);
+        moment::capture_obstacles(&self.world, &self.scene, &self.setting, frame);
     }
 }
 

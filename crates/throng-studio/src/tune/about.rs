@@ -37,8 +37,30 @@ impl About {
         // the unit that appears first; among units that start there, the longest
         let unit = UNITS.iter().filter_map(first).min_by_key(|&(at, length, _)| (at, std::cmp::Reverse(length)));
         let (low, high) = text.split_once("Limit: ").map_or((None, None), |(_, limit)| limits(limit));
-        let without = text.split_once("Without it, ").and_then(|(_, rest)| number(rest));
+        let without = text.split_once("Without it, ").and_then(|(_, rest)| {
+            let named = || rest.split_once("default (").and_then(|(_, rest)| number(rest));
+            number(rest).or_else(named)
+        });
         Self { unit: unit.map(|(_, _, unit)| unit.to_owned()), low, high, without, text }
+    }
+}
+
+impl About {
+    /// Returns what holds without the key, if the line says so.
+    pub(super) fn otherwise(&self) -> Option<String> {
+        let (_, rest) = self.text.split_once("Without it, ")?;
+        Some(rest.split(['.', ',', ':']).next().unwrap_or_default().to_owned())
+    }
+
+    /// Returns a usual value, for a key without default.
+    pub(super) fn first(&self) -> f64 {
+        let usual: f64 = match self.unit.as_deref() {
+            Some("°/s") => 180.0,
+            Some("°") => 90.0,
+            Some("m/s²") => 5.0,
+            _ => 1.0,
+        };
+        usual.max(self.low.unwrap_or(f64::MIN)).min(self.high.unwrap_or(f64::MAX))
     }
 }
 
@@ -77,6 +99,7 @@ mod tests {
             ),
             ("Greatest change of velocity, m/s². Limit: > 0.", Some("m/s²"), Some(0.0), None, None),
             ("A speed, m/s. Limit: >= 0, at most 1000.", Some("m/s"), Some(0.0), Some(1000.0), None),
+            ("How soon. Without it, the library's default (5). Limit: > 0.", None, Some(0.0), None, Some(5.0)),
             ("How fast, degrees a second. Without it, no limit.", Some("°/s"), None, None, None),
             ("How many. Limit: 1 to 20,000,000.", None, Some(1.0), Some(2e7), None),
             ("How much of it.", None, None, None, None),

@@ -6,19 +6,24 @@ use crate::document::Edit;
 use throng_scene::{AboutPreset, AboutSlider, Scene};
 use toml_edit::Value;
 
-/// Returns the section of the sliders that the scene names. A slider of a number that the text leaves out is not shown.
-pub fn named(scene: &Scene, text: &Edit) -> Section {
-    let parameters = scene.about.sliders.iter().filter_map(|slider| parameter(scene, text, slider)).collect();
+/// Returns the section of the sliders that the scene names. A slider of a number that the text leaves out has the default
+/// of the sections of the `groups`; without one, it is not shown.
+pub fn named(scene: &Scene, text: &Edit, groups: &[Section]) -> Section {
+    let sliders = scene.about.sliders.iter();
+    let parameters = sliders.filter_map(|slider| parameter(scene, text, groups, slider)).collect();
     Section { name: "try".into(), about: "The sliders that the scene names.".into(), parameters, ..Section::default() }
 }
 
-fn parameter(scene: &Scene, text: &Edit, slider: &AboutSlider) -> Option<Parameter> {
+fn parameter(scene: &Scene, text: &Edit, groups: &[Section], slider: &AboutSlider) -> Option<Parameter> {
     let AboutSlider { name, path, min, max, unit } = slider;
-    let value = scene.number(path).ok()??;
-    let whole = edit_paths(scene, path).iter().all(|path| text.value(path).is_some_and(Value::is_integer));
+    let paths = edit_paths(scene, path);
+    let default = || groups.iter().find_map(|group| group.number(paths.first()?));
+    let given = scene.number(path).ok().flatten();
+    let value = given.or_else(default)?;
+    let whole = given.is_some() && paths.iter().all(|path| text.value(path).is_some_and(Value::is_integer));
     let about = About { text: path.clone(), unit: unit.clone(), low: Some(*min), high: Some(*max), ..About::default() };
     let kind = ParameterKind::Number { value, low: min.min(value), high: max.max(value), whole };
-    Some(Parameter { path: path.clone(), name: name.clone(), about, given: true, kind })
+    Some(Parameter { path: path.clone(), name: name.clone(), about, given: given.is_some(), acts: true, kind })
 }
 
 /// Returns the paths in the text for a path as for `--set`: names of groups, obstacles and movers become positions, and a
@@ -63,12 +68,13 @@ pub fn apply_preset(edit: &mut Edit, scene: &Scene, preset: &AboutPreset) -> Res
 mod tests {
     use super::*;
     use crate::document::Document;
-    use throng_scene::gallery;
+    use crate::tune::Tunable;
+    use throng_scene::{Plugins, gallery};
 
     #[test]
     fn the_sliders_of_a_scene_have_its_values() {
         let document = Document::gallery("columns").unwrap();
-        let section = named(document.scene().unwrap(), &Edit::new(document.text()).unwrap());
+        let section = named(document.scene().unwrap(), &Edit::new(document.text()).unwrap(), &[]);
         let found: Vec<(&str, &ParameterKind)> =
             section.parameters.iter().map(|parameter| (parameter.name.as_str(), &parameter.kind)).collect();
         let people = ParameterKind::Number { value: 10.0, low: 2.0, high: 20.0, whole: true };
@@ -98,8 +104,9 @@ mod tests {
         for name in gallery::names() {
             let document = Document::gallery(name).unwrap();
             let scene = document.scene().unwrap();
-            let section = named(scene, &Edit::new(document.text()).unwrap());
-            assert!(!section.parameters.is_empty(), "{name}");
+            let groups = Tunable::new(&Plugins::new()).groups(&document);
+            let section = named(scene, &Edit::new(document.text()).unwrap(), &groups);
+            assert_eq!(section.parameters.len(), scene.about.sliders.len(), "{name}: {:?}", section.parameters);
             for preset in &scene.about.presets {
                 let made = document.preview(|edit| apply_preset(edit, scene, preset));
                 let made = made.unwrap_or_else(|error| panic!("{name}: {}: {error}", preset.name));

@@ -1,7 +1,9 @@
 //! The tree of tunable parameters, built from a schema and the values that fit it.
 
 use super::about::About;
+use super::schema::{default, is, is_colour, is_only, line, names, range, variants, written};
 use serde_json::{Map, Value, json};
+use throng_scene::Colour;
 
 /// The parameters of a table.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,6 +16,8 @@ pub struct Section {
     pub parameters: Vec<Parameter>,
     /// The tables inside.
     pub sections: Vec<Self>,
+    /// Whether it is what a combination consists of: the key `of`.
+    pub(super) is_part: bool,
 }
 
 /// A tunable parameter.
@@ -27,6 +31,8 @@ pub struct Parameter {
     pub about: About,
     /// Whether the scene states the value. Otherwise the default is shown.
     pub given: bool,
+    /// Whether the value has an effect, with the other keys of the scene as they are.
+    pub acts: bool,
     /// The type and value.
     pub kind: ParameterKind,
 }
@@ -45,10 +51,24 @@ pub enum ParameterKind {
         /// Whether the number is an integer.
         whole: bool,
     },
+    /// A number that the scene leaves out and that has no default value.
+    Unset {
+        /// What holds without it, such as `no limit`.
+        says: String,
+        /// The value to begin with.
+        first: f64,
+        /// Whether the number is an integer.
+        whole: bool,
+    },
     /// A boolean.
     Switch {
         /// The value, `None` for the default.
         value: Option<bool>,
+    },
+    /// A colour.
+    Colour {
+        /// Red, green, blue; `None` for the colour that the program chooses.
+        value: Option<[u8; 3]>,
     },
     /// A choice of names, each with its doc line. The name of a table stands for the table without keys.
     Choice {
@@ -66,10 +86,59 @@ impl Section {
         self.sections.retain(|section| !names.contains(&section.name.as_str()));
     }
 
+    /// Removes keys of this table that have no effect. Keys that the scene states stay, and are marked.
+    pub fn without_effect(&mut self, names: &[&str]) {
+        let is_idle = |parameter: &Parameter| names.contains(&parameter.name.as_str());
+        self.parameters.retain(|parameter| parameter.given || !is_idle(parameter));
+        self.parameters.iter_mut().for_each(|parameter| parameter.acts = !is_idle(parameter));
+    }
+
+    /// Returns the value of the number at a path of this table or of a table inside.
+    pub fn number(&self, path: &str) -> Option<f64> {
+        let here = self.parameters.iter().find(|parameter| parameter.path == path);
+        let number = here.and_then(|parameter| match parameter.kind {
+            ParameterKind::Number { value, .. } => Some(value),
+            _ => None,
+        });
+        number.or_else(|| self.sections.iter().find_map(|section| section.number(path)))
+    }
+
     /// Marks the parameters that the scene states. `has` tells whether a path exists in its text.
     pub fn given(&mut self, has: &dyn Fn(&str) -> bool) {
         self.parameters.iter_mut().for_each(|parameter| parameter.given = has(&parameter.path));
         self.sections.iter_mut().for_each(|section| section.given(has));
+    }
+
+    /// Returns the section of an element of a list at a path, named by what it chooses, `None` if it is empty. `before`
+    /// are the sections of the elements before it.
+    fn named_as_element(mut self, path: &str, before: &[Self]) -> Option<Self> {
+        // a section that holds a single table becomes that table
+        if self.parameters.is_empty() && self.sections.len() == 1 {
+            self = self.sections.remove(0);
+        }
+        // what a part consists of stands beside its weight
+        if let Some(at) = self.sections.iter().position(|section| section.is_part) {
+            let part = self.sections.remove(at);
+            self.parameters.extend(part.parameters);
+            self.sections.extend(part.sections);
+        }
+        let chosen = self.parameters.iter_mut().find_map(|parameter| match &parameter.kind {
+            ParameterKind::Choice { value, .. } if [path, &format!("{path}.of")].contains(&parameter.path.as_str()) => {
+                parameter.name = "kind".into();
+                Some(value.clone())
+            }
+            _ => None,
+        });
+        if let Some(name) = chosen {
+            let again = before
+                .iter()
+                .filter(|other| other.name.trim_end_matches(|c: char| c == ' ' || c.is_ascii_digit()) == name);
+            self.name = match again.count() {
+                0 => name,
+                more => format!("{name} {}", more + 1),
+            };
+        }
+        Some(self).filter(|section| !section.is_empty())
     }
 
     /// Whether there is no parameter.
@@ -106,8 +175,14 @@ fn fill(
             ..about
         };
         let path = format!("{path}.{key}");
-        add(section, root, property, said.get(key), Place { path, name: key, about });
+        let default = default(property);
+        add(section, root, property, said.get(key).or(default.as_ref()), Place { path, name: key, about });
     }
+}
+
+/// Whether a variant is a number.
+fn is_number(variants: &[&Value]) -> bool {
+    variants.iter().any(|variant| is(variant, "number") || is(variant, "integer"))
 }
 
 /// The path, name and doc line of a property.
@@ -131,14 +206,21 @@ fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>
         name: name.to_owned(),
         about: about.clone(),
         given,
+        acts: true,
         kind,
     };
     if let Some(value) = said.and_then(Value::as_f64).or(about.without.filter(|_| !given))
-        && variants.iter().any(|variant| is(variant, "number") || is(variant, "integer"))
+        && is_number(&variants)
     {
         let whole = variants.iter().any(|variant| is(variant, "integer"));
         let (low, high) = range(&about, value);
         section.parameters.push(parameter(ParameterKind::Number { value, low, high, whole }));
+    } else if let (None, Some(says), true) = (said, about.otherwise(), is_number(&variants)) {
+        let whole = variants.iter().any(|variant| is(variant, "integer"));
+        section.parameters.push(parameter(ParameterKind::Unset { says, first: about.first(), whole }));
+    } else if variants.iter().any(|variant| is_colour(variant)) {
+        let value = said.and_then(|said| serde_json::from_value(said.clone()).ok()).map(|Colour(rgb)| rgb);
+        section.parameters.push(parameter(ParameterKind::Colour { value }));
     } else if variants.iter().any(|variant| is(variant, "boolean")) {
         section.parameters.push(parameter(ParameterKind::Switch { value: said.and_then(Value::as_bool) }));
     } else if let Some(Value::String(value)) = said {
@@ -148,21 +230,23 @@ fn add(section: &mut Section, root: &Value, schema: &Value, said: Option<&Value>
         }
     } else if let Some(Value::Array(items)) = said {
         let inner = variants.iter().find_map(|variant| variant.get("items"));
+        let Some(inner) = inner else { return };
+        let numbers = items.iter().all(Value::is_number);
         for (k, item) in items.iter().enumerate() {
-            let Some(inner) = inner else { break };
             let own = line(inner);
             // an element without a doc line gets the line of its list
             let own = if own.is_empty() { about.clone() } else { About::new(&own) };
             let about = About { low: about.low, high: about.high, ..own };
             let path = format!("{path}.{k}");
-            let mut holder =
-                Section { name: format!("{name} {}", k + 1), about: about.text.clone(), ..Section::default() };
-            let name = holder.name.clone();
-            add(&mut holder, root, inner, Some(item), Place { path, name: &name, about });
-            // a section that holds a single table becomes that table
-            let only = holder.parameters.is_empty() && holder.sections.len() == 1;
-            let holder = if only { holder.sections.remove(0) } else { holder };
-            section.sections.extend(Some(holder).filter(|holder| !holder.is_empty()));
+            let label = element(name, k, items.len(), numbers);
+            let place = |name| Place { path: path.clone(), name, about: about.clone() };
+            if numbers {
+                add(section, root, inner, Some(item), place(&label));
+                continue;
+            }
+            let mut holder = Section { name: label.clone(), about: about.text.clone(), ..Section::default() };
+            add(&mut holder, root, inner, Some(item), place(&label));
+            section.sections.extend(holder.named_as_element(&path, &section.sections));
         }
     } else if let Some(table @ Value::Object(values)) = said {
         table_of(section, root, &variants, (table, values), parameter);
@@ -183,7 +267,8 @@ fn table_of(
     let Some(variant) = variants.iter().find(fits) else { return };
     let shell = parameter(ParameterKind::Switch { value: None });
     let about = if shell.about.text.is_empty() { line(variant) } else { shell.about.text.clone() };
-    let mut inner = Section { name: shell.name.clone(), about, ..Section::default() };
+    let is_part = shell.name == "of";
+    let mut inner = Section { name: shell.name.clone(), about, is_part, ..Section::default() };
     // in a choice of tables, each variant has one key, which selects it
     let one_key = |variant: &&&Value| variant["properties"].as_object().is_some_and(|known| known.len() == 1);
     let options: Vec<(String, String)> = variants
@@ -206,58 +291,21 @@ fn table_of(
         inner.parameters.extend(only.parameters);
         inner.sections.extend(only.sections);
     }
+    if let Some(chosen) = chosen.filter(|_| is_part) {
+        inner.name = chosen.clone();
+        inner.parameters[0].name = "kind".into();
+    }
     if !inner.is_empty() {
         section.sections.push(inner);
     }
 }
 
-/// Returns the variants of a schema, with references and nested variants resolved.
-fn variants<'a>(root: &'a Value, schema: &'a Value) -> Vec<&'a Value> {
-    if let Some(name) = schema["$ref"].as_str().and_then(|name| name.strip_prefix("#/$defs/")) {
-        return variants(root, &root["$defs"][name]);
-    }
-    let of = |key: &str| schema[key].as_array().map(|all| all.iter().flat_map(|one| variants(root, one)).collect());
-    of("anyOf").or_else(|| of("oneOf")).unwrap_or_else(|| vec![schema])
-}
-
-/// Whether a schema allows a type.
-fn is(schema: &Value, name: &str) -> bool {
-    match &schema["type"] {
-        Value::String(one) => one == name,
-        Value::Array(several) => several.iter().any(|one| one == name),
-        _ => false,
-    }
-}
-
-/// Whether a schema describes tables with this key only.
-fn is_only(schema: &Value, key: &str) -> bool {
-    schema["properties"].as_object().is_some_and(|known| known.len() == 1 && known.contains_key(key))
-}
-
-/// Returns a number of a schema as written. An `f32` that was widened to `f64` has spurious digits.
-fn written(number: f64) -> f64 {
-    let short = number as f32;
-    if f64::from(short) == number { short.to_string().parse().unwrap_or(number) } else { number }
-}
-
-/// Returns the names that a schema allows, each with its doc line.
-fn names(schema: &Value) -> Vec<(String, String)> {
-    let named = schema["const"].as_str().map(|name| (name.to_owned(), line(schema)));
-    let listed = schema["enum"].as_array().into_iter().flatten().filter_map(Value::as_str);
-    named.into_iter().chain(listed.map(|name| (name.to_owned(), line(schema)))).collect()
-}
-
-fn line(schema: &Value) -> String {
-    schema["description"].as_str().unwrap_or_default().to_owned()
-}
-
-/// Returns the range of a slider: the limits, or about five times the default where limits are far away or missing.
-fn range(about: &About, value: f64) -> (f64, f64) {
-    let usual = about.without.filter(|usual| *usual != 0.0).unwrap_or(value).abs().max(0.2);
-    let unit = 10.0_f64.powf((5.0 * usual).log10().floor());
-    let wide = [1.0, 2.0, 5.0, 10.0].map(|times| times * unit).into_iter().find(|wide| *wide >= 4.0 * usual);
-    let wide = wide.unwrap_or(10.0 * unit);
-    let low = about.low.filter(|low| *low >= -wide * 10.0).unwrap_or(if value < 0.0 { -wide } else { 0.0 });
-    let high = about.high.filter(|high| *high <= wide * 10.0).unwrap_or(wide);
-    (low.min(value), high.max(value).max(low + 1e-3))
+/// Returns the name of an element of a list: a coordinate, a bound, or its number.
+fn element(list: &str, k: usize, count: usize, numbers: bool) -> String {
+    let names = match (list, count) {
+        ("uniform", 2) => ["least", "greatest", ""],
+        (_, 2 | 3) if numbers => return format!("{list} {}", ["x", "y", "z"][k]),
+        _ => return format!("{list} {}", k + 1),
+    };
+    names[k].to_owned()
 }

@@ -5,10 +5,11 @@ use super::geometry::{Disc, Figure, Geometry};
 use super::key::{self, Row};
 use super::moment::pairs;
 use super::people::{self, PersonLook};
+use super::trails::RunTrails;
 use crate::play::{PosesBetween, RunMoment};
 use crate::settings::Settings;
 use std::sync::Arc;
-use throng_draw::{AgentShape, Look, Trails};
+use throng_draw::{AgentShape, Look};
 use throng_record::Frame;
 
 /// The spacing of trail points, in radii of a body. It grows in proportion beyond `MANY` agents.
@@ -23,6 +24,7 @@ struct CrowdKey {
     people: PosesBetween,
     settings: Settings,
     run: u64,
+    arriving: bool,
     plan: bool,
 }
 
@@ -30,14 +32,14 @@ impl CrowdKey {
     fn is(&self, shown: &RunMoment, settings: &Settings, plan: bool) -> bool {
         let people = self.people.iter().map(Arc::as_ptr).eq(shown.people.iter().map(Arc::as_ptr));
         let same = people && Arc::ptr_eq(&self.frame, &shown.frame) && self.run == shown.run;
-        same && self.settings == *settings && self.plan == plan
+        same && self.arriving == shown.arriving && self.settings == *settings && self.plan == plan
     }
 }
 
 /// The agents as drawn last.
 #[derive(Default)]
 pub struct Crowd {
-    trails: Trails,
+    trails: RunTrails,
     of: Option<CrowdKey>,
     /// The distance that each agent has moved, metres, by number.
     ways: Vec<(u32, f32)>,
@@ -58,16 +60,15 @@ impl Crowd {
     ) -> [Arc<Geometry>; 2] {
         if !self.of.as_ref().is_some_and(|of| of.is(shown, settings, plan)) {
             if self.of.as_ref().is_some_and(|of| of.run != shown.run) {
-                (self.trails, self.ways) = (Trails::default(), Vec::new());
+                self.ways = Vec::new();
             }
             let look = look();
             self.key = key::of_agents(&look, settings.coloring, shown);
             let trails = self.trails(shown, settings, &look);
             self.layers =
                 [Arc::new(Geometry { deep: !plan, ..trails }), Arc::new(self.agents(shown, settings, plan, &look))];
-            let (frame, people, settings, run) =
-                (shown.frame.clone(), shown.people.clone(), settings.clone(), shown.run);
-            self.of = Some(CrowdKey { frame, people, settings, run, plan });
+            let (frame, people, settings) = (shown.frame.clone(), shown.people.clone(), settings.clone());
+            self.of = Some(CrowdKey { frame, people, settings, run: shown.run, arriving: shown.arriving, plan });
         }
         self.layers.clone()
     }
@@ -87,12 +88,12 @@ impl Crowd {
         let seconds = if shown.frame.bodies.len() > MOST_TRAILS { 0.0 } else { f64::from(settings.trails) };
         let radius = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
         let spacing = SPACING * radius * (shown.frame.bodies.len() as f64 / MANY).max(1.0);
-        self.trails.follow(&shown.frame, seconds, spacing, |body| Some(look.ink(body)));
+        self.trails.follow(shown, seconds, spacing, |body| Some(look.ink(body)));
         if seconds <= 0.0 {
             return ribbons;
         }
         let origin = shown.setting.origin.extend(0.0);
-        for track in self.trails.tracks.values() {
+        for track in self.trails.trails.tracks.values() {
             let Some(color) = track.color else { continue };
             let points = track.fading(shown.frame.time, seconds);
             let ends: Vec<_> =

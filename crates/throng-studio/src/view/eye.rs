@@ -1,5 +1,7 @@
 //! Cameras: their position, their control, and their smooth motion.
 
+mod pose;
+
 use super::mode::Mode;
 use glam::{DVec2, DVec3, Vec2};
 use throng_draw::{Camera, Followed, Following, Lens, Motion, Projector, Sight, Viewpoint, WorldBox};
@@ -98,6 +100,15 @@ impl Eye {
         self.elevation = (from.z / from.length().max(1e-9)).clamp(-1.0, 1.0).asin();
         self.angle = field_of_view.to_radians();
         self.shown = self.wanted();
+    }
+
+    /// Orbits from now on: from the present place if the view is in space.
+    pub fn stay(&mut self) {
+        let (mode, sight) = (self.mode, self.shown);
+        self.set_mode(Mode::Orbit);
+        if mode != Mode::Plan {
+            self.look(sight, self.angle.to_degrees());
+        }
     }
 
     /// Moves the view, or rotates it if `turning`.

@@ -6,6 +6,7 @@ mod derived;
 mod eye;
 mod geometry;
 mod gl;
+mod guide;
 mod heat;
 mod kernel;
 mod key;
@@ -16,8 +17,10 @@ mod mode;
 mod moment;
 mod people;
 mod scenery;
+mod set;
 mod streams;
 mod thoughts;
+mod trails;
 
 pub use colors::Coloring;
 pub use eye::{Eye, ground};
@@ -32,22 +35,41 @@ pub use streams::Streams;
 use crate::play::RunMoment;
 use crate::settings::Settings;
 use crowd::Crowd;
-use eframe::egui::{self, InputState, PointerButton, Rect, Response, Sense, Ui};
+use eframe::egui::{self, InputState, PointerButton, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use eframe::{egui_glow, glow};
 use geometry::{Disc, Geometry};
 use gl::{Canvas, Lighting};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
+use guide::Guide;
 use moment::{interpolated, nearest, pair};
 use people::DrawnPeople;
+use set::Set;
 use std::sync::{Arc, Mutex, PoisonError};
-use throng_draw::{Annotation, Annotations, Color, FilmCamera, Projection, Projector, Style, Theme, Trails, WorldBox};
-use throng_record::Frame;
+use throng_draw::{Annotation, Annotations, Color, Projection, Projector, Style, Theme, WorldBox};
+use throng_record::{Frame, Setting};
+use throng_scene::{CameraKey, Scene};
+use trails::RunTrails;
 
 /// The length of the trails of agents with annotations, seconds.
 const WAYS: f64 = 10.0;
 
+/// The direction to the sun of a scene that gives none, from +x, and its height above the horizon, radians.
+const AZIMUTH: f32 = -2.2565;
+const HEIGHT: f32 = 0.7777;
+
 /// The least height of the box around flocks, metres.
 const HEADROOM: f64 = 1.8;
+
+/// What a view begins with, where it differs from the scene's own view.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FirstView {
+    /// The number of the selected agent.
+    pub selected: Option<u32>,
+    /// The camera.
+    pub mode: Option<Mode>,
+    /// The pose of the camera ([`Eye::pose`]).
+    pub pose: Option<String>,
+}
 
 /// A view of the world.
 #[derive(Default)]
@@ -56,20 +78,22 @@ pub struct ViewOptions {
     pub eye: Eye,
     /// Whether a tool uses the primary mouse button, instead of moving the camera and selecting.
     pub lent: bool,
+    /// Whether the wheel zooms only with Ctrl, so that a page around the view can scroll.
+    pub scrolls: bool,
     /// The number of the selected agent.
     pub selected: Option<u32>,
-    /// The agent selected at first, and the first camera, if they differ from those of the scene.
-    pub at_first: (Option<u32>, Option<Mode>),
+    /// What the view of the next scene begins with.
+    pub at_first: FirstView,
     hovered: Option<u32>,
     /// The scene that the camera was fitted to.
     fitted: Option<Arc<str>>,
-    /// The camera of the scene while it moves, and the camera that it led to last. It moves the view until the user does.
-    guide: Option<(FilmCamera, Eye)>,
+    guide: Guide,
     /// The trails of agents with annotations.
-    ways: Trails,
+    ways: RunTrails,
     scenery: Option<Scenery>,
     ground: Ground,
     crowd: Crowd,
+    set: Set,
     /// The layers drawn last.
     layers: Vec<Arc<Geometry>>,
     /// The bytes of the layers that changed in the last frame.
@@ -80,33 +104,33 @@ pub struct ViewOptions {
 /// The canvas, or the error that prevented it. It is created when OpenGL is available.
 type Shared = Arc<Mutex<Option<Result<Canvas, String>>>>;
 
-/// The geometry that is constant during a run.
+/// The geometry that changes only with the setting, the scene and the theme.
 struct Scenery {
-    run: u64,
+    /// What it is made of.
+    setting: Arc<Setting>,
+    scene: Arc<Scene>,
     dark: bool,
     floor: Arc<Geometry>,
     place: Arc<Geometry>,
+    /// Solid things in space, and their surfaces from above.
     solids: Arc<Geometry>,
+    roofs: Arc<Geometry>,
 }
 
 impl ViewOptions {
     /// Shows a moment in the available space. Handles input that moves the camera or selects an agent.
     pub fn ui(&mut self, ui: &mut Ui, shown: &RunMoment, settings: &Settings) -> Response {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "view of the scene"));
         let size = Vec2::new(rect.width(), rect.height()).max(Vec2::ONE);
         if self.fitted.as_ref() != Some(&shown.name) {
             self.open(shown, size);
+        } else if self.guide.is_outdated(shown) {
+            self.guide.change(shown, size, self.eye);
         }
         let share = shown.share();
-        // the camera of the scene ends when another part of the studio or the user moves the view
-        self.guide = self.guide.take().filter(|(_, eye)| *eye == self.eye);
-        let eye = self.eye;
         self.handle(ui, &response, rect, size);
-        self.guide = self.guide.take().filter(|_| eye == self.eye);
-        if let Some((camera, _)) = &mut self.guide {
-            let (sight, angle) = camera.turn(&Frame { time: shown.time(), ..interpolated(shown, share) });
-            self.eye.look(sight, angle);
-        }
+        self.guide.lead(&mut self.eye, shown, share);
         let people = people::drawn(shown, settings, self.eye.mode() == Mode::Plan);
         let body = self.selected.and_then(|number| between(shown, number, share));
         let followed = body.map(|body| people::followed(&body, people));
@@ -122,12 +146,10 @@ impl ViewOptions {
             self.selected = self.hovered;
         }
         if response.double_clicked() && !self.lent && self.hovered.is_none() {
-            self.guide = None;
+            self.guide.end();
             self.fit(shown, size);
         }
-        if let Some((_, eye)) = &mut self.guide {
-            *eye = self.eye;
-        }
+        self.guide.follow(self.eye);
         self.paint(ui, rect, shown, settings, &projector, share);
         if shown.playing || self.eye.moves() {
             ui.ctx().request_repaint();
@@ -144,6 +166,11 @@ impl ViewOptions {
         let tops = shown.first.bodies.iter().map(|body| f64::from(body.altitude + body.radius));
         let height = tops.fold(HEADROOM, f64::max);
         self.eye.fit(bounds, if shown.setting.in_space { height } else { 0.0 }, size);
+    }
+
+    /// Returns the agent under the pointer.
+    pub fn hovered(&self) -> Option<u32> {
+        self.hovered
     }
 
     /// Returns the layers on the ground, as drawn last.
@@ -171,9 +198,9 @@ impl ViewOptions {
         Style {
             view: plan.then(|| self.eye.seen(size)),
             projection: Some(if plan { Projection::Plan } else { Projection::Perspective }),
-            viewpoint: match &self.guide {
-                Some(_) => coloring.viewpoint.clone(),
-                None => self.eye.viewpoint(selected),
+            viewpoint: match self.guide.leads() {
+                true => coloring.viewpoint.clone(),
+                false => self.eye.viewpoint(selected),
             },
             flow: streams::flow(&settings.layers, coloring.flow.clone()),
             trails: settings.trails,
@@ -187,6 +214,12 @@ impl ViewOptions {
         }
     }
 
+    /// Begins again in the next frame, as `first` says.
+    pub fn begin(&mut self, first: FirstView) {
+        self.at_first = first;
+        self.refit();
+    }
+
     /// Shows what the `[view]` of the scene shows, or the whole scene, in the next frame.
     pub fn refit(&mut self) {
         self.fitted = None;
@@ -194,22 +227,34 @@ impl ViewOptions {
 
     fn open(&mut self, shown: &RunMoment, size: Vec2) {
         self.fitted = Some(shown.name.clone());
-        let (selected, mode) = std::mem::take(&mut self.at_first);
+        let FirstView { selected, mode, pose } = std::mem::take(&mut self.at_first);
         self.selected = selected;
-        let [width, height] = size.to_array().map(|side| side.max(1.0) as u32);
-        let style = Style { width, height, ..Style::said(&shown.scene) };
-        let mut camera = FilmCamera::new(&shown.setting, &style, &shown.first);
+        let camera = self.guide.open(shown, size);
         let own = if camera.is_some() { Mode::Orbit } else { Mode::Plan };
         self.eye.set_mode(mode.unwrap_or(own));
-        self.fit_to(style.view.unwrap_or(shown.bounds), shown, size);
-        self.guide = None;
-        if let Some(camera) = camera.as_mut().filter(|_| self.eye.mode() == Mode::Orbit) {
+        self.fit_to(Style::said(&shown.scene).view.unwrap_or(shown.bounds), shown, size);
+        if let Some(mut camera) = camera.filter(|_| self.eye.mode() == Mode::Orbit) {
             let (sight, angle) = camera.turn(&shown.first);
             self.eye.look(sight, angle);
+            self.guide.begin(self.eye);
         }
-        self.guide = camera
-            .filter(|camera| !camera.is_still() && self.eye.mode() == Mode::Orbit)
-            .map(|camera| (camera, self.eye));
+        if pose.is_some_and(|pose| self.eye.set_pose(&pose, size)) {
+            self.guide.end();
+        }
+    }
+
+    /// Lets the moving camera of the scene move the view.
+    pub fn film(&mut self) {
+        self.eye.stay();
+        self.guide.begin(self.eye);
+    }
+
+    /// Returns the camera of the view as a key at a time, seconds; `None` in a plan.
+    pub fn camera_key(&self, time: f64) -> Option<CameraKey> {
+        let viewpoint = self.eye.viewpoint(None);
+        let [eye, target] = [viewpoint.eye?, viewpoint.target?].map(|point| point.to_array());
+        let key = CameraKey { time, eye, target, field_of_view: Some(viewpoint.field_of_view), cut: false };
+        (self.eye.mode() != Mode::Plan).then_some(key)
     }
 
     /// Follows the changes of another view: its camera and its selection. A camera that follows an agent is not copied,
@@ -248,6 +293,7 @@ impl ViewOptions {
         }
         if let Some(at) = response.hover_pos() {
             let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+            let scroll = if self.scrolls { 0.0 } else { scroll };
             let factor = f64::from(pinch) * f64::from(scroll * 0.004).exp();
             if factor != 1.0 {
                 self.eye.zoom(Vec2::new(at.x - rect.min.x, at.y - rect.min.y), factor, size);
@@ -269,20 +315,25 @@ impl ViewOptions {
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, crate::style::color(base));
         let scenery = self.scenery(shown, settings, &theme);
-        let (floor, place, solids) = (scenery.floor.clone(), scenery.place.clone(), scenery.solids.clone());
-        let solids = if matches!(projector, Projector::Plan(_)) { Arc::default() } else { solids };
+        let plan = matches!(projector, Projector::Plan(_));
+        let (floor, place) = (scenery.floor.clone(), scenery.place.clone());
+        let solids = if plan { scenery.roofs.clone() } else { scenery.solids.clone() };
         let size = Vec2::new(rect.width(), rect.height());
         let grid = if settings.grid { scenery::grid_seen(projector, size, shown, &theme) } else { Geometry::default() };
-        let plan = matches!(projector, Projector::Plan(_));
         let look = || settings.coloring.look(shown, &theme);
         let [trails, agents] = self.crowd.layers(shown, settings, plan, &look);
         let [heat, streams, mesh] = self.ground.layers(shown, settings, (projector, size), self.selected, ui.ctx());
         let marked = Arc::new(self.marked(shown, settings, plan, &theme));
         let unit = ui.ctx().pixels_per_point();
         let seen = DrawnPeople::seen(shown, self.crowd.looks(), share, (projector, size, unit));
-        let people = seen.filter(|_| settings.draws_people(plan));
+        let people = seen.filter(|_| settings.draws_people(&shown.scene, plan));
         let people = Arc::new(Geometry { people, deep: true, ..Geometry::default() });
-        let layers = vec![floor, heat, streams, Arc::new(grid), place, mesh, solids, trails, agents, people, marked];
+        let set = self.set.layer(shown, ui.ctx()).filter(|_| !plan);
+        let replaced = shown.scene.view.set.as_ref().is_some_and(|set| set.replaces) && matches!(set, Some(Ok(_)));
+        let [floor, grid, solids] =
+            [floor, Arc::new(grid), solids].map(|layer| if replaced { Arc::default() } else { layer });
+        let set_layer = set.as_ref().and_then(|set| set.as_ref().ok().cloned()).unwrap_or_default();
+        let layers = vec![floor, heat, streams, grid, place, mesh, solids, set_layer, trails, agents, people, marked];
         let new =
             |(k, layer): &(usize, &Arc<Geometry>)| self.layers.get(*k).is_none_or(|before| !Arc::ptr_eq(before, layer));
         self.handed_over = layers.iter().enumerate().filter(new).map(|(_, layer)| layer.bytes()).sum();
@@ -295,6 +346,10 @@ impl ViewOptions {
             draw(&canvas, painter.gl(), &layers, &lighting);
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
+        if let Some(Err(says)) = set {
+            let color = ui.visuals().error_fg_color;
+            painter.text(rect.center_bottom(), egui::Align2::CENTER_BOTTOM, says, egui::FontId::default(), color);
+        }
         if settings.annotations {
             self.annotate(&painter, rect, shown, settings, projector, share);
         }
@@ -325,28 +380,28 @@ impl ViewOptions {
         let look = Coloring::Group.look(shown, theme);
         if said.kinds.contains(&Annotation::Trails) {
             let spacing = shown.frame.bodies.first().map_or(0.2, |body| f64::from(body.radius));
-            self.ways.follow(&shown.frame, WAYS, spacing, |body| Some(look.color(body)));
+            self.ways.follow(shown, WAYS, spacing, |body| Some(look.color(body)));
         }
         let frame = Frame { time: shown.time(), ..interpolated(shown, share) };
         for annotations in [(!said.kinds.is_empty()).then_some(said), chosen].into_iter().flatten() {
-            let (origin, projector, ways) = (shown.setting.origin, *projector, &self.ways);
+            let (origin, projector, ways) = (shown.setting.origin, *projector, &self.ways.trails);
             let thinker = thoughts::Thinker { annotations: &annotations, ways, origin, projector, look: &look, theme };
             thoughts::draw(painter, rect, &frame, thinker);
         }
     }
 
     fn scenery(&mut self, shown: &RunMoment, settings: &Settings, theme: &Theme) -> &Scenery {
-        let (run, dark) = (shown.run, settings.dark);
-        if self.scenery.as_ref().is_some_and(|scenery| (scenery.run, scenery.dark) != (run, dark)) {
-            self.scenery = None;
-        }
-        self.scenery.get_or_insert_with(|| Scenery {
-            run,
-            dark,
+        let is_same = |of: &Scenery| Arc::ptr_eq(&of.setting, &shown.setting) && Arc::ptr_eq(&of.scene, &shown.scene);
+        let scenery = self.scenery.take().filter(|scenery| is_same(scenery) && scenery.dark == settings.dark);
+        self.scenery.insert(scenery.unwrap_or_else(|| Scenery {
+            setting: shown.setting.clone(),
+            scene: shown.scene.clone(),
+            dark: settings.dark,
             floor: Arc::new(scenery::floor(&shown.setting, theme)),
             solids: Arc::new(scenery::solids(&shown.setting, theme)),
+            roofs: Arc::new(scenery::roofs(&shown.setting, theme)),
             place: Arc::new(scenery::place(&shown.setting, &shown.scene, theme, &shown.first)),
-        })
+        }))
     }
 
     /// Returns rings around the selected and the hovered agent, and the path of the selected agent.
@@ -398,7 +453,16 @@ fn lighting(projector: &Projector, size: Vec2, unit: f32, shown: &RunMoment) -> 
         focal: focal * unit,
         near,
         share: 1.0,
+        sun: sun(&shown.scene),
         shadows: true,
         notch: Color::rgb(0),
     }
+}
+
+/// Returns the direction to the sun: where the scene says, else to the left and the front, and above.
+fn sun(scene: &Scene) -> Vec3 {
+    let sun = scene.view.sun;
+    let azimuth = sun.azimuth.map_or(AZIMUTH, |degrees| degrees.to_radians() as f32);
+    let height = sun.height.map_or(HEIGHT, |degrees| degrees.to_radians() as f32);
+    (Vec2::from_angle(azimuth) * height.cos()).extend(height.sin())
 }

@@ -53,7 +53,7 @@ pub struct DrawnPeople {
 
 /// Returns the people that are drawn, in a plan or in a view in space.
 pub fn drawn<'a>(shown: &'a RunMoment, settings: &Settings, plan: bool) -> &'a [(u32, Person)] {
-    shown.people.last().filter(|_| settings.draws_people(plan)).map_or(&[], |poses| &poses.people)
+    shown.people.last().filter(|_| settings.draws_people(&shown.scene, plan)).map_or(&[], |poses| &poses.people)
 }
 
 /// Returns the person of an agent, if there is one.

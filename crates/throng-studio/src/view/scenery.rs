@@ -13,6 +13,8 @@ const MANY_GOALS: usize = 40;
 /// The height of obstacles in a view in space, metres, and the number of corners of round obstacles.
 const HEIGHT: f32 = 1.2;
 const ROUND: usize = 40;
+/// The direction to the light that shades surfaces.
+pub(super) const LIGHT: Vec3 = Vec3::new(-0.48, -0.36, 0.8);
 /// The least spacing of grid lines, points of the screen.
 const CELL: f64 = 36.0;
 
@@ -47,15 +49,9 @@ pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> 
             place.line(&[segment.start, segment.end], false, Stroke { width: 1.2, color: theme.goal, dash: 5.0 });
         }
     }
-    for shell in &setting.shells {
+    for facet in setting.shells.iter().filter(|shell| shell.hollow).flat_map(|shell| &shell.facets) {
         // the edges of a container lie between the viewer and the agents
-        let edge = if shell.hollow { theme.edge.alpha(0.4) } else { theme.edge };
-        for facet in &shell.facets {
-            if !shell.hollow {
-                place.facet(facet, theme.obstacle);
-            }
-            place.line(facet, true, Stroke::plain(1.0, edge));
-        }
+        place.line(facet, true, Stroke::plain(1.0, theme.edge.alpha(0.4)));
     }
     for obstacle in &setting.obstacles {
         match obstacle {
@@ -76,7 +72,17 @@ pub fn place(setting: &Setting, scene: &Scene, theme: &Theme, first: &Frame) -> 
     place
 }
 
-/// Returns obstacles in space: prisms, walls and holes of the ground. Their height is below eye level.
+/// Returns the surfaces of solid things from above.
+pub fn roofs(setting: &Setting, theme: &Theme) -> Geometry {
+    let mut roofs = Geometry::default();
+    for facet in solid_facets(setting) {
+        roofs.facet(facet, theme.obstacle);
+        roofs.line(facet, true, Stroke::plain(1.0, theme.edge));
+    }
+    roofs
+}
+
+/// Returns what is solid in space: surfaces, and obstacles, walls and holes of the ground, with a height below eye level.
 pub fn solids(setting: &Setting, theme: &Theme) -> Geometry {
     let mut solids = Geometry { deep: true, ..Geometry::default() };
     let holes = setting.walkable.iter().flat_map(|area| &area.holes);
@@ -92,7 +98,18 @@ pub fn solids(setting: &Setting, theme: &Theme) -> Geometry {
             Obstacle::Wall { points } => prism(points, false, setting.origin, theme, &mut solids),
         }
     }
+    for facet in solid_facets(setting) {
+        let normal = (facet[1] - facet[0]).cross(facet[2] - facet[1]).normalize_or_zero();
+        let light = normal.dot(LIGHT).max(0.0);
+        solids.facet(facet, theme.obstacle.mix(theme.edge, 0.6 * (1.0 - light)));
+        solids.line(facet, true, Stroke::plain(1.0, theme.edge));
+    }
     solids
+}
+
+/// Returns the facets of surfaces that are seen from outside.
+fn solid_facets(setting: &Setting) -> impl Iterator<Item = &Vec<Vec3>> {
+    setting.shells.iter().filter(|shell| !shell.hollow).flat_map(|shell| &shell.facets)
 }
 
 /// Adds the walls over a ring of corners, or over a line if not `closed`.

@@ -1,5 +1,6 @@
 //! Direct manipulation: a gesture becomes the intended edit of the text, in a single step that can be undone.
 
+use eframe::egui::{self, Modifiers, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
@@ -289,19 +290,27 @@ fn every_handle_of_the_gallery_moves_what_it_is_of() {
         let document = Document::gallery(name).unwrap();
         let parts = throng_studio::direct::parts::Parts::of(document.scene().unwrap());
         for handle in parts.handles.iter().step_by(1 + parts.handles.len() / 40) {
-            let mut document = document.clone();
             let by = DVec2::new(0.25, 0.125);
             let edit = |edit: &mut throng_studio::document::Edit| {
                 handle.changes.iter().try_for_each(|change| change.apply(edit, by, handle.at + by))
             };
-            document.change(edit).unwrap_or_else(|says| panic!("{name}, {handle:?}: {says}"));
-            assert!(document.changed(), "{name}: {handle:?}");
-            let moved = throng_studio::direct::parts::Parts::of(document.scene().unwrap());
+            let scene = document.preview(edit).unwrap_or_else(|says| panic!("{name}, {handle:?}: {says}"));
+            let moved = throng_studio::direct::parts::Parts::of(&scene);
             let nearest = moved.handles.iter().map(|other| other.at.distance(handle.at + by));
             let off = nearest.fold(f64::INFINITY, f64::min);
             assert!(off < 0.3, "{name}: {handle:?} is {off} m off");
         }
     }
+}
+
+/// An obstacle over an agent gives a scene that cannot be built.
+#[test]
+fn a_gesture_that_gives_no_valid_scene_is_refused() {
+    let mut hand = Hand::gallery("circle");
+    let before = hand.text();
+    let says = hand.drag(Tool::Disc, &[[7.0, 0.0], [7.5, 0.0]]).unwrap_err();
+    assert!(says.contains("starts inside obstacle"), "{says}");
+    assert_eq!((hand.text(), hand.document.changed()), (before, false));
 }
 
 #[test]
@@ -350,5 +359,29 @@ fn tools_are_taken_from_the_bar() {
     harness.run();
     drop(harness);
     assert_eq!(director.tool, Tool::Wall);
-    assert_eq!(Tool::of_key(eframe::egui::Key::L), Some(Tool::Wall));
+    assert_eq!(Tool::of_key(egui::Key::L), Some(Tool::Wall));
+}
+
+/// A block of typed sides, drawn in the whole studio.
+#[test]
+fn a_size_is_typed_while_a_block_is_drawn() {
+    let mut harness = crate::layout::studio([1440.0, 900.0], "circle@0&panels.text=true");
+    let view = harness.get_by_label("view of the scene").rect();
+    harness.get_by_label("block: drag from corner to corner").click();
+    harness.run_steps(2);
+    let (pos, button, modifiers) = (view.lerp_inside([0.5, 0.5]), PointerButton::Primary, Modifiers::NONE);
+    harness.event(egui::Event::PointerMoved(pos));
+    harness.run_steps(2);
+    harness.event(egui::Event::PointerButton { pos, button, pressed: true, modifiers });
+    harness.run_steps(2);
+    harness.event(egui::Event::PointerMoved(pos + egui::vec2(40.0, -40.0)));
+    harness.run_steps(2);
+    harness.event(egui::Event::Text("3 x 22".into()));
+    harness.run_steps(2);
+    harness.key_press(egui::Key::Backspace);
+    harness.run_steps(2);
+    harness.key_press(egui::Key::Enter);
+    harness.run_steps(4);
+    let text = harness.get_by_role(egui::Role::MultilineTextInput).value().unwrap_or_default();
+    assert!(text.contains("size = [3.0, 2.0]"), "{text}");
 }

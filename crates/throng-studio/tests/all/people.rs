@@ -199,22 +199,21 @@ fn long_steps_have_poses_between() {
 
 #[test]
 fn which_agents_are_people() {
-    let (world, built) = gallery::scene("circle").unwrap().build().unwrap();
-    let setting = moment::setting(&world, &built, "");
+    let (world, _) = gallery::scene("circle").unwrap().build().unwrap();
     let mut frame = Frame::default();
     moment::capture(&world, &mut frame);
     let body = frame.bodies[0];
-    assert_eq!(person(&setting, &body), Some(Person::new(0, body.number.into())));
-    let child = person(&setting, &Body { radius: 0.1, ..body }).unwrap();
+    assert_eq!(person(&body), Some(Person::new(0, body.number.into())));
+    let child = person(&Body { radius: 0.1, ..body }).unwrap();
     assert_eq!(child.build, Build::Child);
-    assert_eq!(person(&setting, &Body { radius: 0.6, ..body }), None);
+    assert_eq!(person(&Body { radius: 0.6, ..body }), None);
     let door = Body { radius: 0.02, core: glam::Vec2::new(0.6, 0.0), ..body };
-    assert_eq!(person(&setting, &door), None);
-    let flying = throng_record::Setting { in_space: true, ..setting };
-    assert_eq!(person(&flying, &body), None);
-    for name in ["boids", "drones"] {
+    assert_eq!(person(&door), None);
+    assert_eq!(person(&Body { altitude: 3.0, ..body }), None);
+    // below drones, 48 people walk
+    for (name, count) in [("boids", 0), ("drones", 48)] {
         let mut engine = engine(name, gallery::scene(name).unwrap());
-        assert!(settle(&mut engine).people.iter().all(|poses| poses.people.is_empty()), "{name}");
+        assert!(settle(&mut engine).people.iter().all(|poses| poses.people.len() == count), "{name}");
     }
 }
 

@@ -56,6 +56,40 @@ fn every_way_to_a_step_gives_the_same_state() {
     }
 }
 
+/// The wake of a step, published while the engine works for at most `budget` at a time.
+fn wake(step: u64, budget: Duration) -> Vec<(f64, Vec<glam::DVec2>)> {
+    let mut engine = Engine::default();
+    engine.command(load("circle", false));
+    engine.command(Command::Seek(step));
+    while engine.idle().is_some() {
+        engine.work(budget);
+        let shown = engine.shown().unwrap();
+        assert_eq!(shown.arriving, shown.step < step, "step {}", shown.step);
+        assert!(!shown.arriving || shown.wake.is_empty(), "step {} of {step}", shown.step);
+    }
+    let shown = engine.shown().unwrap();
+    assert!(shown.wake.last().is_some_and(|last| Arc::ptr_eq(last, &shown.frame)));
+    shown.wake.iter().map(|frame| (frame.time, frame.bodies.iter().map(|body| body.position).collect())).collect()
+}
+
+#[test]
+fn the_way_to_a_step_does_not_depend_on_the_speed_of_the_machine() {
+    let (mut world, _) = gallery::scene("circle").unwrap().build().unwrap();
+    let fast = wake(300, Duration::from_secs(100));
+    assert_eq!(fast, wake(300, Duration::from_micros(50)), "in small parts");
+    // ten seconds, and the step itself
+    assert_eq!(fast.len(), 251);
+    let mut frame = throng_record::Frame::default();
+    for step in 1..=300 {
+        world.step();
+        if let Some((time, positions)) = (step >= 50).then(|| &fast[step - 50]) {
+            throng_record::moment::capture(&world, &mut frame);
+            assert_eq!(*time, frame.time);
+            assert!(frame.bodies.iter().map(|body| body.position).eq(positions.iter().copied()), "step {step}");
+        }
+    }
+}
+
 #[test]
 fn an_explanation_does_not_change_the_run() {
     let mut engine = Engine::default();
@@ -181,6 +215,25 @@ fn a_run_goes_on_as_another_scene_says() {
     assert_eq!((shown.step, shown.frame.total), (0, 12));
 }
 
+/// Where the user wants no restarts, a change that the run cannot follow waits for one.
+#[test]
+fn a_change_waits_for_a_restart() {
+    let mut engine = Engine::default();
+    engine.command(load("circle", false));
+    let hash = at(&mut engine, 50);
+    engine.command(Command::Restarts(false));
+    let mut other = gallery::scene("circle").unwrap();
+    other.groups[0].count = Some(12);
+    engine.command(Command::Change { name: "circle".into(), scene: Arc::new(other) });
+    let shown = settle(&mut engine);
+    assert_eq!((shown.step, shown.frame.total, shown.hash, shown.waits), (50, 36, hash, true));
+    engine.command(Command::Step);
+    assert_eq!(settle(&mut engine).step, 51, "the run goes on");
+    engine.command(Command::Restart);
+    let shown = settle(&mut engine);
+    assert_eq!((shown.step, shown.frame.total, shown.waits), (0, 12, false));
+}
+
 /// States saved before the behaviours changed cannot be loaded. Loadable states remain reachable.
 #[test]
 fn going_back_beyond_other_behaviours_stays_where_it_is() {
@@ -197,6 +250,36 @@ fn going_back_beyond_other_behaviours_stays_where_it_is() {
     assert!(shown.step >= 3 && engine.trouble().is_none(), "{}", shown.step);
     engine.command(Command::Step);
     settle(&mut engine);
+}
+
+/// Of two runs, each ends at the step at which it ends alone.
+#[test]
+fn two_runs_side_by_side_end_as_they_end_alone() {
+    let scene = gallery::scene("circle").unwrap();
+    let end = |scene: Scene| {
+        let mut engine = Engine::default();
+        engine.command(Command::Speed(Speed::Fastest));
+        engine.command(Command::Load { name: "circle".into(), scene: Arc::new(scene), run: true });
+        let shown = settle(&mut engine);
+        (shown.step, shown.hash)
+    };
+    for model in ["hrvo", "rvo"] {
+        let alone = [end(scene.clone()), end(scene.with_model(&model.parse().unwrap()).unwrap())];
+        assert_ne!(alone[0].0, alone[1].0);
+        let mut engine = Engine::default();
+        engine.command(Command::Speed(Speed::Fastest));
+        engine.command(Command::Beside(model.parse().ok()));
+        engine.command(load("circle", true));
+        let shown = settle(&mut engine);
+        let beside = shown.beside.as_ref().unwrap();
+        assert_eq!([(shown.step, shown.hash), (beside.step, beside.hash)], alone, "{model}");
+        assert!(shown.over && beside.over && !shown.playing);
+        engine.command(Command::Seek(100_000));
+        let shown = settle(&mut engine);
+        assert_eq!([shown.step, shown.beside.as_ref().unwrap().step], [alone[0].0, alone[1].0]);
+        assert_eq!(at(&mut engine, 50), settle(&mut engine).hash);
+        assert_eq!(settle(&mut engine).beside.as_ref().unwrap().step, 50);
+    }
 }
 
 /// Two models on one clock: each run is as if it were alone, whichever way a step is reached.

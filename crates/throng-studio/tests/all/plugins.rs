@@ -176,7 +176,7 @@ fn a_panic_is_told_with_its_name_and_the_studio_goes_on() {
     let shown = settle(&mut engine);
     let trouble = engine.trouble().unwrap();
     assert_eq!(trouble.to_string(), "a plug-in panicked: behaviour `climb`: out of breath");
-    let harness = Harness::new_ui(|ui| _ = panels::text(ui, &mut document, Some(&trouble)));
+    let harness = Harness::new_ui(|ui| _ = panels::text(ui, &mut document, &mut true, Some(&trouble)));
     assert!(harness.query_by_label_contains("behaviour `climb`: out of breath").is_some());
     drop(harness);
     assert!(document.text().contains("end = 1.5"), "the text is unchanged");

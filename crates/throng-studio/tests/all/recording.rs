@@ -1,5 +1,6 @@
 //! Recording: the output equals that of `throng run`.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -71,6 +72,38 @@ fn trajectories_are_those_of_the_scene_to_the_byte() {
         writer.unwrap().finish().unwrap();
         assert!(std::fs::read(&path).unwrap() == std::fs::read(&expected).unwrap(), "{name}");
     }
+}
+
+/// Each file that the studio offers for a purpose can be read again, with all agents.
+#[test]
+fn files_for_every_purpose_are_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = throng_studio::panels::purposes().filter(|purpose| purpose.format == Format::Trajectories);
+    let mut count = 0;
+    for purpose in files {
+        // a .bvh holds one person
+        let agents = if purpose.ending.contains('*') { 1 } else { 36 };
+        let path = folder.path().join(format!("circle{}", purpose.ending));
+        let mut take = take(&path);
+        take.choice.to = 1.0;
+        if agents == 1 {
+            take.choice.agents = vec![3..=3];
+        }
+        record(&subject("circle"), &take).unwrap_or_else(|error| panic!("{}: {error}", purpose.title));
+        let path = folder.path().join(format!("circle{}", purpose.ending.replace('*', "3")));
+        count += 1;
+        if agents == 1 {
+            // throng writes this kind, and does not read it
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert!(text.starts_with("HIERARCHY") && text.contains("\nMOTION\n"));
+            continue;
+        }
+        let read =
+            throng_record::Trajectories::read(&path).unwrap_or_else(|error| panic!("{}: {error}", purpose.title));
+        let numbers: BTreeSet<u32> = read.spots.iter().map(|spot| spot.number).collect();
+        assert_eq!(numbers.len(), agents, "{}", purpose.title);
+    }
+    assert_eq!(count, 7);
 }
 
 #[test]

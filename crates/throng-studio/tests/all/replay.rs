@@ -51,6 +51,33 @@ fn replay(path: &Path, scene: &str) -> Engine {
     engine
 }
 
+/// Arrivals are shown if the file has them: by a column, or by agents that leave.
+#[test]
+fn arrivals_are_those_of_the_file() {
+    use egui_kittest::kittest::Queryable;
+    let folder = tempfile::tempdir().unwrap();
+    let rows = |last: [usize; 2]| -> String {
+        let row = |k: usize, number: usize| format!("{number},{:.1},{k},0\n", k as f64 * 0.1);
+        (0..10).flat_map(|k| (0..2).filter(move |&of| k <= last[of]).map(move |of| row(k, of))).collect()
+    };
+    for (name, last, says) in [("stay", [9, 9], "–"), ("leave", [9, 5], "1 of 2")] {
+        let path = folder.path().join(format!("{name}.csv"));
+        std::fs::write(&path, format!("number,time,x,y\n{}", rows(last))).unwrap();
+        let mut engine = Engine::default();
+        engine.command(Command::Replay { film: Film { path, bytes: None, place: None }, run: false });
+        engine.command(Command::Seek(9));
+        let shown = settle(&mut engine);
+        let harness = egui_kittest::Harness::new_ui(|ui| throng_studio::panels::summary(ui, &shown));
+        assert!(harness.query_by_label(says).is_some(), "{name}");
+        let mut meters = throng_studio::panels::Meters::default();
+        let harness = egui_kittest::Harness::builder()
+            .with_size([400.0, 1200.0])
+            .build_ui(|ui| _ = throng_studio::panels::plots(ui, &shown, &mut meters));
+        let plotted = harness.query_all_by_label_contains("arrived").next().is_some();
+        assert_eq!(plotted, name == "leave");
+    }
+}
+
 #[test]
 fn every_moment_is_as_it_was_whichever_way_one_gets_to_it() {
     let folder = tempfile::tempdir().unwrap();

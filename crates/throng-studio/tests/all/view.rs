@@ -1,6 +1,9 @@
 //! The `[view]` of scenes: a scene looks the same in a film and in the studio.
 
-use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2};
+use eframe::egui::{
+    Context, Event, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, RawInput, Rect, TouchPhase, pos2,
+    vec2,
+};
 use glam::{DVec2, DVec3, Vec2};
 use std::sync::Arc;
 use std::time::Duration;
@@ -115,6 +118,31 @@ fn a_camera_that_moves_moves_the_view_until_the_user_does() {
 }
 
 #[test]
+fn new_keys_move_the_view_from_another_time_on() {
+    let keys = |x: f64| {
+        let key = |time: f64, x: f64| format!("{{ time = {time}, eye = [{x}, -9, 5], target = [0, 0, 0] }}");
+        format!("camera = {{ keys = [{}, {}] }}", key(0.0, 0.0), key(1.0, x))
+    };
+    let mut window = Window::open(&shown(&keys(2.0), 0));
+    let middle = shown(&keys(2.0), 25);
+    window.frame(&middle, Vec::new());
+    assert!((window.eye().x - 2.0).abs() < 1e-6, "the camera of the scene: {}", window.eye());
+    let other = shown(&keys(4.0), 25);
+    window.frame(&other, Vec::new());
+    assert!((window.eye().x - 4.0).abs() < 1e-6, "changed keys: {}", window.eye());
+    window.drag(&other);
+    let own = window.eye();
+    let changed = shown(&keys(8.0), 25);
+    (0..3).for_each(|_| window.frame(&changed, Vec::new()));
+    assert!(window.eye().distance(own) < 1e-6, "the user has moved it");
+    window.frame(&shown(&keys(8.0), 50), Vec::new());
+    assert!((window.eye().x - 8.0).abs() < 1e-6, "{}", window.eye());
+    window.drag(&changed);
+    window.frame(&shown(&keys(8.0), 0), Vec::new());
+    assert!(window.eye().x != 0.0, "the user has moved it, and the keys are the same");
+}
+
+#[test]
 fn annotations_colours_and_the_plan_of_a_scene_are_those_of_its_films() {
     let view = "projection = \"plan\"\nannotate = [\"velocity\", \"targets\"]\nground = \"#123456\"";
     let shown = shown(view, 3);
@@ -127,4 +155,25 @@ fn annotations_colours_and_the_plan_of_a_scene_are_those_of_its_films() {
     assert_eq!(style.theme.ground.hex(), "#123456");
     let without = Settings { annotations: false, ..settings };
     assert!(window.view.style(&shown, &without, SIZE).annotations.kinds.is_empty(), "the user's change");
+}
+
+/// In a frame of another page, the wheel belongs to that page, except with Ctrl.
+#[test]
+fn an_embedded_view_zooms_with_ctrl_only() {
+    let shown = shown("", 0);
+    let zoomed = |scrolls: bool, modifiers: Modifiers| {
+        let mut window = Window::open(&shown);
+        window.view.scrolls = scrolls;
+        let scale = |window: &Window| window.view.eye.projector(SIZE).scale(DVec3::ZERO);
+        let before = scale(&window);
+        let (unit, delta, phase) = (MouseWheelUnit::Point, vec2(0.0, 60.0), TouchPhase::Move);
+        let source = MouseWheelSource::Wheel;
+        window.frame(&shown, vec![Event::PointerMoved(pos2(300.0, 200.0))]);
+        window.frame(&shown, vec![Event::MouseWheel { unit, delta, phase, modifiers, source }]);
+        (0..20).for_each(|_| window.frame(&shown, Vec::new()));
+        scale(&window) > 1.01 * before
+    };
+    assert!(zoomed(false, Modifiers::NONE));
+    assert!(!zoomed(true, Modifiers::NONE));
+    assert!(zoomed(true, Modifiers::COMMAND | Modifiers::CTRL));
 }

@@ -14,6 +14,11 @@ fn main() {
         outside::test("people_walk_in_a_view_in_space", &screen[..1], window::people_walk_in_a_view_in_space),
         outside::test("a_film_is_replayed", &screen, window::a_film_is_replayed),
         outside::test(
+            "a_file_is_chosen_in_the_dialog_of_the_system",
+            &screen,
+            window::a_file_is_chosen_in_the_dialog_of_the_system,
+        ),
+        outside::test(
             "a_scene_is_played_directed_lost_and_found",
             &screen,
             window::a_scene_is_played_directed_lost_and_found,

@@ -37,6 +37,10 @@ impl Desk {
         let mut command = Command::new(program);
         command.env("DISPLAY", &self.display).env_remove("WAYLAND_DISPLAY").env("LIBGL_ALWAYS_SOFTWARE", "1");
         command.env("HOME", self.folder.path()).env_remove("XDG_DATA_HOME").current_dir(self.folder.path());
+        // programs of a test, and no services of the machine's desktop
+        let programs = std::env::var("PATH").unwrap_or_default();
+        command.env("PATH", format!("{}:{programs}", self.folder.path().display()));
+        command.env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent");
         command
     }
 
@@ -63,6 +67,15 @@ impl Desk {
 
     fn key(&self, key: &str) {
         self.xdotool(&format!("key --delay 60 {key}"));
+    }
+
+    /// Presses *Browse...* of a window that asks for a name, with keys: from the field over the button that takes the name.
+    fn browse(&self) {
+        for key in ["Tab", "Tab", "space"] {
+            // the focus moves once a frame
+            std::thread::sleep(Duration::from_secs(1));
+            self.key(key);
+        }
     }
 
     /// Clicks at a position of the window.
@@ -196,6 +209,35 @@ pub fn a_film_is_replayed() {
     desk.key("f");
     let end = desk.wait("it runs to its end", |state| state["over"] == true);
     assert_eq!((&end["agents"], &end["step"], &end["scene"]), (&2.into(), &49.into(), &"two".into()));
+    desk.key("alt+F4");
+    assert!(desk.ends(), "there is nothing to lose");
+}
+
+pub fn a_file_is_chosen_in_the_dialog_of_the_system() {
+    use std::os::unix::fs::PermissionsExt;
+    let mut desk = Desk::new();
+    let file = desk.path("chosen.toml");
+    std::fs::write(&file, "title = \"Chosen\"\n[[group]]\nplace.point = [0, 0]\ngoal.point = [9, 0]\n").unwrap();
+    // without a portal, the dialog is that of the program zenity, which prints the path
+    let dialog = desk.path("zenity");
+    std::fs::write(&dialog, format!("#!/bin/sh\necho \"$*\" >> asked\necho {}\n", file.display())).unwrap();
+    std::fs::set_permissions(&dialog, std::fs::Permissions::from_mode(0o755)).unwrap();
+    desk.start(&["circle", "--at-step", "3"]);
+    desk.key("ctrl+o");
+    desk.wait("a name is asked for", |state| state["asks"] == "Open");
+    desk.browse();
+    desk.wait("the chosen scene runs", |state| state["title"] == "Chosen");
+    let asked = std::fs::read_to_string(desk.path("asked")).unwrap();
+    assert!(asked.contains("--file-selection") && asked.contains("*.toml"), "{asked}");
+    // the dialog has asked whether the file is replaced
+    desk.key("p");
+    desk.click(EMPTY.0, EMPTY.1);
+    desk.wait("an agent is added", |state| state["agents"] == 2 && state["unsaved"] == true);
+    desk.key("ctrl+shift+s");
+    desk.wait("a name is asked for", |state| state["asks"] == "Save as");
+    desk.browse();
+    desk.wait("it is saved", |state| state["unsaved"] == false);
+    assert!(std::fs::read_to_string(&file).unwrap().len() > 90, "the file has the new agent");
     desk.key("alt+F4");
     assert!(desk.ends(), "there is nothing to lose");
 }

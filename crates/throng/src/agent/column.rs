@@ -189,6 +189,17 @@ impl<T: ColumnValue> Column<T> {
         }
     }
 
+    /// Removes all rows from this one on.
+    pub(crate) fn truncate(&mut self, rows: usize) {
+        self.len = self.len.min(rows);
+        if self.mask != 0 || self.len == 0 {
+            self.values.truncate(self.len);
+        }
+        if self.len == 0 {
+            self.mask = 0;
+        }
+    }
+
     /// Moves rows along cycles. Stores the value once if all rows have become the same.
     pub(crate) fn permute(&mut self, cycles: &Cycles) {
         if self.mask != 0 && self.all_same() {
@@ -300,6 +311,7 @@ mod tests {
         Remove(usize),
         Reserve(usize),
         Rotate(usize),
+        Truncate(usize),
         SaveAndLoad,
     }
 
@@ -317,6 +329,7 @@ mod tests {
             2 => any::<usize>().prop_map(ColumnChange::Remove),
             1 => (0usize..9).prop_map(ColumnChange::Reserve),
             1 => any::<usize>().prop_map(ColumnChange::Rotate),
+            1 => (0usize..20).prop_map(ColumnChange::Truncate),
             1 => Just(ColumnChange::SaveAndLoad),
         ]
     }
@@ -362,6 +375,10 @@ mod tests {
                         plain.rotate_left(by);
                         let same = plain.iter().all(|value: &f32| value.same(plain[0]));
                         prop_assert!(column.uniform().is_some() == (same && !plain.is_empty()));
+                    }
+                    ColumnChange::Truncate(rows) => {
+                        column.truncate(rows);
+                        plain.truncate(rows);
                     }
                     ColumnChange::SaveAndLoad => {
                         let bytes = postcard::to_stdvec(&column).unwrap();

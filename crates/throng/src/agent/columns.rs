@@ -1,5 +1,6 @@
 //! The state of the agents: a column for each property, a row for each agent.
 
+use super::row::RowColumn;
 use super::{Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status};
 use crate::motion::{Attitude, Holonomic, Motor, TwoWheels, Vehicle};
 use crate::navigate::RouteProgress;
@@ -37,6 +38,12 @@ macro_rules! columns {
             $($(#[$meta])* pub $name: $type,)*
         }
 
+        /// The values of all columns in a row: an agent on its way from one world to another.
+        #[derive(Clone, Debug, Serialize, Deserialize)]
+        pub(crate) struct Row {
+            $($(#[$meta])* pub $name: <$type as RowColumn>::Value,)*
+        }
+
         impl Columns {
             /// Removes a row; the last row takes its place.
             pub(crate) fn swap_remove(&mut self, row: usize) {
@@ -51,6 +58,21 @@ macro_rules! columns {
             /// Moves rows along cycles.
             pub(crate) fn permute(&mut self, cycles: &Cycles) {
                 $(Permute::permute(&mut self.$name, cycles);)*
+            }
+
+            /// Removes all rows from this one on.
+            pub(crate) fn truncate(&mut self, rows: usize) {
+                $(self.$name.truncate(rows);)*
+            }
+
+            /// Returns a copy of a row.
+            pub(crate) fn copy(&self, row: usize) -> Row {
+                Row { $($name: self.$name.value(row),)* }
+            }
+
+            /// Adds a copy of a row of another world.
+            pub(crate) fn push_copy(&mut self, row: Row) {
+                $(self.$name.push_value(row.$name);)*
             }
 
             /// Whether all columns have the same length.

@@ -69,6 +69,12 @@ impl Memory {
         self.all.truncate(last);
     }
 
+    /// Removes all rows from this one on.
+    pub(crate) fn truncate(&mut self, rows: usize) {
+        self.rows = self.rows.min(rows);
+        self.all.truncate(self.rows * self.each);
+    }
+
     /// Moves rows along cycles.
     pub(crate) fn permute(&mut self, cycles: &Cycles) {
         let Self { all, each, .. } = self;

@@ -13,11 +13,13 @@ mod guidance;
 mod hindrance;
 mod id;
 mod memory;
+mod row;
 mod statistics;
 
 pub use body::{Body, MARGIN, MARGIN_LONG_STEP};
 pub use column::{Column, ColumnValue};
 pub use columns::Columns;
+pub(crate) use columns::Row;
 pub(crate) use cycles::Cycles;
 pub use group::Group;
 pub use guidance::Guidance;

@@ -93,9 +93,9 @@ impl Avoid {
         preferred: &Velocities,
         sleep: &SleepBlocks,
         SubStep { seconds, .. }: SubStep,
-    ) -> &Velocities {
+    ) -> &mut Velocities {
         if sleep.all_asleep() {
-            return &self.chosen;
+            return &mut self.chosen;
         }
         self.chosen.resize(state.agents.len(), state.in_space_now());
         self.relax_queues(state, (seen, shown), preferred);
@@ -108,7 +108,7 @@ impl Avoid {
         let avoiding = Avoiding { state, grid: seen.grid, around, preferred, shared, relaxed };
         if limited {
             parallel::ranges(chosen.rows(), |rows, chosen| avoiding.choose_preferred(rows, chosen));
-            return &self.chosen;
+            return &mut self.chosen;
         }
         by_place.resize(state.agents.len(), state.in_space_now());
         // neighbour lists are in the order of the grid
@@ -121,7 +121,7 @@ impl Avoid {
             sleep.each(rows, chosen, |rows, chosen| by_place.copy(&seen.near.places()[rows], chosen));
         });
         avoiding.choose_together(crowd, chosen);
-        &self.chosen
+        &mut self.chosen
     }
 
     /// Returns the chosen velocities of the last sub-step.

@@ -7,6 +7,7 @@
 use super::cores::Cores;
 use super::safe::is_safe;
 use super::solid::GuardedObjects;
+use super::spread::{Clamping, Nowhere, Spreading};
 use super::{BodyPose, Contacts, GuardedBodies, cell, relax};
 use crate::avoid::{HalfPlane, HalfSpace};
 use crate::parallel::{self, WORD, Words};
@@ -42,14 +43,14 @@ pub struct Guard {
 
 /// The state of 64 consecutive rows. A set of rows is a word with one bit per row.
 #[derive(Clone, Debug, Default)]
-struct RowRange {
+pub(super) struct RowRange {
     /// Rows that get a new target in this pass.
     moving: u64,
     /// Rows evaluated in any pass of this step.
     seen: u64,
     /// Rows with a target that changed in any pass of this step.
     moved: u64,
-    clamped: u64,
+    pub(super) clamped: u64,
     /// Rows with a target that differs from the desired pose.
     changed: u64,
 }
@@ -110,6 +111,24 @@ impl Guard {
         desired: impl Fn(usize) -> BodyPose + Sync,
         targets: &mut Vec<BodyPose>,
     ) -> Report {
+        self.certify_own(bodies, contacts, walls, desired, targets, (bodies.positions.len(), &mut Nowhere))
+    }
+
+    /// As [`certify`](Self::certify), where only the first `own` rows count for the report. The other rows belong to other
+    /// worlds: clamping may spread there from bodies that have no row here.
+    ///
+    /// A row depends on the rows of its contacts, so what is unknown comes nearer by one contact in a round. After a batch
+    /// of rounds all worlds tell whether the last round of the batch clamped one of their rows. If none did, clamping has
+    /// ended everywhere. Otherwise the rows of other worlds are renewed, and the next batch begins.
+    pub(crate) fn certify_own(
+        &mut self,
+        bodies: &GuardedBodies<'_>,
+        contacts: &Contacts,
+        walls: &Walls,
+        desired: impl Fn(usize) -> BodyPose + Sync,
+        targets: &mut Vec<BodyPose>,
+        (own, elsewhere): (usize, &mut dyn Spreading),
+    ) -> Report {
         let count = bodies.positions.len();
         let Self { parts, waiting, listed, scratch, cores } = self;
         cores.rebuild(bodies);
@@ -149,8 +168,26 @@ impl Guard {
                 cell::clamp(row, solid, targets[row], scratch)
             })
         };
-        while passes.run(clamps) > 0 {
-            report.rounds += 1;
+        let clamped = |passes: &Passes<'_>| -> u32 {
+            (0..).zip(&*passes.parts).map(|(at, part)| (part.clamped & first(own, at)).count_ones()).sum()
+        };
+        let mut left = elsewhere.rounds();
+        loop {
+            let before = if left == 1 { clamped(&passes) } else { 0 };
+            let goes_on = passes.run(clamps) > 0;
+            report.rounds += usize::from(goes_on);
+            left -= 1;
+            if left > 0 && goes_on {
+                continue;
+            }
+            let spreads = left == 0 && clamped(&passes) > before;
+            let mut clamping = Clamping { parts: passes.parts, targets: passes.targets };
+            if !elsewhere.go_on(spreads, &mut clamping) {
+                break;
+            }
+            // evaluating a row again changes nothing
+            passes.look_at(|at, _, _| if bodies.rest(at) { 0 } else { first(count, at) });
+            left = elsewhere.rounds();
         }
         let moved = parts.iter().map(|part| part.moved.count_ones() as usize).sum();
         let note = |part_rows: Range<usize>, parts: &mut [RowRange]| {
@@ -162,9 +199,9 @@ impl Guard {
             }
         };
         parallel::ranges_if_busy(Words(parts), moved, scratch, |_, rows, Words(parts)| note(rows, parts));
-        for part in parts {
-            report.changed += part.changed.count_ones() as usize;
-            report.clamped += part.clamped.count_ones() as usize;
+        for (at, part) in (0..).zip(parts) {
+            report.changed += (part.changed & first(own, at)).count_ones() as usize;
+            report.clamped += (part.clamped & first(own, at)).count_ones() as usize;
         }
         report
     }
@@ -335,6 +372,15 @@ impl Passes<'_> {
 #[inline]
 fn bit(row: usize) -> u64 {
     1 << (row % WORD)
+}
+
+/// Returns those of the rows of a part that are among the first `count` of all rows.
+#[inline]
+fn first(count: usize, part: usize) -> u64 {
+    match count.saturating_sub(part * WORD) {
+        0 => 0,
+        rows => u64::MAX >> (WORD - rows.min(WORD)),
+    }
 }
 
 /// Returns the rows of a set in ascending order.

@@ -260,13 +260,15 @@ impl Contacts {
         meets: impl Fn(usize, usize) -> bool + Sync,
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
-        self.collect_from(bodies, numbers, Centers { grid, space: None }, walls, meets, seen);
+        let centers = Centers { grid, space: None };
+        self.collect_from((bodies, f32::INFINITY), numbers, centers, walls, meets, seen);
     }
 
-    /// As [`collect`](Self::collect), with the centres perhaps sorted in space too.
+    /// As [`collect`](Self::collect), with the centres perhaps sorted in space too, and the least radius of bodies that
+    /// are not among these.
     pub(super) fn collect_from<'a>(
         &mut self,
-        bodies: &GuardedBodies<'_>,
+        (bodies, least_radius): (&GuardedBodies<'_>, f32),
         numbers: &[u32],
         centers: Centers<'_>,
         walls: &Walls,
@@ -274,6 +276,7 @@ impl Contacts {
         seen: impl Fn(usize) -> Option<RowContacts<'a>> + Sync,
     ) {
         self.sizes.measure(bodies);
+        self.sizes.least_radius = self.sizes.least_radius.min(least_radius);
         let Self { others, reports, sizes, .. } = self;
         let (sizes, common) = (&*sizes, sizes.common);
         if sizes.all_alike() {

@@ -2,6 +2,7 @@
 
 use super::certify::{led, unguarded, within_reach};
 use super::contacts::Centers;
+use super::spread::Spreading;
 use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
 use crate::agent::Column;
 use crate::intend::{Facing, Velocities};
@@ -64,19 +65,27 @@ impl KeepApart {
         (facing, chosen): (Facing<'_>, &Velocities),
         sleep: &SleepBlocks,
         SubStep { seconds, now, .. }: SubStep,
+        elsewhere: &mut dyn Spreading,
     ) -> Guarded<'_> {
         if !sleep.all_asleep() {
-            let (changed, pushed) = self.find(Wishes { state, facing, chosen, seconds, now }, seen, sleep);
+            let wishes = Wishes { state, facing, chosen, seconds, now };
+            let (changed, pushed) = self.find(wishes, seen, sleep, elsewhere);
             state.tally.guard_changed += changed as u64;
             state.tally.pushed += pushed as u64;
         }
-        state.tally.agent_steps += state.agents.len() as u64;
+        state.tally.agent_steps += state.own().len() as u64;
         state.tally.sub_steps += 1;
         self.result()
     }
 
     /// Finds the targets. Returns the number of agents that the guard changes, and of those that it pushes.
-    fn find(&mut self, wishes: Wishes<'_>, seen: Perceived<'_>, sleep: &SleepBlocks) -> (usize, usize) {
+    fn find(
+        &mut self,
+        wishes: Wishes<'_>,
+        seen: Perceived<'_>,
+        sleep: &SleepBlocks,
+        elsewhere: &mut dyn Spreading,
+    ) -> (usize, usize) {
         let Wishes { state, chosen, seconds, .. } = wishes;
         let State { agents, local_groups: groups, walls, .. } = state;
         self.reach.map_from(&agents.max_speed, |speed| speed * seconds);
@@ -92,9 +101,11 @@ impl KeepApart {
             let meets = |row, other| agents.meet(row, other);
             let sorted = state.any_looks_at_all() && seen.discs_only && agents.any_flies();
             let centers = Centers { grid: seen.grid, space: sorted.then_some(seen.lattice) };
-            contacts.collect_from(&bodies, &agents.number, centers, walls, meets, covered(state, seen));
-            let report = guard.certify(&bodies, contacts, walls, wished, targets);
-            let is_pushed = |&row: &usize| state.is_pushed(row, targets[row].place(), seconds);
+            let own = state.own().end;
+            let all = (&bodies, state.others.least_radius);
+            contacts.collect_from(all, &agents.number, centers, walls, meets, covered(state, seen));
+            let report = guard.certify_own(&bodies, contacts, walls, wished, targets, (own, elsewhere));
+            let is_pushed = |&row: &usize| row < own && state.is_pushed(row, targets[row].place(), seconds);
             return (report.changed, guard.moved_rows().filter(is_pushed).count());
         }
         // for measuring
@@ -212,8 +223,13 @@ fn covered<'a>(state: &'a State, seen: Perceived<'a>) -> impl Fn(usize) -> Optio
 }
 
 impl State {
-    /// Whether any agent is guarded.
+    /// Whether any agent may be guarded. All worlds of a division give the same answer in a step.
     pub(crate) fn is_guarded(&self) -> bool {
+        if self.others.are_there { self.others.any_guarded } else { self.is_any_guarded_here() }
+    }
+
+    /// Whether any agent of this world may be guarded.
+    pub(crate) fn is_any_guarded_here(&self) -> bool {
         self.agents.group.uniform().is_none_or(|group| self.local_groups[group.index()].guard)
     }
 
@@ -231,6 +247,7 @@ impl State {
 
 #[cfg(test)]
 mod tests {
+    use super::super::spread::Nowhere;
     use super::*;
     use crate::intend::Planned;
     use crate::perceive::Perceive;
@@ -278,7 +295,7 @@ mod tests {
         chosen.ground.fill(Vec2::new(0.5, 0.2));
         let planned = Planned::default();
         let facing = Facing { preferred: &chosen, planned: &planned };
-        guard.run(&mut state, seen, (facing, &chosen), &sleep, of);
+        guard.run(&mut state, seen, (facing, &chosen), &sleep, of, &mut Nowhere);
         let agents = &state.agents;
         let meets = |row, other| agents.meet(row, other);
         let mut contacts = Contacts::default();

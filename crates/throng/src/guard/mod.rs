@@ -93,6 +93,7 @@ mod safe;
 mod sizes;
 mod solid;
 mod solids;
+mod spread;
 mod sweep;
 
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
@@ -105,6 +106,7 @@ pub(crate) use relax::SKIN;
 pub use safe::{SLACK, nearest_approach};
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use solids::Solids;
+pub(crate) use spread::{Clamping, Spreading};
 
 use crate::agent::Column;
 use glam::{Vec2, Vec3};

@@ -1,6 +1,7 @@
 //! Fields that adapt to the positions of the agents.
 
 use crate::field::{Adaptive, Field};
+use crate::halo::{Halo, read, write};
 use crate::world::State;
 use glam::Vec2;
 use std::fmt;
@@ -23,7 +24,7 @@ impl fmt::Debug for Adapted {
 
 impl State {
     /// Updates adaptive fields with the positions of the agents, when their interval has passed.
-    pub(crate) fn adapt(&mut self) {
+    pub(crate) fn adapt(&mut self, halo: &mut dyn Halo) {
         self.adapted.resize(self.local_groups.len(), None);
         let mut positions = Vec::new();
         for index in 0..self.local_groups.len() {
@@ -46,7 +47,7 @@ impl State {
                     None => {
                         let mut memory = known.map_or_else(|| adaptive.memory(), |known| known.memory);
                         if positions.is_empty() {
-                            positions = self.positions_by_number();
+                            positions = self.positions_by_number(halo);
                         }
                         adaptive.notice(&mut memory, &positions);
                         Adapted { field: adaptive.adapted(&memory), memory, of: field.clone() }
@@ -62,10 +63,17 @@ impl State {
         self.steps == 0 || count(self.steps) != count(self.steps - 1)
     }
 
-    fn positions_by_number(&self) -> Vec<Vec2> {
-        let mut rows: Vec<usize> = (0..self.agents.len()).collect();
-        rows.sort_unstable_by_key(|&row| self.agents.number[row]);
-        rows.into_iter().map(|row| self.agents.position[row]).collect()
+    /// Returns the positions of the agents of all worlds.
+    fn positions_by_number(&self, halo: &mut dyn Halo) -> Vec<Vec2> {
+        let own = self.agents.number.iter().copied().zip(self.agents.position.iter().copied());
+        let mut all: Vec<(u32, Vec2)> = own.collect();
+        let mut packets = vec![Vec::new(); halo.worlds()];
+        for (_, packet) in packets.iter_mut().enumerate().filter(|&(world, _)| world != halo.index()) {
+            all.iter().for_each(|agent| write(packet, agent));
+        }
+        all.extend(halo.exchange(packets).iter().flat_map(|packet| read::<(u32, Vec2)>(packet)));
+        all.sort_unstable_by_key(|&(number, _)| number);
+        all.into_iter().map(|(_, position)| position).collect()
     }
 
     /// Returns the memories of adaptive fields, by group.

@@ -12,6 +12,10 @@ use std::cmp::Ordering;
 const MOST: usize = 10;
 /// Distance, in radii, from one agent of an agreement to the next.
 const REACH: f32 = 15.0;
+/// Distance, in greatest radii, from an agent that looks for a partner, or from its partner, within which an agreement
+/// reads other agents: from one member to the next. It is more than the distance up to which standing agents are
+/// considered.
+pub(crate) const STANDOFF_REACH: f32 = MOST as f32 * REACH;
 /// Length of path that an agent looks ahead, in radii.
 const AHEAD: f64 = 50.0;
 /// Distance, in radii, up to which standing agents are considered.

@@ -46,9 +46,9 @@ impl ProgressCheck {
         });
         let before = &state.agents.progress_mark;
         let failed = |row: usize| state.has_failed(&marks[row], row) && !state.has_failed(&before[row], row);
-        let failed = (0..marks.len()).filter(|&row| failed(row)).count() as u64;
+        let failed = state.own().filter(|&row| failed(row)).count() as u64;
         // agents that are not judged have an infinite remaining distance
-        let judged = marks.iter().zip(0..).filter(|(mark, _)| mark.remaining != f32::INFINITY);
+        let judged = marks.iter().zip(state.own()).filter(|(mark, _)| mark.remaining != f32::INFINITY);
         let (looks, backwards) = judged.fold((0, 0), |(looks, backwards), (_, row)| {
             (looks + 1, backwards + u64::from(around.walks_backwards(row)))
         });

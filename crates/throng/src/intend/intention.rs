@@ -46,7 +46,7 @@ pub(crate) struct Intend {
 /// The result of intention.
 pub(crate) struct Intended<'a> {
     /// The preferred velocity of each agent.
-    pub preferred: &'a Velocities,
+    pub preferred: &'a mut Velocities,
     /// The planned motion of each agent with a behaviour or a vehicle; empty if there is none. Motion uses its memory.
     pub planned: &'a mut Planned,
     /// The direction that each agent is to face, by fields; zero for none. Empty if no field says so.
@@ -102,7 +102,7 @@ impl Intend {
             state.agents.memory = after;
         }
         Intended {
-            preferred: &self.preferred,
+            preferred: &mut self.preferred,
             planned: &mut self.steer.planned,
             looks: &self.sources.looks,
             close_pairs: self.steer.flocks.close_pairs(),
@@ -117,6 +117,11 @@ impl Intend {
     /// Records that the agent of a row is removed. The agent of the last row takes its row.
     pub fn remove(&mut self, row: usize) {
         self.ahead.remove(row);
+    }
+
+    /// Forgets all rows from this one on.
+    pub fn truncate(&mut self, rows: usize) {
+        self.ahead.truncate(rows);
     }
 
     /// Returns what the behaviours read in the last sub-step.

@@ -193,6 +193,11 @@ impl LooksAhead {
         }
     }
 
+    /// Forgets all rows from this one on.
+    pub fn truncate(&mut self, rows: usize) {
+        self.all.truncate(rows);
+    }
+
     /// Records that the agent of a row is removed. The agent of the last row takes its row.
     pub fn remove(&mut self, row: usize) {
         if row < self.all.len() {

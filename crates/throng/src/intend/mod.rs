@@ -20,6 +20,7 @@ mod velocities;
 mod walls_ahead;
 
 pub(crate) use adapt::Adapted;
+pub(crate) use agree::STANDOFF_REACH;
 pub(crate) use facing::Facing;
 pub(crate) use hindrance::ProgressCheck;
 pub(crate) use intention::{Intend, Intended};

@@ -11,6 +11,7 @@ use crate::navigate::{NeighbourData, Route, Turn};
 use crate::perceive::Perceived;
 use crate::sleep::SleepBlocks;
 use crate::world::State;
+use glam::Vec2;
 use serde::{Deserialize, Serialize};
 
 /// Time without progress by one radius, in walked radii at the preferred speed, after which an agent looks for a
@@ -32,16 +33,23 @@ const LOOK: f32 = 0.5;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Standoff {
     first: Vec<First>,
-    aside: Vec<AgentId>,
+    aside: Vec<Member>,
     /// Seconds after which the standoff ends in any case.
     left: f32,
+}
+
+/// An agent of a standoff. Its id leads to its row fast; another world of a division finds it by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Member {
+    number: u32,
+    id: AgentId,
 }
 
 /// An agent that goes first: the leg it is on, and the distance to its goal, metres, at which it is past all agents
 /// that stepped aside.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct First {
-    agent: AgentId,
+    agent: Member,
     leg: u32,
     past: f32,
 }
@@ -74,7 +82,7 @@ impl Standoffs {
             let view = StandoffView { state, near: seen.near, grid: seen.grid, shown };
             if let Some(agreement) = view.partner(row).and_then(|other| view.agree(row, other)) {
                 let standoff = Standoff::begin(agreement, state, shown);
-                state.tally.standoffs += 1;
+                state.tally.standoffs += u64::from(state.own().contains(&row));
                 state.standoffs.push(standoff);
             }
         }
@@ -83,13 +91,9 @@ impl Standoffs {
     /// Finds the stuck agents that look for a partner in this sub-step, sorted by number.
     fn find_stuck(&mut self, state: &State, sleep: &SleepBlocks, seconds: f32) {
         let agents = &state.agents;
-        let looks = |&row: &usize| {
-            let stalled = agents.travel[row].stalled;
-            let before = || stalled - seconds * agents.preferred_speed[row] / agents.radius[row];
-            stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before().max(0.5 * LOOKS)).floor()
-        };
         self.stuck.clear();
-        self.stuck.extend(sleep.awake(0..agents.len()).flatten().filter(looks));
+        let rows = sleep.awake(0..agents.len()).flatten();
+        self.stuck.extend(rows.filter(|&row| state.looks_for_partner(row, seconds)));
         self.stuck.sort_unstable_by_key(|&row| agents.number[row]);
     }
 }
@@ -102,10 +106,10 @@ impl Standoff {
         let retreat = agreement.aside.iter().map(|(_, path)| path.length as f32).fold(0.0, f32::max);
         let slowest = agreement.first.iter().map(|&(row, _)| agents.preferred_speed[row]).fold(f32::INFINITY, f32::min);
         let first =
-            |&(row, past): &(usize, f32)| First { agent: state.id(row), leg: state.agents.travel[row].leg, past };
+            |&(row, past): &(usize, f32)| First { agent: state.member(row), leg: state.agents.travel[row].leg, past };
         let standoff = Self {
             first: agreement.first.iter().map(first).collect(),
-            aside: agreement.aside.iter().map(|&(row, _)| state.id(row)).collect(),
+            aside: agreement.aside.iter().map(|&(row, _)| state.member(row)).collect(),
             left: PATIENCE * (way + retreat) / slowest + GRACE,
         };
         for (row, _) in agreement.first {
@@ -124,7 +128,7 @@ impl Standoff {
         self.left -= seconds;
         let left = self.left;
         self.first.retain(|first| {
-            let Some(row) = state.row(first.agent) else { return false };
+            let Some(row) = state.row_of(first.agent) else { return false };
             let walks = state.agents.status[row] == Status::Walking;
             let remaining = shown[row].way.remaining;
             let travel = &mut state.agents.travel[row];
@@ -139,21 +143,31 @@ impl Standoff {
             for row in state.rows_of(&self.aside) {
                 state.agents.travel[row].give_up_turn();
             }
-        } else if (before / LOOK).floor() > (self.left / LOOK).floor() {
+        } else if looks_for_newcomers(before, seconds) {
             self.join(state, seen, shown);
         }
         !self.first.is_empty()
     }
 
+    /// Returns all its agents.
+    fn members(&self) -> impl Iterator<Item = Member> + '_ {
+        self.first.iter().map(|first| first.agent).chain(self.aside.iter().copied())
+    }
+
     /// Makes agents that come towards the agents that go first step aside too.
     fn join(&mut self, state: &mut State, seen: Perceived<'_>, shown: &[NeighbourData]) {
-        let first: Vec<AgentId> = self.first.iter().map(|first| first.agent).collect();
+        let first: Vec<Member> = self.first.iter().map(|first| first.agent).collect();
         let view = StandoffView { state, near: seen.near, grid: seen.grid, shown };
         for (row, path) in view.newcomers(&state.rows_of(&first), &state.rows_of(&self.aside)) {
-            self.aside.push(state.id(row));
+            self.aside.push(state.member(row));
             state.agents.travel[row].step_aside(Route::new(&path));
         }
     }
+}
+
+/// Whether a standoff with this time left looks for newcomers in a sub-step.
+fn looks_for_newcomers(left: f32, seconds: f32) -> bool {
+    (left / LOOK).floor() > ((left - seconds) / LOOK).floor()
 }
 
 impl StandoffView<'_> {
@@ -191,8 +205,47 @@ impl State {
             && self.local_groups[agents.group[row].index()].resolve
     }
 
-    fn rows_of(&self, ids: &[AgentId]) -> Vec<usize> {
-        ids.iter().filter_map(|&id| self.row(id)).collect()
+    /// Whether an agent has been stuck for so long that it looks for a partner in this sub-step.
+    fn looks_for_partner(&self, row: usize, seconds: f32) -> bool {
+        let stalled = self.agents.travel[row].stalled;
+        let before = || stalled - seconds * self.agents.preferred_speed[row] / self.agents.radius[row];
+        stalled >= LOOKS && libm::log2f(stalled).floor() > libm::log2f(before().max(0.5 * LOOKS)).floor()
+    }
+
+    /// Returns the numbers of the agents in standoffs, sorted, and the places around which standoffs may begin or look for
+    /// newcomers in the sub-step that begins: those of own agents.
+    pub(crate) fn standoffs_that_begin(&self, seconds: f32) -> (Vec<u32>, Vec<Vec2>) {
+        let mut members: Vec<u32> =
+            self.standoffs.iter().flat_map(Standoff::members).map(|member| member.number).collect();
+        members.sort_unstable();
+        let looking = self.standoffs.iter().filter(|standoff| looks_for_newcomers(standoff.left, seconds));
+        let mut looking: Vec<u32> = looking.flat_map(Standoff::members).map(|member| member.number).collect();
+        looking.sort_unstable();
+        let begins = |&row: &usize| {
+            self.looks_for_partner(row, seconds) && self.may_resolve(row)
+                || looking.binary_search(&self.agents.number[row]).is_ok()
+        };
+        (members, self.own().filter(begins).map(|row| self.agents.position[row]).collect())
+    }
+
+    fn member(&self, row: usize) -> Member {
+        let number = self.agents.number[row];
+        // a ghost has no id here
+        let id = if self.own().contains(&row) { self.id(row) } else { AgentId { slot: u32::MAX, generation: 0 } };
+        Member { number, id }
+    }
+
+    /// Returns the row of an agent of a standoff.
+    fn row_of(&self, member: Member) -> Option<usize> {
+        let numbers = &self.agents.number;
+        match self.row(member.id).filter(|&row| numbers[row] == member.number) {
+            None if self.others.are_there => numbers.iter().position(|&number| number == member.number),
+            row => row,
+        }
+    }
+
+    fn rows_of(&self, members: &[Member]) -> Vec<usize> {
+        members.iter().filter_map(|&member| self.row_of(member)).collect()
     }
 
     /// Ends all standoffs.

@@ -16,7 +16,7 @@ pub(super) const GAP_TOLERANCE: f64 = 0.05;
 
 /// The number of agents that have arrived at each goal.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Arrivals {
+pub(crate) struct Arrivals {
     counts: Vec<u32>,
     /// The goals with a count above zero.
     taken: Vec<GoalId>,
@@ -28,7 +28,7 @@ impl Arrivals {
         // goals may be as many as agents, and few of them taken
         self.taken.drain(..).for_each(|goal| self.counts[goal.index()] = 0);
         self.counts.resize(state.goals.len(), 0);
-        for (first, all) in (0..).step_by(WORD).zip(state.agents.status.chunks(WORD)) {
+        for (first, all) in (0..).step_by(WORD).zip(state.agents.status[state.own()].chunks(WORD)) {
             // few have arrived: no early end, so that compilers use SIMD
             if !all.iter().fold(false, |any, &status| any | (status == Status::Arrived)) {
                 continue;
@@ -42,6 +42,20 @@ impl Arrivals {
                     *count += 1;
                 }
             }
+        }
+    }
+
+    /// Returns the goals at which agents have arrived, with their numbers.
+    pub fn all(&self) -> impl Iterator<Item = (GoalId, u32)> + '_ {
+        self.taken.iter().map(|&goal| (goal, self.at(goal)))
+    }
+
+    /// Replaces the numbers of agents by others.
+    pub fn replace(&mut self, all: impl Iterator<Item = (GoalId, u32)>) {
+        self.taken.drain(..).for_each(|goal| self.counts[goal.index()] = 0);
+        for (goal, count) in all {
+            self.taken.push(goal);
+            self.counts[goal.index()] = count;
         }
     }
 
@@ -59,6 +73,12 @@ impl Arrivals {
 }
 
 impl Navigate {
+    /// Counts the agents of this world that have arrived at each goal.
+    pub fn count_arrivals(&mut self, state: &State) -> &mut Arrivals {
+        self.arrivals.count(state);
+        &mut self.arrivals
+    }
+
     /// Updates arrivals, waits and exits. Returns the rows of the agents that leave at exits, the last one first.
     pub fn arrive(&mut self, state: &mut State, seen: Perceived<'_>, sleep: &SleepBlocks, of: SubStep) -> &[usize] {
         let (near, SubStep { seconds, now, .. }) = (seen.near, of);
@@ -68,7 +88,7 @@ impl Navigate {
         }
         let Self { shown, arrivals, changes, gone, .. } = self;
         changes.clear();
-        let rows = sleep.awake(0..state.agents.len()).flatten().filter(|&row| shown[row].way.may_change());
+        let rows = sleep.awake(state.own()).flatten().filter(|&row| shown[row].way.may_change());
         let nearby = Nearby { state, near };
         changes.extend(rows.map(|row| (row, nearby.next_status(row, arrivals, seconds))));
         for &(row, status) in &*changes {

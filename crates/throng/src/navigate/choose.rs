@@ -9,6 +9,7 @@
 use super::planning::Planning;
 use super::{Navigate, Path};
 use crate::agent::{GoalId, JourneyId, ProgressMark, Status};
+use crate::halo::Alone;
 use crate::perceive::Neighbours;
 use crate::world::State;
 use std::collections::BTreeMap;
@@ -86,7 +87,7 @@ impl Navigate {
             asked.extend(goals.map(|goal| state.ask_way_to(row, goal)));
             choosers.push((row, goal, alternatives));
         }
-        state.prepare_meshes(&asked);
+        state.prepare_meshes(&asked, &mut Alone);
         state.meshes.find(&state.goals, &mut asked);
         let mut found: BTreeMap<(usize, GoalId), (Path, f64)> = BTreeMap::new();
         for one in asked {

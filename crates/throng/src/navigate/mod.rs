@@ -40,6 +40,7 @@ mod triangulate;
 mod visible;
 
 pub use area::Area;
+pub(crate) use arrivals::Arrivals;
 pub use error::{NavError, Ring, Unreachable};
 pub(crate) use fill::RETURN_TIME;
 pub use goal::{Goal, Journey, Stop};

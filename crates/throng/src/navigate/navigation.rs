@@ -4,6 +4,7 @@ use super::arrivals::Arrivals;
 use super::fill::Lattices;
 use super::{NeighbourData, RouteProgress};
 use crate::agent::Status;
+use crate::halo::Halo;
 use crate::perceive::{Perceived, SubStep};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
@@ -24,18 +25,19 @@ pub(crate) struct Navigate {
 }
 
 impl Navigate {
-    /// Updates the paths of all agents in the sub-step that ends at `now`. In the first sub-step of a step the agents that
+    /// Updates the paths of all agents, after [arrivals](Self::count_arrivals) are counted, in the sub-step that ends at `now`. In the first sub-step of a step the agents that
     /// are due choose among goals. Returns what its neighbours know of each agent, by row.
     pub fn run(
         &mut self,
         state: &mut State,
         seen: Perceived<'_>,
         sleep: &SleepBlocks,
-        SubStep { first, seconds, now, .. }: SubStep,
+        halo: &mut dyn Halo,
+        of: SubStep,
     ) -> &[NeighbourData] {
-        self.plan(state, seen.near, sleep, seconds, now);
-        if first {
-            self.choose(state, seen.near, seconds);
+        self.plan(state, seen.near, sleep, halo, of);
+        if of.first {
+            self.choose(state, seen.near, of.seconds);
         }
         &self.shown
     }

@@ -5,11 +5,13 @@ use super::{
     Goal, Heading, Leg, Meshes, NavFlags, Navigate, NeighbourData, Path, PathRequest, Route, RouteProgress, Turn,
 };
 use crate::agent::{GoalId, Status};
+use crate::halo::{Agreement, Halo};
 use crate::parallel;
-use crate::perceive::{Nearby, Neighbours};
+use crate::perceive::{Nearby, Neighbours, SubStep};
 use crate::sleep::SleepBlocks;
 use crate::world::{EventKind, State};
 use glam::{DVec2, DVec3, Vec2};
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What planning reads.
@@ -23,8 +25,14 @@ pub(super) struct Planning<'a> {
 impl Navigate {
     /// Updates the paths of all agents: the point to head for and the remaining distance. Publishes them for their
     /// neighbours.
-    pub(super) fn plan(&mut self, state: &mut State, near: &Neighbours, sleep: &SleepBlocks, seconds: f32, now: f64) {
-        self.arrivals.count(state);
+    pub(super) fn plan(
+        &mut self,
+        state: &mut State,
+        near: &Neighbours,
+        sleep: &SleepBlocks,
+        halo: &mut dyn Halo,
+        SubStep { seconds, now, .. }: SubStep,
+    ) {
         let Self { shown, arrivals, .. } = self;
         shown.resize(state.agents.len(), NeighbourData::default());
         let (any_lost, changes) = state.with_travel(|state, travels| {
@@ -33,23 +41,23 @@ impl Navigate {
         });
         // an agent that plans may find that it has arrived
         self.any_may_change = changes || any_lost;
-        if any_lost {
-            self.find_lost(state, near, seconds, now);
+        if any_lost || state.others.are_there && state.is_open_with_walls() {
+            self.find_lost(state, near, halo, (seconds, now));
         }
     }
 
     /// Finds paths for the agents that have none.
-    fn find_lost(&mut self, state: &mut State, near: &Neighbours, seconds: f32, now: f64) {
+    fn find_lost(&mut self, state: &mut State, near: &Neighbours, halo: &mut dyn Halo, (seconds, now): (f32, f64)) {
         let Self { shown, arrivals, .. } = self;
         let agents = &state.agents;
         let is_lost =
             |&row: &usize| shown[row].way.walks() && shown[row].way.has_goal() && !agents.travel[row].has_way();
         let lost = (0..agents.len()).filter(is_lost);
         let mut lost: Vec<PathRequest> = lost.filter_map(|row| state.ask_way(row, agents.travel[row].leg)).collect();
+        state.prepare_meshes(&lost, halo);
         if lost.is_empty() {
             return;
         }
-        state.prepare_meshes(&lost);
         state.meshes.find(&state.goals, &mut lost);
         for asked in lost {
             let row = asked.row;
@@ -74,7 +82,9 @@ impl Navigate {
                 Err(why) => {
                     state.agents.status[row] = Status::Stranded;
                     state.happened(row, EventKind::Stranded, now);
-                    state.stranded.push((state.agents.number[row], why));
+                    if row < state.own().end {
+                        state.stranded.push((state.agents.number[row], why));
+                    }
                     shown[row].way = state.with_travel(|state, travels| {
                         let planning = Planning::new(state, near, arrivals);
                         planning.look(row, &mut travels[row], seconds)
@@ -255,17 +265,26 @@ impl State {
             && self.meshes.mesh(self.agents.body(row).clearance_radius()).is_none()
     }
 
-    /// Builds the meshes for requested paths, on ground that contains their starts and ends.
-    pub(crate) fn prepare_meshes(&mut self, asked: &[PathRequest]) {
-        if self.walls.is_empty() {
+    /// Builds the meshes for requested paths, on ground that contains their starts and ends. Worlds of a division without a
+    /// walkable area call it together, because the ground depends on all agents.
+    pub(crate) fn prepare_meshes(&mut self, asked: &[PathRequest], halo: &mut dyn Halo) {
+        let is_open = self.others.are_there && self.is_open_with_walls();
+        if self.walls.is_empty() || asked.is_empty() && !is_open {
             return;
         }
         let holds = |(low, high): (DVec2, DVec2), p: DVec2| p.cmpge(low).all() && p.cmple(high).all();
         let on_ground = |p: DVec2| self.extent.is_some_and(|extent| holds(extent, p));
         let held =
             asked.iter().all(|asked| on_ground(asked.from) && on_ground(self.goals[asked.goal.index()].middle()));
-        if !held {
-            self.extent = Some(self.new_extent());
+        let mut all = Agreement { any: !held, ..Agreement::default() };
+        if !held || is_open {
+            (all.low, all.high) = self.box_of_agents();
+        }
+        if is_open {
+            all = halo.agree(all);
+        }
+        if all.any {
+            self.extent = Some(self.new_extent((all.low.into(), all.high.into())));
             self.meshes = Meshes::default();
             self.prepare_all_meshes();
         }
@@ -274,13 +293,27 @@ impl State {
 
     /// Builds the meshes of all agents that have a path or need one.
     pub(crate) fn prepare_all_meshes(&mut self) {
-        let needs = |&row: &usize| self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
-        let need = |row: usize| {
-            let stop = self.stop(row, self.agents.travel[row].leg)?;
-            Some((self.agents.body(row).clearance_radius(), stop.goal))
-        };
-        let needs: Vec<_> = (0..self.agents.len()).filter(needs).filter_map(need).collect();
+        let needs: Vec<_> = (0..self.agents.len()).filter_map(|row| self.mesh_need(row)).collect();
         self.prepare_meshes_for(needs.into_iter());
+    }
+
+    /// Builds the meshes that these rows need, which have come from other worlds with their routes.
+    pub(crate) fn prepare_meshes_of(&mut self, rows: Range<usize>) {
+        if self.walls.is_empty() || rows.is_empty() {
+            return;
+        }
+        if self.extent.is_none() && !self.is_open_with_walls() {
+            // where a walkable area bounds the ground, any box will do
+            self.extent = Some((DVec2::ZERO, DVec2::ZERO));
+        }
+        self.prepare_meshes_for(rows.filter_map(|row| self.mesh_need(row)).collect::<Vec<_>>().into_iter());
+    }
+
+    /// Returns the radius and the goal of an agent that has a path or needs one.
+    fn mesh_need(&self, row: usize) -> Option<(f32, GoalId)> {
+        let needs = self.agents.status[row] == Status::Walking || self.agents.travel[row].has_way();
+        let stop = self.stop(row, self.agents.travel[row].leg).filter(|_| needs)?;
+        Some((self.agents.body(row).clearance_radius(), stop.goal))
     }
 
     /// Builds the meshes for bodies of these radii on their way to these goals.
@@ -290,11 +323,17 @@ impl State {
         }
     }
 
-    /// Returns a box around all agents, all goals and the previous box, with a margin for detours and pushed agents.
-    fn new_extent(&self) -> (DVec2, DVec2) {
-        let points =
-            self.goals.iter().map(Goal::middle).chain((0..self.agents.len()).map(|row| self.world_position(row)));
-        let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    /// Returns the lower and upper ends of a box around the agents of this world.
+    fn box_of_agents(&self) -> ([f64; 2], [f64; 2]) {
+        let ends = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (low, high) = self.own().map(|row| self.world_position(row)).fold(ends, |(l, h), p| (l.min(p), h.max(p)));
+        (low.into(), high.into())
+    }
+
+    /// Returns a box around a box of all agents, all goals and the previous box, with a margin for detours and pushed
+    /// agents.
+    fn new_extent(&self, agents: (DVec2, DVec2)) -> (DVec2, DVec2) {
+        let (low, high) = self.goals.iter().map(Goal::middle).fold(agents, |(l, h), p| (l.min(p), h.max(p)));
         let around = DVec2::splat(10.0 + (high - low).max_element() * 0.5);
         let (low, high) = (low - around, high + around);
         self.extent.map_or((low, high), |(l, h)| (l.min(low), h.max(high)))

@@ -21,9 +21,20 @@ impl Perceive {
         self.put_in_order(state, sleep, false);
     }
 
+    /// As [`sort_rows`](Self::sort_rows), from time to time, for a world of a division that has no ghosts yet.
+    pub fn sort_rows_of_part(&mut self, state: &mut State, sleep: &mut SleepBlocks) {
+        if state.others.are_there && state.agents.len() >= LARGE && state.steps.is_multiple_of(EVERY) {
+            self.sort_rows(state, sleep);
+        }
+    }
+
     /// As [`sort_rows`](Self::sort_rows), for a grid or lattice that is up to date, if it pays.
     pub(super) fn sort_rows_if_scattered(&mut self, state: &mut State, sleep: &mut SleepBlocks) {
         self.is_sorted = false;
+        if state.others.are_there {
+            // ghosts stay behind
+            return;
+        }
         let in_lattice = state.none_counts_the_nearest();
         if in_lattice && !state.any_looks_at_all() {
             // without a neighbour search the neighbours are unknown

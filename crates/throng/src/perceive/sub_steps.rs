@@ -36,13 +36,13 @@ const WALKED: f32 = 1.0;
 const STEERED: f32 = 0.375;
 
 impl State {
-    /// Returns the number of sub-steps of the next step.
-    pub(crate) fn sub_steps(&self) -> u32 {
+    /// Returns the number of sub-steps of the next step; `longest` returns the longest sub-step, seconds.
+    pub(crate) fn sub_steps(&self, longest: impl FnOnce() -> f32) -> u32 {
         match self.settings.sub_steps {
             SubSteps::Fixed(parts) => parts,
             // no agents, or motionless agents: x / inf
             SubSteps::Auto => {
-                let parts = (self.settings.step as f32 / self.longest_sub_step() - 1e-3).ceil();
+                let parts = (self.settings.step as f32 / longest() - 1e-3).ceil();
                 (parts as u32).clamp(1, 10_000)
             }
         }
@@ -50,7 +50,7 @@ impl State {
 
     /// Returns the longest sub-step in which no agent deviates or moves too far, seconds. Scripted agents do not count:
     /// their positions are exact in sub-steps of any length.
-    fn longest_sub_step(&self) -> f32 {
+    pub(crate) fn longest_sub_step(&self) -> f32 {
         let Self { agents, local_groups: groups, .. } = self;
         let alike = agents.radius.uniform().is_some()
             && agents.core.uniform().is_some()

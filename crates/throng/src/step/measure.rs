@@ -41,6 +41,8 @@ impl Measure {
         close_pairs: &[(u32, u32)],
         sleep: &SleepBlocks,
     ) {
+        // without guarded agents no contacts are collected, so the neighbour lists are used
+        let (own, guarded) = (state.own().end, state.is_guarded());
         let State { agents, walls, tally, .. } = state;
         if sleep.all_asleep() {
             return;
@@ -54,15 +56,12 @@ impl Measure {
         self.blocks.clear();
         self.blocks.resize(agents.len().div_ceil(WORD), before);
         let (contacts, solids, near) = (safe.contacts, safe.solids, seen.near);
-        // without guarded agents no contacts are collected, so the neighbour lists are used
-        let guarded = safe.guarded.uniform() != Some(false);
         let discs_only = seen.discs_only;
+        let counts = |row: usize| row < own && !sleep.sleeps(row / WORD);
         let measure = |measured: &mut Measured, first: usize| {
             // pairs are listed before their rows are read, so that the reads overlap
             let (mut pairs, mut count) = ([(0, 0); PAIRS], 0);
-            for (row, close) in
-                near.close_from(seen.grid.order(), first).filter(|&(row, _)| !sleep.sleeps(row as usize / WORD))
-            {
+            for (row, close) in near.close_from(seen.grid.order(), first).filter(|&(row, _)| counts(row as usize)) {
                 // contacts cover every pair that can touch; of the remaining pairs the nearest is enough
                 let close = if guarded { &close[..1] } else { close };
                 for &other in close {
@@ -79,15 +78,15 @@ impl Measure {
             if sleep.sleeps(part) {
                 return;
             }
-            for row in ones(contacts.touching(part)).map(|at| first + at) {
+            for row in ones(contacts.touching(part)).map(|at| first + at).filter(|&row| row < own) {
                 contacts.of(row).iter().for_each(|&other| measured.pair(agents, row, other as usize, discs_only));
                 // an unguarded script may lead through walls and above the ground
-                let counts = agents.script[row].is_none() || safe.guarded[row];
-                if counts && !contacts.is_off_walls(row) {
+                let is_kept = agents.script[row].is_none() || safe.guarded[row];
+                if is_kept && !contacts.is_off_walls(row) {
                     measured.walls(agents, row, walls, (contacts.edges_of(row), contacts.discs_of(row)));
                 }
             }
-            for row in ones(solids.near(part)).map(|at| first + at) {
+            for row in ones(solids.near(part)).map(|at| first + at).filter(|&row| row < own) {
                 measured.solid(agents, row, solids);
             }
         };

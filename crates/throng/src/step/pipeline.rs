@@ -7,6 +7,7 @@ use super::Stage;
 use super::measure::Measure;
 use crate::avoid::Avoid;
 use crate::guard::{KeepApart, PASSES};
+use crate::halo::{Alone, Border, Halo, Link};
 use crate::intend::{Intend, ProgressCheck};
 use crate::moving::Move;
 use crate::navigate::Navigate;
@@ -26,16 +27,18 @@ pub(crate) struct Pipeline {
     progress: ProgressCheck,
     motion: Move,
     measure: Measure,
+    border: Border,
 }
 
 impl Pipeline {
-    /// Advances the state by one step, and calls `ended` at the end of each stage of each sub-step.
-    pub fn run(&mut self, state: &mut State, mut ended: impl FnMut(Stage)) {
+    /// Advances the state by one step, beside the worlds of a halo. Calls `ended` at the end of each stage of each
+    /// sub-step.
+    pub fn run(&mut self, state: &mut State, halo: &mut dyn Halo, mut ended: impl FnMut(Stage)) {
         state.events.clear();
-        let parts = Self::begin(state);
-        state.adapt();
+        let parts = self.begin(state, halo);
+        state.adapt(halo);
         for part in 0..parts {
-            self.sub_step(state, SubStep::new(state, part, parts), true, &mut ended);
+            self.sub_step(state, halo, SubStep::new(state, part, parts), true, &mut ended);
         }
         state.sort_events();
         state.steps += 1;
@@ -43,36 +46,50 @@ impl Pipeline {
 
     /// Runs the first sub-step of the next step, without its motion.
     pub fn decide(&mut self, state: &mut State) -> SubStep {
-        let parts = Self::begin(state);
+        let parts = self.begin(state, &mut Alone);
         let of = SubStep::new(state, 0, parts);
         self.sleep.end();
-        self.sub_step(state, of, false, |_| ());
+        self.sub_step(state, &mut Alone, of, false, |_| ());
         of
     }
 
-    /// Lets scheduled agents enter. Returns the number of sub-steps of the next step.
-    fn begin(state: &mut State) -> u32 {
-        state.enter();
-        state.sub_steps()
+    /// Lets agents change their world, and scheduled agents enter. Returns the number of sub-steps of the next step.
+    fn begin(&mut self, state: &mut State, halo: &mut dyn Halo) -> u32 {
+        let Self { sleep, perceive, border, .. } = self;
+        border.migrate(state, halo);
+        state.enter(halo);
+        perceive.sort_rows_of_part(state, sleep);
+        border.sub_steps(state, halo)
     }
 
     /// Runs a sub-step; without its motion unless `moves`.
-    fn sub_step(&mut self, state: &mut State, of: SubStep, moves: bool, mut ended: impl FnMut(Stage)) {
-        let Self { sleep, perceive, navigate, intend, avoid, guard, progress, motion, measure } = self;
+    fn sub_step(
+        &mut self,
+        state: &mut State,
+        halo: &mut dyn Halo,
+        of: SubStep,
+        moves: bool,
+        mut ended: impl FnMut(Stage),
+    ) {
+        let Self { sleep, perceive, navigate, intend, avoid, guard, progress, motion, measure, border } = self;
+        border.begin(state, navigate.count_arrivals(state), halo, of.seconds);
         state.note_groups();
         sleep.fall_asleep(state, of.seconds, PASSES, |block| measure.no_overlap(block));
 
         let seen = perceive.run(state, sleep, of);
         ended(Stage::Perceive);
 
-        let shown = navigate.run(state, seen, sleep, of);
+        let shown = navigate.run(state, seen, sleep, halo, of);
         let intended = intend.run(state, (seen, shown), sleep, of);
+        border.exchange_velocities(state, intended.preferred, halo);
         ended(Stage::Intend);
 
         let chosen = avoid.run(state, (seen, shown), intended.preferred, sleep, of);
+        border.exchange_velocities(state, chosen, halo);
         ended(Stage::Avoid);
 
-        let safe = guard.run(state, seen, (intended.facing(), chosen), sleep, of);
+        let link = &mut Link { border, halo };
+        let safe = guard.run(state, seen, (intended.facing(), chosen), sleep, of, link);
         ended(Stage::Guard);
         if !moves {
             return;
@@ -82,7 +99,10 @@ impl Pipeline {
         let close_pairs = intended.close_pairs;
         motion.run(state, shown, intended, (chosen, safe), sleep, of);
         measure.run(state, seen, safe, close_pairs, sleep);
-        for &row in navigate.arrive(state, seen, sleep, of) {
+        let gone = navigate.arrive(state, seen, sleep, of);
+        border.drop_ghosts(state);
+        intend.truncate(state.agents.len());
+        for &row in gone {
             state.end_trip(row);
             intend.remove(row);
             remove(state, sleep, row);

@@ -4,7 +4,7 @@ use super::local::localized;
 use super::state::Slots;
 use super::{Settings, State, SubSteps, TraceRequest, World};
 use crate::agent::{
-    Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, ScriptId, Status,
+    Agent, AgentId, Columns, GoalId, Group, GroupId, JourneyId, ObstacleId, ProgressMark, Row, ScriptId, Status,
 };
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script};
 use crate::perceive::SimdLevel;
@@ -52,6 +52,7 @@ impl World {
             own_journeys: super::control::OwnJourneys::default(),
             game: super::play::RulesState::default(),
             adapted: Vec::new(),
+            others: crate::halo::Others::default(),
             extent: None,
             walls: Walls::default(),
             meshes: Meshes::default(),
@@ -178,6 +179,23 @@ impl World {
             self.place_changed();
         }
         Ok((first..self.state.place.obstacles.len()).map(|index| ObstacleId(index as u32)).collect())
+    }
+
+    /// Returns the id of an obstacle that equals this one; the first, if there are several.
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use throng::{Obstacle, Settings, World};
+    /// let mut world = World::new(Settings::default())?;
+    /// let pillar = Obstacle::Circle { center: DVec2::ZERO, radius: 1.0 };
+    /// let id = world.add_obstacle(pillar.clone())?;
+    /// assert_eq!(world.find_obstacle(&pillar), Some(id));
+    /// assert!(world.remove_obstacle(id) && world.find_obstacle(&pillar).is_none());
+    /// # Ok::<(), throng::Error>(())
+    /// ```
+    pub fn find_obstacle(&self, obstacle: &Obstacle) -> Option<ObstacleId> {
+        let index = self.state.place.obstacles.iter().position(|known| known.as_ref() == Some(obstacle));
+        index.map(|index| ObstacleId(index as u32))
     }
 
     /// Removes an obstacle. Returns false if it does not exist.
@@ -325,14 +343,26 @@ impl State {
         }
     }
 
-    pub(crate) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
+    /// Returns a slot for the row that is added next.
+    fn new_slot(&mut self) -> u32 {
         let slot = self.slots.free.pop().unwrap_or_else(|| {
             self.slots.rows.push(u32::MAX);
             self.slots.generations.push(0);
             self.slots.rows.len() as u32 - 1
         });
+        self.slots.rows[slot as usize] = self.agents.len() as u32;
+        slot
+    }
+
+    /// Adds an agent of another world.
+    pub(crate) fn put_copy(&mut self, row: Row) {
+        let slot = self.new_slot();
+        self.agents.push_copy(Row { slot, ..row });
+    }
+
+    pub(crate) fn put(&mut self, agent: &Agent, number: u32, now: f64) -> AgentId {
+        let slot = self.new_slot();
         let row = self.agents.len() as u32;
-        self.slots.rows[slot as usize] = row;
         let heading = self.first_heading(agent);
         self.agents.push(agent, self.settings.origin, slot, number, heading, now);
         let status = self.first_status(row as usize);
@@ -411,7 +441,7 @@ impl State {
         Ok(JourneyId(self.journeys.len() as u32 - 1))
     }
 
-    fn check_obstacle(&self, obstacle: &Obstacle) -> Result<(), Error> {
+    pub(super) fn check_obstacle(&self, obstacle: &Obstacle) -> Result<(), Error> {
         match obstacle {
             Obstacle::Circle { center, radius } => {
                 self.check_position("centre of the obstacle", *center)?;

@@ -3,6 +3,7 @@
 use super::build::{check_altitude, direction};
 use super::{State, World};
 use crate::agent::{AgentId, JourneyId, ProgressMark, Status};
+use crate::halo::Alone;
 use crate::navigate::{Goal, Journey, PathRequest, Stop};
 use crate::{Error, Position};
 use glam::Vec3;
@@ -32,7 +33,7 @@ impl World {
         let leg = |row: usize| self.state.first_leg(self.state.agents.journey[row], self.state.world_place(row));
         let rows = agents.iter().filter_map(|&id| self.state.row(id)).filter(|&row| self.state.agents.is_disc(row));
         let mut ways: Vec<PathRequest> = rows.filter_map(|row| self.state.ask_way(row, leg(row)?)).collect();
-        self.state.prepare_meshes(&ways);
+        self.state.prepare_meshes(&ways, &mut Alone);
         self.state.meshes.find(&self.state.goals, &mut ways);
         for way in ways {
             let Some(Ok((path, _))) = way.found else { continue };

@@ -54,8 +54,11 @@ impl World {
 }
 
 impl State {
-    /// Notes that something happened to the agent of a row.
+    /// Notes that something happened to the agent of a row. What happens to a ghost, its own world notes.
     pub(crate) fn happened(&mut self, row: usize, kind: EventKind, time: f64) {
+        if row >= self.own().end {
+            return;
+        }
         let event = Event { time, agent: self.id(row), number: self.agents.number[row], kind };
         self.events.push(event);
     }

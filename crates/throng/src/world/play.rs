@@ -16,6 +16,11 @@ pub(crate) struct RulesState {
 }
 
 impl RulesState {
+    /// Whether there are rules.
+    pub fn has_rules(&self) -> bool {
+        self.rules.is_some()
+    }
+
     /// Returns the figures with their names, for saving.
     pub fn saved(&self) -> Vec<(String, f64)> {
         self.names.iter().cloned().zip(self.figures.iter().copied()).collect()

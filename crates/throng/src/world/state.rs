@@ -6,6 +6,7 @@ use super::play::RulesState;
 use super::schedule::Schedule;
 use super::{Settings, TraceRequest};
 use crate::agent::{AgentId, Column, Columns, GoalId, Group, JourneyId};
+use crate::halo::Others;
 use crate::intend::{Adapted, Standoff};
 use crate::navigate::{Goal, Journey, Legs, Meshes, Script, Unreachable};
 use crate::perceive::SimdLevel;
@@ -47,6 +48,8 @@ pub(crate) struct State {
     pub game: RulesState,
     /// Fields that adapt to the positions of the agents, by group.
     pub adapted: Vec<Option<Adapted>>,
+    /// The other worlds of a division.
+    pub others: Others,
     /// Box of the ground on which paths are planned where no walkable area bounds it. It is kept, because meshes that
     /// are built later for another box would differ.
     pub extent: Option<(DVec2, DVec2)>,
@@ -74,6 +77,12 @@ impl State {
     /// Returns the seconds since the start.
     pub(crate) fn time(&self) -> f64 {
         self.steps as f64 * self.settings.step
+    }
+
+    /// Returns the rows of the agents of this world. The rows behind them are ghosts.
+    #[inline]
+    pub(crate) fn own(&self) -> std::ops::Range<usize> {
+        0..self.agents.len() - self.others.ghosts
     }
 
     /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.

@@ -6,6 +6,8 @@ mod avoid;
 #[path = "../shared/draw.rs"]
 mod draw;
 mod guard;
+#[path = "../shared/irregular.rs"]
+mod irregular;
 mod navigation;
 #[path = "../shared/oracle.rs"]
 mod oracle;

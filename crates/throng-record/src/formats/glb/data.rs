@@ -3,6 +3,7 @@
 use super::json::{Accessor, BYTE, BufferView, FLOAT, Root, SHORT, UNSIGNED_BYTE, UNSIGNED_INT, UNSIGNED_SHORT};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use serde_json::Value;
 use std::borrow::Cow;
 
 /// A file in memory.
@@ -89,7 +90,7 @@ impl<'a> Data<'a> {
     /// # Errors
     /// The numbers have another type, are not in the file, or are not finite.
     pub fn numbers<const N: usize>(&self, at: usize) -> Result<Vec<[f32; N]>, String> {
-        let elements = self.elements::<N, f32>(at, number)?;
+        let elements = self.elements::<N, f32>(at, decimal)?;
         let finite = elements.as_flattened().iter().all(|value| value.is_finite());
         if finite { Ok(elements) } else { Err(format!("accessor {at} holds a number that is not finite")) }
     }
@@ -133,6 +134,11 @@ impl<'a> Data<'a> {
     }
 }
 
+/// Returns the number of an accessor or another part of the file.
+pub fn number(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
+}
+
 /// Returns the bytes of a location that holds them; `None` if they are elsewhere.
 pub fn embedded(uri: &str) -> Option<Vec<u8>> {
     let (_, text) = uri.strip_prefix("data:")?.split_once(";base64,")?;
@@ -144,7 +150,7 @@ type Decoder<T> = Option<(usize, fn(&[u8]) -> T)>;
 
 /// Returns the size of an accessor's numbers in bytes, and their decoder. Normalised integers become fractions of their
 /// greatest value.
-fn number(accessor: &Accessor) -> Decoder<f32> {
+fn decimal(accessor: &Accessor) -> Decoder<f32> {
     Some(match (accessor.component_type, accessor.normalized) {
         (FLOAT, _) => (4, |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
         (SHORT, true) => (2, |b| (f32::from(i16::from_le_bytes([b[0], b[1]])) / 32767.0).max(-1.0)),

@@ -34,14 +34,21 @@ mod data;
 mod figures;
 mod json;
 mod kept;
+mod materials;
 mod motion;
+mod nodes;
+mod part;
 mod people;
 #[cfg(test)]
 mod people_tests;
 mod read;
 mod sampler;
+pub(crate) mod set;
+#[cfg(test)]
+mod set_tests;
 #[cfg(test)]
 mod tests;
+mod texture;
 mod write;
 
 pub use write::GlbWriter;

@@ -54,13 +54,15 @@ pub struct PlanOptions {
     pub level: Option<u64>,
 }
 
+/// The endings of files that are floor plans. A `.json` may be one, too.
+pub const ENDINGS: [&str; 5] = ["wkt", "geojson", "dxf", "svg", "obj"];
+
 /// Whether a file is a floor plan, by its ending. A `.json` is a floor plan if its start shows that it is GeoJSON.
 pub fn is_plan(path: impl AsRef<Path>) -> bool {
     let path = path.as_ref();
     match ending(path).as_str() {
-        "wkt" | "geojson" | "dxf" | "svg" | "obj" => true,
         "json" => says_geojson(path),
-        _ => false,
+        other => ENDINGS.contains(&other),
     }
 }
 

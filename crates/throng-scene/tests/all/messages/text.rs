@@ -30,7 +30,7 @@ a.toml:6:1: there is no key `detour` here
 a.toml:1:1: there is no key `tiem` here
   1 | tiem = { step = 0.04 }
     | ^^^^
-  hint: did you mean `time`? the keys here are: title, about, seed, time, walkable, obstacle, surface, path, field, group, mover, rules, view, expect",
+  hint: did you mean `time`? the keys here are: title, about, seed, time, walkable, obstacle, surface, path, field, group, mover, intervention, rules, view, expect",
     );
 }
 

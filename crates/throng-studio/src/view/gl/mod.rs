@@ -35,6 +35,8 @@ pub struct Lighting {
     pub near: f32,
     /// Interpolation weight between the previous and the current state.
     pub share: f32,
+    /// The direction to the sun.
+    pub sun: Vec3,
     /// Whether shadows are drawn on the ground.
     pub shadows: bool,
     /// The colour of notches.

@@ -107,6 +107,7 @@ impl Program {
             {
                 gl.uniform_1_f32(at(name).as_ref(), value);
             }
+            gl.uniform_3_f32_slice(at("sun").as_ref(), lighting.sun.as_ref());
             let [r, g, b, a] =
                 [lighting.notch.r, lighting.notch.g, lighting.notch.b, lighting.notch.a].map(|c| f32::from(c) / 255.0);
             gl.uniform_4_f32(at("notch").as_ref(), r, g, b, a);

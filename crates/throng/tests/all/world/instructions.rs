@@ -1,14 +1,15 @@
 //! SIMD and scalar paths, with four, eight or sixteen lanes, on any number of threads: the same bits.
 
+use crate::irregular::irregular;
 use crate::world::common::{Draw, journey_to, with_settings};
 use crate::world::determinism::{bits, with_threads};
 use glam::DVec2;
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::avoid::{Orca, Vo};
-use throng::motion::{Holonomic, TwoWheels};
+use throng::motion::Holonomic;
 use throng::perceive::SimdLevel;
-use throng::{Agent, Body, Group, Keyframe, Obstacle, Script, SubSteps, World};
+use throng::{Agent, Group, Obstacle, SubSteps, World};
 
 /// The settings of a crowd.
 #[derive(Clone, Debug)]
@@ -95,40 +96,12 @@ fn crowd(kind: &Kind) -> World {
             (agent.preferred_speed, agent.journey) = (0.0, throng::JourneyId::STAY);
         }
         if kind.irregular {
-            agent = irregular(&mut world, agent, &mut draw);
+            agent = irregular(&mut world, agent, &mut draw, 40);
         }
         // places in walls are refused: those agents are left out
         let _ = world.add_agent(agent);
     }
     world
-}
-
-/// Makes one of eight agents irregular.
-fn irregular(world: &mut World, agent: Agent, draw: &mut Draw) -> Agent {
-    match draw.index(40) {
-        0 => agent.with_body(Body::capsule(1.2, 0.3)),
-        1 => agent.with_body(Body::rectangle(2.0, 0.8)),
-        2 => Agent {
-            motor: TwoWheels { max_turn_rate: 1.0, tracking_error: 0.1, ..TwoWheels::default() }.into(),
-            ..agent
-        },
-        3 => Agent { layers: 2, avoids: 3, ..agent },
-        4 => {
-            let at = agent.position.truncate();
-            let keyframe = |time: f64, at: DVec2| Keyframe { time, at, heading: time };
-            let keyframes = vec![keyframe(0.0, at), keyframe(2.0, at + DVec2::new(1.0, 2.0)), keyframe(4.0, at)];
-            let script = world.add_script(Script { keyframes, repeat: true }).unwrap();
-            let body = draw.one_of(&[Body::disc(0.2), Body::rectangle(1.0, 0.2)]);
-            Agent {
-                script: Some(script),
-                avoids: 0,
-                motor: Holonomic { max_turn_rate: 3.0, ..Holonomic::default() }.into(),
-                ..agent
-            }
-            .with_body(body)
-        }
-        _ => agent,
-    }
 }
 
 fn after(kind: &Kind, instructions: SimdLevel) -> Vec<[u32; 6]> {

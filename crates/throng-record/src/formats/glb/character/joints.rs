@@ -2,8 +2,8 @@
 
 use super::names;
 use crate::formats::glb::data::Data;
-use crate::formats::glb::json::{Node, Root};
-use crate::formats::glb::read::{local, parents};
+use crate::formats::glb::json::Root;
+use crate::formats::glb::nodes::Nodes;
 use crate::people::axes;
 use glam::{DMat4, DVec3};
 use serde_json::Value;
@@ -28,19 +28,9 @@ impl Joints {
     /// # Errors
     /// A node is its own ancestor, joints are missing, or two nodes are one joint.
     pub fn of(data: &Data) -> Result<Self, String> {
-        let nodes = &data.root.nodes;
-        let parents = parents(nodes)?;
-        let order = from_the_roots(&parents)?;
-        let mut world = vec![DMat4::IDENTITY; nodes.len()];
-        for &at in &order {
-            let above = parents[at].map_or(DMat4::IDENTITY, |parent| world[parent]);
-            world[at] = above * local(&nodes[at]);
-            if !world[at].is_finite() {
-                return Err(format!("the transform of {} is not finite", called(nodes, at)));
-            }
-        }
+        let Nodes { parents, order, world } = Nodes::of(&data.root.nodes)?;
         let found = find(&data.root)?;
-        let mut follows = vec![None; nodes.len()];
+        let mut follows = vec![None; world.len()];
         for joint in Joint::ALL {
             if let Some(at) = found[joint.index()] {
                 follows[at] = Some(joint);
@@ -51,29 +41,6 @@ impl Joints {
         }
         let places = found.map(|at| at.map(|at| axes::place(world[at].w_axis.truncate())));
         Ok(Self { world, follows, places })
-    }
-}
-
-/// Returns the nodes, each after its parent.
-fn from_the_roots(parents: &[Option<usize>]) -> Result<Vec<usize>, String> {
-    let mut children = vec![Vec::new(); parents.len()];
-    let mut order: Vec<usize> = Vec::new();
-    for (at, parent) in parents.iter().enumerate() {
-        match parent {
-            Some(parent) => children[*parent].push(at),
-            None => order.push(at),
-        }
-    }
-    let mut next = 0;
-    while next < order.len() {
-        order.extend_from_slice(&children[order[next]]);
-        next += 1;
-    }
-    let mut reached = vec![false; parents.len()];
-    order.iter().for_each(|&at| reached[at] = true);
-    match reached.iter().position(|reached| !reached) {
-        Some(at) => Err(format!("node {at} is its own ancestor")),
-        None => Ok(order),
     }
 }
 
@@ -136,12 +103,4 @@ pub(super) fn joints_of(skin: &Value) -> Vec<usize> {
     let joints = skin["joints"].as_array().map(Vec::as_slice).unwrap_or_default();
     // a number that is no node has no joint
     joints.iter().map(|at| at.as_u64().and_then(|at| usize::try_from(at).ok()).unwrap_or(usize::MAX)).collect()
-}
-
-/// Returns the name of a node in messages.
-pub(super) fn called(nodes: &[Node], at: usize) -> String {
-    match nodes.get(at) {
-        Some(node) if !node.name.is_empty() => format!("node {at} (`{}`)", node.name),
-        _ => format!("node {at}"),
-    }
 }

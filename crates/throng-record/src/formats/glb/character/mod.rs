@@ -6,11 +6,9 @@
 #[cfg(test)]
 mod damaged_tests;
 mod joints;
-mod materials;
 mod names;
 #[cfg(test)]
 pub(super) mod tests;
-mod texture;
 mod vertices;
 
 use super::data::Data;
@@ -31,10 +29,6 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Character, FormatFlaw> {
 
 fn parse(bytes: &[u8]) -> Result<Character, String> {
     let data = Data::open_any(bytes)?;
-    let packed = |name: &&String| name.contains("draco") || name.contains("meshopt") || name.contains("quantization");
-    if let Some(name) = data.root.extensions_required.iter().find(packed) {
-        return Err(format!("the mesh is compressed ({name}); export it without compression"));
-    }
     let joints = joints::Joints::of(&data)?;
     let mut body = RestBody { joints: joints.places, ..RestBody::default() };
     vertices::add(&mut body, &data, &joints)?;

@@ -1,23 +1,22 @@
 //! The vertices of a file, at rest in the world of the file.
 
-use super::joints::{Joints, called, joints_of};
-use super::materials::Materials;
-use crate::formats::glb::data::Data;
+use super::joints::{Joints, joints_of};
+use crate::formats::glb::data::{Data, number};
+use crate::formats::glb::nodes::called;
+use crate::formats::glb::part::{Limits, Part, Parts, attribute};
 use crate::people::axes;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 use serde_json::Value;
 use throng_figure::{JOINTS, Joint, RestBody};
 
-/// The most vertices and triangles of a body.
+/// The most vertices of a body.
 const MOST_VERTICES: usize = 200_000;
-const MOST_TRIANGLES: usize = 400_000;
+/// How much of a file is read.
+const LIMITS: Limits = Limits { of: "body", parts: 1_024, triangles: 400_000 };
 /// The most groups of four joints that move a vertex.
 const SETS: usize = 4;
-/// The most joints of a skin, and the most parts of a body.
+/// The most joints of a skin.
 const MOST_JOINTS: usize = 4_096;
-const MOST_PARTS: usize = 1_024;
-/// The most vertices of all parts, before those that are not used are left out.
-const MOST_READ: u64 = 4_000_000;
 
 /// The joints that move the vertices of a mesh.
 struct Skin {
@@ -32,10 +31,7 @@ struct Skin {
 struct Builder<'a> {
     body: &'a mut RestBody,
     data: &'a Data<'a>,
-    materials: Materials,
-    /// How many vertices were read, and how many parts of meshes.
-    read: u64,
-    parts: usize,
+    parts: Parts<'a>,
 }
 
 /// Adds all meshes that joints move to a body.
@@ -44,7 +40,7 @@ struct Builder<'a> {
 /// The data are damaged, mirrored or too large.
 pub(super) fn add(body: &mut RestBody, data: &Data, joints: &Joints) -> Result<(), String> {
     let nodes = &data.root.nodes;
-    let mut builder = Builder { body, data, materials: Materials::default(), read: 0, parts: 0 };
+    let mut builder = Builder { body, data, parts: Parts::of(data, LIMITS)? };
     for (at, node) in nodes.iter().enumerate() {
         let Some(mesh) = node.mesh else { continue };
         let skin = match node.skin {
@@ -119,24 +115,9 @@ impl Skin {
 impl Builder<'_> {
     /// Adds a part of a mesh.
     fn add(&mut self, skin: &Skin, primitive: &Value) -> Result<(), String> {
-        match primitive["mode"].as_u64().unwrap_or(4) {
-            4 => {}
-            // points and lines
-            0..=3 => return Ok(()),
-            mode => {
-                return Err(format!("a mesh has strips or fans of triangles (mode {mode}); export plain triangles"));
-            }
-        }
-        let data = self.data;
-        let attributes = &primitive["attributes"];
-        let positions = number(&attributes["POSITION"]).ok_or("a mesh has no positions")?;
-        let vertices = data.root.accessors.get(positions).map_or(0, |accessor| accessor.count);
-        self.count(vertices)?;
-        let positions = data.numbers::<3>(positions)?;
-        let normals = attribute(data, attributes, "NORMAL", vertices)?.map(|at| data.numbers::<3>(at)).transpose()?;
-        let sets = if skin.bends { weights(data, attributes, vertices)? } else { Vec::new() };
-        let colours = self.materials.colours(data, primitive, vertices)?;
-        let corners = self.corners(primitive, positions.len())?;
+        let Some(Part { positions, normals, colours, corners }) = self.parts.read(primitive)? else { return Ok(()) };
+        let (attributes, vertices) = (&primitive["attributes"], positions.len() as u64);
+        let sets = if skin.bends { weights(self.data, attributes, vertices)? } else { Vec::new() };
         // parts of a mesh may share their vertices: only those of the triangles count
         let mut numbers: Vec<Option<u32>> = vec![None; positions.len()];
         for corner in corners.chunks_exact(3) {
@@ -159,33 +140,6 @@ impl Builder<'_> {
             self.body.triangles.push(triangle);
         }
         Ok(())
-    }
-
-    /// Counts a part of a mesh that is to be read.
-    fn count(&mut self, vertices: u64) -> Result<(), String> {
-        (self.parts, self.read) = (self.parts + 1, self.read.saturating_add(vertices));
-        if self.parts > MOST_PARTS || self.read > MOST_READ {
-            return Err(format!(
-                "the meshes have more than {MOST_PARTS} parts or {MOST_READ} vertices; export a coarser body"
-            ));
-        }
-        Ok(())
-    }
-
-    /// Returns the vertices of the corners of triangles of a part of a mesh with so many vertices.
-    fn corners(&self, primitive: &Value, vertices: usize) -> Result<Vec<u32>, String> {
-        let indices = number(&primitive["indices"]);
-        let count = |at: usize| self.data.root.accessors.get(at).map_or(0, |accessor| accessor.count);
-        let corners = indices.map_or(vertices as u64, count);
-        if (corners / 3).saturating_add(self.body.triangles.len() as u64) > MOST_TRIANGLES as u64 {
-            return Err(format!("the body has more than {MOST_TRIANGLES} triangles; export a coarser body"));
-        }
-        let Some(at) = indices else { return Ok((0..vertices as u32).collect()) };
-        let corners: Vec<u32> = self.data.whole_numbers::<1>(at)?.into_iter().map(|[index]| index).collect();
-        match corners.iter().find(|&&index| index as usize >= vertices) {
-            Some(index) => Err(format!("a triangle names vertex {index} of {vertices}")),
-            None => Ok(corners),
-        }
     }
 
     /// Adds a vertex: its transform and the shares of our joints, its position, normal and colour.
@@ -211,26 +165,6 @@ impl Builder<'_> {
         body.weights.push(weights);
         body.colours.push(colour);
         Ok(())
-    }
-}
-
-/// Returns the number of an accessor or another part of the file.
-pub(super) fn number(value: &Value) -> Option<usize> {
-    usize::try_from(value.as_u64()?).ok()
-}
-
-/// Returns the accessor of an attribute of `vertices` vertices, if there is one.
-///
-/// # Errors
-/// It holds another number of values.
-pub(super) fn attribute(data: &Data, attributes: &Value, name: &str, vertices: u64) -> Result<Option<usize>, String> {
-    let Some(at) = number(&attributes[name]) else { return Ok(None) };
-    let accessor = data.root.accessors.get(at).ok_or_else(|| format!("there is no accessor {at}"))?;
-    let count = accessor.count;
-    if count == vertices {
-        Ok(Some(at))
-    } else {
-        Err(format!("a mesh has {vertices} vertices, but {count} values of {name}"))
     }
 }
 

@@ -1,7 +1,6 @@
-//! Textures of bodies.
+//! Textures.
 
-use super::vertices::number;
-use crate::formats::glb::data::{Data, embedded};
+use super::data::{Data, embedded, number};
 use std::borrow::Cow;
 use std::io::Cursor;
 
@@ -38,7 +37,7 @@ impl Texture {
         let (width, height) = (info.width as usize, info.height as usize);
         if width.saturating_mul(height) > most {
             return Err(format!(
-                "the textures of the body have more than {} million pixels; export smaller ones",
+                "the textures have more than {} million pixels; export smaller ones",
                 super::materials::MOST_PIXELS >> 20
             ));
         }

@@ -1,13 +1,13 @@
 //! The colours of vertices: materials, colours of vertices, and textures where a vertex is on them.
 
+use super::data::{Data, number};
+use super::part::attribute;
 use super::texture::Texture;
-use super::vertices::{attribute, number};
 use crate::color::{self, light};
-use crate::formats::glb::data::Data;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// The most pixels of all textures of a body.
+/// The most pixels of all textures of a file.
 pub(super) const MOST_PIXELS: usize = 1 << 26;
 
 /// The materials of a file.

@@ -1,0 +1,154 @@
+//! A halo of threads and channels.
+
+use crate::draw::Draw;
+use glam::Vec2;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use throng::halo::{Agreement, Halo};
+
+/// A division of the ground by straight cuts along the axes, as recursive bisection makes them.
+#[derive(Clone, Debug)]
+pub enum Cuts {
+    World(usize),
+    Cut { axis: usize, at: f32, below: Box<Cuts>, above: Box<Cuts> },
+}
+
+impl Cuts {
+    /// Cuts a box at random into this number of worlds.
+    pub fn random(draw: &mut Draw, worlds: usize, low: Vec2, high: Vec2) -> Self {
+        Self::cut(draw, 0, worlds, low, high)
+    }
+
+    fn cut(draw: &mut Draw, first: usize, worlds: usize, low: Vec2, high: Vec2) -> Self {
+        if worlds == 1 {
+            return Self::World(first);
+        }
+        let axis = draw.index(2);
+        let at = draw.between(low[axis].into(), high[axis].into()) as f32;
+        let lower = 1 + draw.index(worlds - 1);
+        let (mut middle_high, mut middle_low) = (high, low);
+        (middle_high[axis], middle_low[axis]) = (at, at);
+        let below = Self::cut(draw, first, lower, low, middle_high);
+        let above = Self::cut(draw, first + lower, worlds - lower, middle_low, high);
+        Self::Cut { axis, at, below: Box::new(below), above: Box::new(above) }
+    }
+
+    pub fn worlds(&self) -> usize {
+        match self {
+            Self::World(_) => 1,
+            Self::Cut { below, above, .. } => below.worlds() + above.worlds(),
+        }
+    }
+
+    fn owner(&self, place: Vec2) -> usize {
+        match self {
+            Self::World(index) => *index,
+            Self::Cut { axis, at, below, above } => if place[*axis] < *at { below } else { above }.owner(place),
+        }
+    }
+
+    fn near(&self, place: Vec2, distance: f32, found: &mut dyn FnMut(usize)) {
+        match self {
+            Self::World(index) => found(*index),
+            Self::Cut { axis, at, below, above } => {
+                if place[*axis] - distance < *at {
+                    below.near(place, distance, found);
+                }
+                if place[*axis] + distance >= *at {
+                    above.near(place, distance, found);
+                }
+            }
+        }
+    }
+}
+
+/// What travels between two worlds.
+enum Message {
+    Agreement(Vec<u8>),
+    Packet(Vec<u8>),
+}
+
+/// A world's end of the channels to and from all worlds.
+pub struct Threads {
+    index: usize,
+    cuts: Cuts,
+    to: Vec<Sender<Message>>,
+    from: Vec<Receiver<Message>>,
+    pub bytes: usize,
+}
+
+/// Returns the halo of each world.
+pub fn halos(cuts: Cuts) -> Vec<Threads> {
+    let worlds = cuts.worlds();
+    let halo = |index| Threads { index, cuts: cuts.clone(), to: Vec::new(), from: Vec::new(), bytes: 0 };
+    let mut halos: Vec<Threads> = (0..worlds).map(halo).collect();
+    for from in 0..worlds {
+        for to in 0..worlds {
+            let (send, receive) = channel();
+            halos[from].to.push(send);
+            halos[to].from.push(receive);
+        }
+    }
+    halos
+}
+
+impl Threads {
+    /// Sets other cuts.
+    pub fn set(&mut self, cuts: Cuts) {
+        self.cuts = cuts;
+    }
+
+    /// Sends a message to each other world, and returns theirs.
+    fn trade(&mut self, mut message: impl FnMut(usize) -> Message) -> Vec<Option<Message>> {
+        let others = |index: &usize| *index != self.index;
+        for to in (0..self.to.len()).filter(others) {
+            self.to[to].send(message(to)).expect("the other world is there");
+        }
+        (0..self.from.len())
+            .map(|from| others(&from).then(|| self.from[from].recv().expect("the other world is there")))
+            .collect()
+    }
+}
+
+impl Halo for Threads {
+    fn worlds(&self) -> usize {
+        self.to.len()
+    }
+
+    fn index(&self) -> usize {
+        self.index
+    }
+
+    fn owner(&self, place: Vec2) -> usize {
+        self.cuts.owner(place)
+    }
+
+    fn near(&self, place: Vec2, distance: f32, found: &mut dyn FnMut(usize)) {
+        self.cuts.near(place, distance, &mut |world| {
+            if world != self.index {
+                found(world);
+            }
+        });
+    }
+
+    fn agree(&mut self, own: Agreement) -> Agreement {
+        let bytes = postcard::to_stdvec(&own).unwrap();
+        let mut all = own;
+        for message in self.trade(|_| Message::Agreement(bytes.clone())).into_iter().flatten() {
+            let Message::Agreement(bytes) = message else { panic!("the worlds are out of step") };
+            all.merge(&postcard::from_bytes(&bytes).unwrap());
+        }
+        all
+    }
+
+    fn exchange(&mut self, mut packets: Vec<Vec<u8>>) -> Vec<Vec<u8>> {
+        assert_eq!(packets.len(), self.worlds());
+        assert!(packets[self.index].is_empty(), "a packet to itself");
+        self.bytes += packets.iter().map(Vec::len).sum::<usize>();
+        let packet = |message: Option<Message>| match message {
+            None => Vec::new(),
+            Some(Message::Packet(packet)) => packet,
+            Some(Message::Agreement(_)) => panic!("the worlds are out of step"),
+        };
+        self.trade(|to| Message::Packet(std::mem::take(&mut packets[to]))).into_iter().map(packet).collect()
+    }
+}
