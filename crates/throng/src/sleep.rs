@@ -13,6 +13,9 @@
 //!
 //! The data of a stage for a block stay as they are while the block sleeps. On the scalar path no agent sleeps: it is
 //! the reference.
+//!
+//! In a world of a division the stages before the guard leave out [lean ghosts](crate::halo) as they leave out rows that
+//! sleep.
 
 use crate::agent::Status;
 use crate::parallel::{self, Parts, WORD, Words};
@@ -33,6 +36,8 @@ pub(crate) struct SleepBlocks {
     unrest: ActiveSquares,
     /// Seconds of the last sub-step and whether it was guarded; `None` if sleep was not possible.
     made: Option<(f32, bool)>,
+    /// The first of the rows that are lean ghosts in this sub-step, if there are any.
+    first_lean: Option<usize>,
 }
 
 /// Squares of the ground that contain agents that were not still.
@@ -54,6 +59,11 @@ impl SleepBlocks {
     pub fn end(&mut self) {
         self.still.clear();
         self.asleep.clear();
+    }
+
+    /// Includes lean ghosts, for the guard and the stages after it.
+    pub fn include_ghosts(&mut self) {
+        self.first_lean = None;
     }
 
     /// Records that an agent has gone from a position to a far one. It was not still.
@@ -88,12 +98,24 @@ impl SleepBlocks {
         !self.asleep.is_empty() && self.asleep.iter().all(|&asleep| asleep)
     }
 
-    /// Returns the ranges of rows within a range that do not sleep.
+    /// Whether the stages before the guard leave out a row: it sleeps, or it is a lean ghost.
+    #[inline]
+    fn is_left_out(&self, row: usize) -> bool {
+        self.sleeps(row / WORD) || self.first_lean.is_some_and(|first| row >= first)
+    }
+
+    /// Whether all agents of a sub-step are awake, and none is a lean ghost.
+    fn leaves_out_none(&self) -> bool {
+        self.asleep.is_empty() && self.first_lean.is_none()
+    }
+
+    /// Returns the ranges of rows within a range that do not sleep and are no lean ghosts.
     pub fn awake(&self, rows: Range<usize>) -> impl Iterator<Item = Range<usize>> + '_ {
         let mut at = rows.start;
+        let end = rows.end.min(self.first_lean.unwrap_or(rows.end));
         let mut skip = move |asleep: bool| {
-            while at < rows.end && self.sleeps(at / WORD) == asleep {
-                at = ((at / WORD + 1) * WORD).min(rows.end);
+            while at < end && self.sleeps(at / WORD) == asleep {
+                at = ((at / WORD + 1) * WORD).min(end);
             }
             at
         };
@@ -103,9 +125,9 @@ impl SleepBlocks {
         })
     }
 
-    /// Calls `work` for each range of rows that does not sleep, with its part of `all`.
+    /// Calls `work` for each range of rows that does not sleep, without lean ghosts, with its part of `all`.
     pub fn each<P: Parts>(&self, rows: Range<usize>, all: P, mut work: impl FnMut(Range<usize>, P)) {
-        if self.asleep.is_empty() {
+        if self.leaves_out_none() {
             return work(rows, all);
         }
         let (mut left, mut at) = (all, rows.start);
@@ -125,16 +147,17 @@ impl SleepBlocks {
         all: P,
         mut work: impl FnMut(Range<usize>, P),
     ) {
-        if self.asleep.is_empty() {
+        if self.leaves_out_none() {
             return work(places, all);
         }
         let (mut left, mut at) = (all, places.start);
-        for rows in order[places].chunk_by(|&a, &b| self.sleeps(a as usize / WORD) == self.sleeps(b as usize / WORD)) {
+        let is_left_out = |row: u32| self.is_left_out(row as usize);
+        for rows in order[places].chunk_by(|&a, &b| is_left_out(a) == is_left_out(b)) {
             let (part, later) = left.split(rows.len());
             let range = at..at + rows.len();
             at = range.end;
             left = later;
-            if !self.sleeps(rows[0] as usize / WORD) {
+            if !is_left_out(rows[0]) {
                 work(range, part);
             }
         }
@@ -193,6 +216,7 @@ impl SleepBlocks {
         }
         self.find_asleep(state, seconds, passes, no_overlap);
         self.gone.clear();
+        self.first_lean = (state.others.lean > 0).then_some(state.acting().end);
     }
 
     fn find_asleep(&mut self, state: &State, seconds: f32, passes: usize, no_overlap: impl Fn(usize) -> bool) {

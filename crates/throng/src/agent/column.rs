@@ -140,6 +140,20 @@ impl<T: ColumnValue> Column<T> {
         self.len += 1;
     }
 
+    /// Adds rows with any value: the value of all rows, if it is the same.
+    pub(crate) fn extend_with_any(&mut self, rows: usize)
+    where
+        T: Default,
+    {
+        let value = self.values.first().copied().unwrap_or_default();
+        self.len += rows;
+        if self.mask != 0 {
+            self.values.resize(self.len, value);
+        } else if self.values.is_empty() && rows > 0 {
+            self.values.push(value);
+        }
+    }
+
     /// Sets the value of a row.
     ///
     /// # Panics

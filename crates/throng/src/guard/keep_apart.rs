@@ -212,8 +212,11 @@ fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) ->
 /// flies, and the agent, a disc, avoids all others.
 fn covered<'a>(state: &'a State, seen: Perceived<'a>) -> impl Fn(usize) -> Option<RowContacts<'a>> {
     let State { agents, local_groups: groups, .. } = state;
-    let (none_flies, avoids_all) = (!agents.any_flies(), AvoidsAll::of(agents));
+    let (none_flies, avoids_all, acting) = (!agents.any_flies(), AvoidsAll::of(agents), state.acting());
     move |row| {
+        if row >= acting.end {
+            return None;
+        }
         let group = &groups[agents.group[row].index()];
         let nearest = seen.near.of(row);
         let all = nearest.len() < group.nearest();

@@ -1,11 +1,12 @@
 //! The exchanges of a step: agents that change their world, ghosts, and what is computed for ghosts elsewhere.
 
-use super::packet::{BROKEN, read, write};
+use super::packet::{BROKEN, push_words, read, words, write};
 use super::{Agreement, Halo};
-use crate::agent::{GoalId, Row};
+use crate::agent::{Columns, GhostWords, GoalId, Row, Status};
 use crate::guard::{Clamping, Spreading};
 use crate::intend::{STANDOFF_REACH, Velocities, set};
-use crate::navigate::{Arrivals, Unreachable};
+use crate::navigate::{Arrivals, NavFlags, NeighbourData, Unreachable};
+use crate::parallel::WORD;
 use crate::perceive::Grid;
 use crate::world::State;
 use glam::{Vec2, Vec3};
@@ -27,6 +28,9 @@ pub(crate) struct Others {
     pub are_there: bool,
     /// Number of rows, the last ones, that are ghosts.
     pub ghosts: usize,
+    /// Number of ghosts, the last ones, that are lean: they have what other agents read before and in the guard. The
+    /// ghosts before them are whole: they have all that their agents have.
+    pub lean: usize,
     /// Whether an agent of any world may be guarded, and the least radius of all agents, metres. Of a step.
     pub any_guarded: bool,
     pub least_radius: f32,
@@ -34,7 +38,7 @@ pub(crate) struct Others {
 
 impl Default for Others {
     fn default() -> Self {
-        Self { are_there: false, ghosts: 0, any_guarded: false, least_radius: f32::INFINITY }
+        Self { are_there: false, ghosts: 0, lean: 0, any_guarded: false, least_radius: f32::INFINITY }
     }
 }
 
@@ -48,10 +52,10 @@ struct Migrant {
 /// The border of a world of a division: which of its rows other worlds have as ghosts, and the other way round.
 #[derive(Clone, Debug)]
 pub(crate) struct Border {
-    /// Own rows that are ghosts elsewhere in this sub-step, by world.
+    /// Own rows that are ghosts elsewhere in this sub-step, by world; whole ones first.
     sent: Vec<Vec<u32>>,
-    /// The rows of the ghosts of each world.
-    ghosts: Vec<Range<usize>>,
+    /// The rows of the ghosts of each world: whole ones, and lean ones.
+    ghosts: Vec<[Range<usize>; 2]>,
     /// Distance from the ground of a world within which it has ghosts, metres.
     depth: f32,
     /// Rounds of clamping between two exchanges.
@@ -80,7 +84,8 @@ impl Border {
             return;
         }
         let mut packets = vec![Vec::new(); halo.worlds()];
-        for row in (0..state.agents.len()).rev() {
+        let rows: Vec<usize> = rows_near_others(&state.agents.position, &*halo, 0.0).collect();
+        for row in rows.into_iter().rev() {
             let owner = halo.owner(state.agents.position[row]);
             if owner != halo.index() {
                 let number = state.agents.number[row];
@@ -135,36 +140,72 @@ impl Border {
         self.depth = 1.01 * (sees.max(guards) + all.speed * seconds) + 0.1;
     }
 
-    /// Exchanges ghosts: copies of the agents near the ground of another world. All worlds have the agents of standoffs, and
-    /// the agents around places where standoffs begin, so that all decide alike.
+    /// Exchanges ghosts: copies of the agents near the ground of another world. All worlds have whole ghosts of the agents
+    /// of standoffs, and of the agents around places where standoffs begin, so that all decide alike.
     fn exchange_ghosts(&mut self, state: &mut State, members: &[u32], halo: &mut dyn Halo) {
         let Self { sent, ghosts, depth, standoff_reach, standoffs, .. } = self;
-        let mut packets = vec![Vec::new(); halo.worlds()];
+        let (index, agents) = (halo.index(), &mut state.agents);
         sent.resize_with(halo.worlds(), Vec::new);
         sent.iter_mut().for_each(Vec::clear);
-        for row in 0..state.agents.len() {
-            let at = state.agents.position[row];
-            let mut send = |world: usize| {
-                sent[world].push(row as u32);
-                write(&mut packets[world], &state.agents.copy(row));
-            };
-            let mut for_all = members.binary_search(&state.agents.number[row]).is_ok();
-            standoffs.within(at, *standoff_reach, |_| for_all = true);
-            if for_all {
-                (0..halo.worlds()).filter(|&world| world != halo.index()).for_each(send);
-            } else {
-                halo.near(at, *depth, &mut send);
+        let is_whole = |row: usize| {
+            let mut near = members.binary_search(&agents.number[row]).is_ok();
+            standoffs.within(agents.position[row], *standoff_reach, |_| near = true);
+            near
+        };
+        let any = !members.is_empty() || !standoffs.is_empty();
+        let whole: Vec<u32> = (0..agents.len() as u32).filter(|&row| any && is_whole(row as usize)).collect();
+        sent.iter_mut().enumerate().filter(|&(world, _)| world != index).for_each(|(_, rows)| rows.extend(&whole));
+        let rows = rows_near_others(&agents.position, &*halo, *depth);
+        for row in rows.filter(|&row| whole.binary_search(&(row as u32)).is_err()) {
+            halo.near(agents.position[row], *depth, &mut |world| sent[world].push(row as u32));
+        }
+        let packet = |rows: &Vec<u32>| {
+            let (whole, lean) = rows.split_at(whole.len().min(rows.len()));
+            let (mut packet, mut all) = (Vec::with_capacity(size_of::<GhostWords>() * rows.len() + 4), Vec::new());
+            if !rows.is_empty() {
+                whole.iter().for_each(|&row| write(&mut all, &agents.copy(row as usize)));
+                push_words(&mut packet, [all.len() as u32]);
+                packet.extend(all);
+                lean.iter().for_each(|&row| push_words(&mut packet, agents.ghost(row as usize)));
             }
-        }
-        let own = state.agents.len();
+            packet
+        };
+        let packets = halo.exchange(sent.iter().map(packet).collect());
+        let own = agents.len();
+        let parts: Vec<(&[u8], &[u8])> = packets.iter().map(|packet| split(packet)).collect();
         ghosts.clear();
-        for packet in halo.exchange(packets) {
-            let first = state.agents.len();
-            read(&packet).for_each(|row| state.agents.push_copy(row));
-            ghosts.push(first..state.agents.len());
+        for (whole, _) in &parts {
+            let first = agents.len();
+            read(whole).for_each(|row| agents.push_copy(row));
+            ghosts.push([first..agents.len(), 0..0]);
         }
-        state.others.ghosts = state.agents.len() - own;
-        state.prepare_meshes_of(own..state.agents.len());
+        let acting = agents.len();
+        for ((_, lean), [_, rows]) in parts.iter().zip(&mut *ghosts) {
+            let first = agents.len();
+            let lean: Vec<GhostWords> = words(lean).collect();
+            agents.push_ghosts(&lean).expect(BROKEN);
+            *rows = first..agents.len();
+        }
+        (state.others.ghosts, state.others.lean) = (agents.len() - own, agents.len() - acting);
+        state.prepare_meshes_of(own..acting);
+    }
+
+    /// Replaces what neighbours know of the paths of ghosts, and their status, by those that their owners have computed.
+    pub fn exchange_ways(&self, state: &mut State, shown: &mut [NeighbourData], halo: &mut dyn Halo) {
+        let agents = &mut state.agents;
+        let of = |(agents, shown): &(&mut Columns, &mut [NeighbourData]), row: usize| {
+            let [x, y, remaining, key] = shown[row].way.words();
+            [x, y, remaining, key, agents.status[row] as u32]
+        };
+        let set = |(agents, shown): &mut (&mut Columns, &mut [NeighbourData]), row: usize, words: [u32; 5]| {
+            let [x, y, remaining, key, status] = words;
+            let way = NavFlags::of_words([x, y, remaining, key]);
+            agents.status[row] = Status::numbered(status).expect(BROKEN);
+            shown[row] = NeighbourData::new(agents.position[row], agents.velocity[row], way);
+        };
+        if state.others.are_there {
+            self.trade(halo, &mut (agents, shown), of, set);
+        }
     }
 
     /// Replaces velocities of ghosts by those that their owners have computed.
@@ -172,30 +213,41 @@ impl Border {
         if !state.others.are_there {
             return;
         }
-        for (row, words) in self.trade(halo, |row| velocities.at(row).to_array().map(f32::to_bits)) {
+        let of = |velocities: &Velocities, row: usize| velocities.at(row).to_array().map(f32::to_bits);
+        let put = |velocities: &mut Velocities, row: usize, words: [u32; 3]| {
             set(&mut velocities.rows(), row, Vec3::from_array(words.map(f32::from_bits)));
-        }
+        };
+        self.trade(halo, velocities, of, put);
     }
 
     /// Removes the ghosts.
     pub fn drop_ghosts(&self, state: &mut State) {
         if state.others.ghosts > 0 {
             state.agents.truncate(state.own().end);
-            state.others.ghosts = 0;
+            (state.others.ghosts, state.others.lean) = (0, 0);
         }
     }
 
-    /// Sends the words of own rows to the worlds that have them as ghosts. Returns the ghosts with their words.
-    fn trade<const N: usize>(&self, halo: &mut dyn Halo, of: impl Fn(usize) -> [u32; N]) -> Vec<(usize, [u32; N])> {
-        let bytes = |row: &u32| of(*row as usize).into_iter().flat_map(u32::to_le_bytes);
-        let packets = self.sent.iter().map(|rows| rows.iter().flat_map(bytes).collect()).collect();
-        let received = halo.exchange(packets);
-        let words = received.iter().flat_map(|packet| packet.as_chunks::<4>().0);
-        let words: Vec<u32> = words.copied().map(u32::from_le_bytes).collect();
-        let ghosts = self.ghosts.iter().cloned().flatten();
-        let all: Vec<_> = ghosts.zip(words.as_chunks::<N>().0.iter().copied()).collect();
-        assert_eq!(words.len(), all.len() * N, "{BROKEN}");
-        all
+    /// Sends the words of own rows to the worlds that have them as ghosts, and sets the words of the ghosts.
+    fn trade<const N: usize, T: ?Sized>(
+        &self,
+        halo: &mut dyn Halo,
+        all: &mut T,
+        of: impl Fn(&T, usize) -> [u32; N],
+        set: impl Fn(&mut T, usize, [u32; N]),
+    ) {
+        let packet = |rows: &Vec<u32>| {
+            let mut packet = Vec::with_capacity(size_of::<[u32; N]>() * rows.len());
+            rows.iter().for_each(|&row| push_words(&mut packet, of(&*all, row as usize)));
+            packet
+        };
+        let packets = halo.exchange(self.sent.iter().map(packet).collect());
+        for (packet, [whole, lean]) in packets.iter().zip(&self.ghosts) {
+            assert_eq!(packet.len(), size_of::<[u32; N]>() * (whole.len() + lean.len()), "{BROKEN}");
+            for (row, words) in whole.clone().chain(lean.clone()).zip(words(packet)) {
+                set(all, row, words);
+            }
+        }
     }
 
     /// Begins a sub-step of `seconds`: replaces the numbers of own agents that have arrived at goals by those of the agents
@@ -238,10 +290,31 @@ impl Spreading for Link<'_> {
     fn go_on(&mut self, spreads: bool, clamping: &mut Clamping<'_>) -> bool {
         let all = self.halo.agree(Agreement { any: spreads, ..Agreement::default() });
         if all.any {
-            for (row, words) in self.border.trade(&mut *self.halo, |row| clamping.words(row)) {
-                clamping.set_words(row, words);
-            }
+            let of = |clamping: &Clamping<'_>, row| clamping.words(row);
+            self.border.trade(&mut *self.halo, clamping, of, |clamping, row, words| clamping.set_words(row, words));
         }
         all.any
     }
+}
+
+/// Returns rows, among them all with ground of another world within a distance, metres. It asks for blocks of rows: in a
+/// large world the rows of most blocks are near each other, and far from others.
+fn rows_near_others(positions: &[Vec2], halo: &dyn Halo, distance: f32) -> impl Iterator<Item = usize> {
+    let is_near = move |block: &[Vec2]| {
+        let ends = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = block.iter().fold(ends, |(low, high), &at| (low.min(at), high.max(at)));
+        let (middle, mut any) = (0.5 * (low + high), false);
+        // a little more, for rounding
+        let around = 1.001 * (high - low).length() * 0.5 + 1e-6 * high.abs().max(low.abs()).max_element();
+        halo.near(middle, distance + around, &mut |_| any = true);
+        any
+    };
+    let blocks = (0..).step_by(WORD).zip(positions.chunks(WORD));
+    blocks.filter(move |(_, block)| is_near(block)).flat_map(|(first, block)| first..first + block.len())
+}
+
+/// Returns the two parts of a packet of ghosts: whole ones, and lean ones.
+fn split(packet: &[u8]) -> (&[u8], &[u8]) {
+    let Some((&length, ghosts)) = packet.split_first_chunk() else { return (packet, packet) };
+    ghosts.split_at_checked(u32::from_le_bytes(length) as usize).expect(BROKEN)
 }

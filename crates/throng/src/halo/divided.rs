@@ -7,8 +7,8 @@ use crate::{Error, Obstacle, World};
 
 /// One of several worlds that step one crowd together, with the bits of one world.
 ///
-/// Every world is built with the whole crowd, in the same way. [`new`](Self::new) keeps the agents on the ground that
-/// the [`Halo`] gives to this world. Agents that walk to the ground of another world move there at the start of a step:
+/// Every world is built in the same way: with the whole crowd for [`new`](Self::new), which keeps the agents on the
+/// ground that the [`Halo`] gives to this world, or with a part of the crowd for [`of_part`](Self::of_part). Agents that walk to the ground of another world move there at the start of a step:
 /// their numbers stay, their ids change. All worlds must call the methods that change them in the same order, each in its
 /// own thread or process, because they wait for each other.
 ///
@@ -45,6 +45,29 @@ impl<H: Halo> DividedWorld<H> {
             return Err(Error::Undivided { what: "the worlds differ: build all of them in the same way".into() });
         }
         world.keep_own(|place| halo.owner(place) == halo.index(), halo.index() == 0);
+        Ok(Self { world, halo })
+    }
+
+    /// Returns the world of a part of the crowd, from a world to which only this part has been added. Each agent of the
+    /// crowd is in one of the worlds, with a [number](crate::Agent::number) that no other agent has, and a journey that
+    /// all worlds have. All else that the worlds are built with is the same in all of them. Agents on the ground of other
+    /// worlds move there at the start of the first step.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new), in all worlds if in any.
+    pub fn of_part(mut world: World, mut halo: H) -> Result<Self, Error> {
+        let refused = refuse(&world.state);
+        let any = refused.is_err();
+        if halo.agree(Agreement { any, ..Agreement::default() }).any {
+            refused?;
+            return Err(Error::Undivided { what: "another world has a crowd that cannot be divided".into() });
+        }
+        if !agrees(&mut halo, world.built_around_agents()) {
+            return Err(Error::Undivided { what: "the worlds differ in more than their agents".into() });
+        }
+        let next = world.next_number();
+        let all = halo.agree(Agreement { same: Some((next, next)), ..Agreement::default() });
+        world.be_part(all.same.map_or(next, |(_, most)| most));
         Ok(Self { world, halo })
     }
 

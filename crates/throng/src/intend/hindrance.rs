@@ -41,7 +41,7 @@ impl ProgressCheck {
         let Self(marks) = self;
         let around = Surroundings { state, near: seen.near, shown };
         marks.resize(state.agents.len(), ProgressMark::default());
-        parallel::ranges(&mut marks[..], |rows, marks| {
+        parallel::ranges(&mut marks[state.own()], |rows, marks| {
             rows.zip(marks).for_each(|(row, mark)| *mark = around.progress(row, passed));
         });
         let before = &state.agents.progress_mark;
@@ -56,7 +56,7 @@ impl ProgressCheck {
         state.tally.looks += looks;
         state.tally.backwards += backwards;
         let is_blocked = |mark: &ProgressMark| mark.hindrance == Hindrance::Blocked;
-        for row in (0..marks.len()).filter(|&row| is_blocked(&marks[row])) {
+        for row in state.own().filter(|&row| is_blocked(&marks[row])) {
             if !is_blocked(&state.agents.progress_mark[row]) {
                 state.happened(row, EventKind::Stuck, end);
             }

@@ -119,11 +119,6 @@ impl Intend {
         self.ahead.remove(row);
     }
 
-    /// Forgets all rows from this one on.
-    pub fn truncate(&mut self, rows: usize) {
-        self.ahead.truncate(rows);
-    }
-
     /// Returns what the behaviours read in the last sub-step.
     pub fn steering<'a>(&'a self, state: &'a State, seen: Perceived<'a>) -> Behaving<'a> {
         self.steer.view(state, seen)

@@ -160,17 +160,17 @@ impl LookAheadInput<'_> {
 /// The results of the agents' looks ahead.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LooksAhead {
-    /// By row; empty if no agent looks ahead.
+    /// By row, of own agents; empty if no agent looks ahead.
     all: Vec<LookAhead>,
     scratch: Vec<LookAheadScratch>,
 }
 
 impl LooksAhead {
-    /// Lets all agents look ahead, once a step.
+    /// Lets all agents of this world look ahead, once a step.
     pub fn run(&mut self, around: Surroundings<'_>) {
         let state = around.state;
         let looks = state.groups_in_use().any(|group| group.look_ahead || group.keep_right != 0.0);
-        self.all.resize(if looks { state.agents.len() } else { 0 }, LookAhead::FREE);
+        self.all.resize(if looks { state.own().len() } else { 0 }, LookAhead::FREE);
         let (discs, in_space) = (state.agents.all_discs(), state.agents.any_flies());
         let radius = state.agents.radius.uniform().filter(|_| discs);
         let common = LookAheadShared { discs, radius, in_space, directions: directions(0.0) };
@@ -191,11 +191,6 @@ impl LooksAhead {
         if !self.all.is_empty() {
             cycles.turn(&mut self.all);
         }
-    }
-
-    /// Forgets all rows from this one on.
-    pub fn truncate(&mut self, rows: usize) {
-        self.all.truncate(rows);
     }
 
     /// Records that the agent of a row is removed. The agent of the last row takes its row.

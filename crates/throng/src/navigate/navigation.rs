@@ -34,12 +34,12 @@ impl Navigate {
         sleep: &SleepBlocks,
         halo: &mut dyn Halo,
         of: SubStep,
-    ) -> &[NeighbourData] {
+    ) -> &mut [NeighbourData] {
         self.plan(state, seen.near, sleep, halo, of);
         if of.first {
             self.choose(state, seen.near, of.seconds);
         }
-        &self.shown
+        &mut self.shown
     }
 
     /// Returns what its neighbours know of each agent, by row, as of the last sub-step.

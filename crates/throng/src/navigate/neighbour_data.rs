@@ -88,6 +88,16 @@ impl NavFlags {
         self.key & PLAIN != 0
     }
 
+    /// Returns the data as words.
+    pub fn words(&self) -> [u32; 4] {
+        [self.direction.x.to_bits(), self.direction.y.to_bits(), self.remaining.to_bits(), self.key]
+    }
+
+    /// Returns the data of words.
+    pub fn of_words([x, y, remaining, key]: [u32; 4]) -> Self {
+        Self { direction: Vec2::new(f32::from_bits(x), f32::from_bits(y)), remaining: f32::from_bits(remaining), key }
+    }
+
     /// Returns the goal and the flags.
     pub fn key(&self) -> u32 {
         self.key

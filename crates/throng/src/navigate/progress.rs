@@ -110,6 +110,11 @@ impl Default for RouteProgress {
 }
 
 impl RouteProgress {
+    /// Returns what other agents read of the progress of an agent.
+    pub(crate) fn seen(leg: u32, turn: Turn) -> Self {
+        Self { leg, turn, ..Self::default() }
+    }
+
     /// Starts a leg of the journey.
     pub(crate) fn begin(&mut self, leg: u32) {
         *self = Self { leg, ..Self::default() };

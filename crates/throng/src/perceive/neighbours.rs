@@ -26,6 +26,14 @@ impl Neighbours {
         self.places.extend_from_slice(places);
     }
 
+    /// Empties the lists of some rows.
+    pub(super) fn forget(&mut self, rows: std::ops::Range<usize>) {
+        for &place in &self.places[rows] {
+            self.lists[place as usize * (self.most + 1)] = 0;
+            self.close[place as usize] = 0;
+        }
+    }
+
     /// Empties the lists of all rows.
     pub(super) fn clear(&mut self, rows: usize) {
         self.most = 0;

@@ -21,10 +21,14 @@ impl Perceive {
         self.put_in_order(state, sleep, false);
     }
 
-    /// As [`sort_rows`](Self::sort_rows), from time to time, for a world of a division that has no ghosts yet.
+    /// As [`sort_rows`](Self::sort_rows), from time to time, if it pays, for a world of a division that has no ghosts yet.
     pub fn sort_rows_of_part(&mut self, state: &mut State, sleep: &mut SleepBlocks) {
         if state.others.are_there && state.agents.len() >= LARGE && state.steps.is_multiple_of(EVERY) {
-            self.sort_rows(state, sleep);
+            state.note_groups();
+            self.rebuild_grid(state);
+            if is_scattered(self.grid.order()) {
+                self.put_in_order(state, sleep, false);
+            }
         }
     }
 

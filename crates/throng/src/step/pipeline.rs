@@ -80,6 +80,8 @@ impl Pipeline {
         ended(Stage::Perceive);
 
         let shown = navigate.run(state, seen, sleep, halo, of);
+        border.exchange_ways(state, shown, halo);
+        let shown = &*shown;
         let intended = intend.run(state, (seen, shown), sleep, of);
         border.exchange_velocities(state, intended.preferred, halo);
         ended(Stage::Intend);
@@ -88,6 +90,7 @@ impl Pipeline {
         border.exchange_velocities(state, chosen, halo);
         ended(Stage::Avoid);
 
+        sleep.include_ghosts();
         let link = &mut Link { border, halo };
         let safe = guard.run(state, seen, (intended.facing(), chosen), sleep, of, link);
         ended(Stage::Guard);
@@ -101,7 +104,6 @@ impl Pipeline {
         measure.run(state, seen, safe, close_pairs, sleep);
         let gone = navigate.arrive(state, seen, sleep, of);
         border.drop_ghosts(state);
-        intend.truncate(state.agents.len());
         for &row in gone {
             state.end_trip(row);
             intend.remove(row);

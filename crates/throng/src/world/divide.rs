@@ -18,6 +18,25 @@ impl World {
         fnv_1a(self.save().into_iter())
     }
 
+    /// Returns a hash of everything that the world has been built with, but its agents.
+    pub(crate) fn built_around_agents(&mut self) -> u64 {
+        let agents = (std::mem::take(&mut self.state.agents), std::mem::take(&mut self.state.slots));
+        let hash = self.built();
+        (self.state.agents, self.state.slots) = agents;
+        hash
+    }
+
+    /// Returns the number of the next agent without a number of its own.
+    pub(crate) fn next_number(&self) -> u64 {
+        self.state.slots.next_number.into()
+    }
+
+    /// Makes the world one of a division, with all its agents. The next agent has this number.
+    pub(crate) fn be_part(&mut self, next_number: u64) {
+        self.state.others.are_there = true;
+        self.state.slots.next_number = next_number as u32;
+    }
+
     /// Makes the world one of a division: keeps the agents on its own ground. Statistics of the run so far stay in the
     /// `first` world.
     pub(crate) fn keep_own(&mut self, owns: impl Fn(Vec2) -> bool, first: bool) {

@@ -1,6 +1,7 @@
 //! What a division must carry, one feature at a time.
 
 use crate::common::{journey_to, rectangle, with_settings};
+use crate::cuts::across;
 use crate::draw::Draw;
 use crate::threads::Cuts;
 use crate::{Part, Work, compare};
@@ -16,16 +17,6 @@ fn plain(step: f64) -> (World, GroupId) {
     let group = Group { neighbour_distance: 3.0, ..Group::default() };
     let group = world.add_group(group).unwrap();
     (world, group)
-}
-
-/// Cuts across the x axis at these places.
-fn across(places: &[f32]) -> Cuts {
-    match places {
-        [] => Cuts::World(0),
-        [below @ .., last] => {
-            Cuts::Cut { axis: 0, at: *last, below: Box::new(across(below)), above: Box::new(Cuts::World(places.len())) }
-        }
-    }
 }
 
 fn assert_same(world: World, places: &[f32], steps: u64) -> Work {

@@ -2,11 +2,13 @@
 
 mod common;
 mod crowds;
+mod cuts;
 #[path = "../shared/draw.rs"]
 mod draw;
 mod features;
 #[path = "../shared/irregular.rs"]
 mod irregular;
+mod parts;
 mod refusals;
 mod threads;
 

@@ -1,6 +1,5 @@
 //! A halo of threads and channels.
 
-use crate::draw::Draw;
 use glam::Vec2;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use throng::halo::{Agreement, Halo};
@@ -13,25 +12,6 @@ pub enum Cuts {
 }
 
 impl Cuts {
-    /// Cuts a box at random into this number of worlds.
-    pub fn random(draw: &mut Draw, worlds: usize, low: Vec2, high: Vec2) -> Self {
-        Self::cut(draw, 0, worlds, low, high)
-    }
-
-    fn cut(draw: &mut Draw, first: usize, worlds: usize, low: Vec2, high: Vec2) -> Self {
-        if worlds == 1 {
-            return Self::World(first);
-        }
-        let axis = draw.index(2);
-        let at = draw.between(low[axis].into(), high[axis].into()) as f32;
-        let lower = 1 + draw.index(worlds - 1);
-        let (mut middle_high, mut middle_low) = (high, low);
-        (middle_high[axis], middle_low[axis]) = (at, at);
-        let below = Self::cut(draw, first, lower, low, middle_high);
-        let above = Self::cut(draw, first + lower, worlds - lower, middle_low, high);
-        Self::Cut { axis, at, below: Box::new(below), above: Box::new(above) }
-    }
-
     pub fn worlds(&self) -> usize {
         match self {
             Self::World(_) => 1,
