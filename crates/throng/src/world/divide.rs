@@ -1,5 +1,6 @@
 //! A world as one of a division.
 
+use super::snapshot::SavedWorld;
 use super::{State, World, fnv_1a};
 use crate::halo::Halo;
 use crate::summary::Tally;
@@ -16,6 +17,34 @@ impl World {
     /// Returns a hash of everything that the world has been built with.
     pub(crate) fn built(&self) -> u64 {
         fnv_1a(self.save().into_iter())
+    }
+
+    /// Returns a hash of everything that the world has been built with, apart from the agents that are present.
+    pub(crate) fn built_for_agents(&self) -> u64 {
+        fnv_1a(self.saved_for_agents().bytes().into_iter())
+    }
+
+    /// Adds the agents of a saved world of the same division.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if the bytes are not a saved state or are damaged, or if the state is of another step.
+    pub(crate) fn load_agents(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let part = SavedWorld::read(bytes)?;
+        let state = &mut self.state;
+        if (part.steps, &part.settings) != (state.steps, &state.settings) {
+            let why = format!("it was saved after {} steps, the other parts after {}", part.steps, state.steps);
+            return Err(Error::Snapshot { why });
+        }
+        state.reserve(part.agents.len());
+        for row in 0..part.agents.len() {
+            state.put_copy(part.agents.copy(row));
+        }
+        state.slots.next_number = state.slots.next_number.max(part.slots.next_number);
+        state.tally.merge(&part.tally);
+        state.stranded.extend(part.stranded);
+        state.stranded.sort_by_key(|&(number, _)| number);
+        state.prepare_all_meshes();
+        Ok(())
     }
 
     /// Makes the world one of a division: keeps the agents on its own ground. Statistics of the run so far stay in the

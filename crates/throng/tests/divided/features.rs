@@ -2,12 +2,13 @@
 
 use crate::common::{journey_to, rectangle, with_settings};
 use crate::draw::Draw;
-use crate::threads::Cuts;
+use crate::threads::random_cuts;
 use crate::{Part, Work, compare};
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::agent::Guidance;
 use throng::field::{Adaptive, Field, Governed, Interaction};
+use throng::halo::Cuts;
 use throng::{Agent, Error, Goal, Group, GroupId, Obstacle, SubSteps, Walkable, World};
 
 /// A world with a group that can be divided.
@@ -20,12 +21,8 @@ fn plain(step: f64) -> (World, GroupId) {
 
 /// Cuts across the x axis at these places.
 fn across(places: &[f32]) -> Cuts {
-    match places {
-        [] => Cuts::World(0),
-        [below @ .., last] => {
-            Cuts::Cut { axis: 0, at: *last, below: Box::new(across(below)), above: Box::new(Cuts::World(places.len())) }
-        }
-    }
+    let Some((last, below)) = places.split_last() else { return Cuts::default() };
+    Cuts::cut(0, *last, across(below), Cuts::default())
 }
 
 fn assert_same(world: World, places: &[f32], steps: u64) -> Work {
@@ -185,7 +182,7 @@ fn a_large_crowd_sorts_its_rows() {
     }
     let cuts = |step: u64| {
         let mut draw = Draw::new(step / 10);
-        Cuts::random(&mut draw, 3, Vec2::splat(-5.0), Vec2::splat(5.0))
+        random_cuts(&mut draw, 3, Vec2::splat(-5.0), Vec2::splat(5.0))
     };
     let work = compare(world, cuts, 34, |_, _| ()).unwrap();
     assert!(work.migrants > 100, "{work:?}");

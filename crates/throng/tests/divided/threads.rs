@@ -3,62 +3,20 @@
 use crate::draw::Draw;
 use glam::Vec2;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use throng::halo::{Agreement, Halo};
+use throng::halo::{Agreement, Cuts, Halo};
 
-/// A division of the ground by straight cuts along the axes, as recursive bisection makes them.
-#[derive(Clone, Debug)]
-pub enum Cuts {
-    World(usize),
-    Cut { axis: usize, at: f32, below: Box<Cuts>, above: Box<Cuts> },
-}
-
-impl Cuts {
-    /// Cuts a box at random into this number of worlds.
-    pub fn random(draw: &mut Draw, worlds: usize, low: Vec2, high: Vec2) -> Self {
-        Self::cut(draw, 0, worlds, low, high)
+/// Cuts a box at random into this number of worlds.
+pub fn random_cuts(draw: &mut Draw, worlds: usize, low: Vec2, high: Vec2) -> Cuts {
+    if worlds == 1 {
+        return Cuts::default();
     }
-
-    fn cut(draw: &mut Draw, first: usize, worlds: usize, low: Vec2, high: Vec2) -> Self {
-        if worlds == 1 {
-            return Self::World(first);
-        }
-        let axis = draw.index(2);
-        let at = draw.between(low[axis].into(), high[axis].into()) as f32;
-        let lower = 1 + draw.index(worlds - 1);
-        let (mut middle_high, mut middle_low) = (high, low);
-        (middle_high[axis], middle_low[axis]) = (at, at);
-        let below = Self::cut(draw, first, lower, low, middle_high);
-        let above = Self::cut(draw, first + lower, worlds - lower, middle_low, high);
-        Self::Cut { axis, at, below: Box::new(below), above: Box::new(above) }
-    }
-
-    pub fn worlds(&self) -> usize {
-        match self {
-            Self::World(_) => 1,
-            Self::Cut { below, above, .. } => below.worlds() + above.worlds(),
-        }
-    }
-
-    fn owner(&self, place: Vec2) -> usize {
-        match self {
-            Self::World(index) => *index,
-            Self::Cut { axis, at, below, above } => if place[*axis] < *at { below } else { above }.owner(place),
-        }
-    }
-
-    fn near(&self, place: Vec2, distance: f32, found: &mut dyn FnMut(usize)) {
-        match self {
-            Self::World(index) => found(*index),
-            Self::Cut { axis, at, below, above } => {
-                if place[*axis] - distance < *at {
-                    below.near(place, distance, found);
-                }
-                if place[*axis] + distance >= *at {
-                    above.near(place, distance, found);
-                }
-            }
-        }
-    }
+    let axis = draw.index(2);
+    let at = draw.between(low[axis].into(), high[axis].into()) as f32;
+    let lower = 1 + draw.index(worlds - 1);
+    let (mut middle_high, mut middle_low) = (high, low);
+    (middle_high[axis], middle_low[axis]) = (at, at);
+    let below = random_cuts(draw, lower, low, middle_high);
+    Cuts::cut(axis, at, below, random_cuts(draw, worlds - lower, middle_low, high))
 }
 
 /// What travels between two worlds.
