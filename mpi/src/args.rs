@@ -66,7 +66,7 @@ pub struct RunArgs {
 
     /// Minutes between two checkpoints; 0: none
     ///
-    /// Each takes the time to write the state. A run that is asked to end (Ctrl-C, SIGTERM, SIGUSR1) writes a last one.
+    /// Each takes the time to write the state. A run that is asked to end (Ctrl-C, SIGTERM, SIGUSR1) always writes one.
     #[arg(long, value_name = "MINUTES", default_value_t = 10.0, value_parser = parse_not_negative)]
     pub checkpoint: f64,
 

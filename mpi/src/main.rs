@@ -1,16 +1,18 @@
 //! Runs one crowd on many machines over MPI, with the bits of one machine.
 //!
 //! The engine divides the crowd and computes ([`throng::halo`]). This program is the transport: [`ranks`] carries packets,
-//! [`run`] steps and balances, [`parts`] and [`checkpoint`] write files, [`people`] reads a crowd that no single machine
+//! [`run`] sets up and steps, [`clocks`] measure and balance, [`parts`] and [`checkpoint`] write files, [`people`] reads a crowd that no single machine
 //! has to hold, and [`city`] makes one.
 
 mod args;
 mod checkpoint;
 mod city;
+mod clocks;
 mod failure;
 mod parts;
 mod people;
 mod ranks;
+mod report;
 mod run;
 mod signals;
 

@@ -90,7 +90,8 @@ fn counterflow_in_a_corridor_has_the_bits_of_one_world() {
 
 /// Writes a city, and returns its options.
 fn city(folder: &Path, people: u32) -> Vec<String> {
-    let made = Command::new(PROGRAM).args(["city", "--people", &people.to_string(), "-o"]).arg(folder).output().unwrap();
+    let made =
+        Command::new(PROGRAM).args(["city", "--people", &people.to_string(), "-o"]).arg(folder).output().unwrap();
     assert!(made.status.success(), "{}", text(&made.stderr));
     let path = |name: &str| folder.join(name).display().to_string();
     vec![path("city.toml"), "--people".into(), path("people.parquet")]
@@ -153,7 +154,8 @@ fn a_run_survives_a_killed_rank() {
     let mut job = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let manifest = folder.path().join("checkpoint.json");
     let steps = || {
-        let manifest: serde_json::Value = serde_json::from_slice(&fs::read(&manifest).unwrap_or_default()).unwrap_or_default();
+        let manifest: serde_json::Value =
+            serde_json::from_slice(&fs::read(&manifest).unwrap_or_default()).unwrap_or_default();
         manifest["steps"].as_u64().unwrap_or(0)
     };
     wait("checkpoint", &mut job, || steps() >= 20);
@@ -235,7 +237,8 @@ fn ranks_with_other_scenes_are_refused() {
         ["-n", "1", PROGRAM, "run", "corridor", "--set", &set, "-o", &folder].map(str::to_owned)
     };
     let mut command = mpirun(1);
-    let environment: Vec<_> = command.get_envs().filter_map(|(name, value)| Some((name.to_owned(), value?.to_owned()))).collect();
+    let environment: Vec<_> =
+        command.get_envs().filter_map(|(name, value)| Some((name.to_owned(), value?.to_owned()))).collect();
     command = Command::new("mpirun");
     let output = command.envs(environment).args(part("1.2")).arg(":").args(part("1.3")).output().unwrap();
     assert_refused(&output, &["rank 1 has another scene"]);
@@ -265,14 +268,18 @@ fn a_checkpoint_that_does_not_fit_is_refused() {
     fs::write(&state, &bytes[..bytes.len() / 2]).unwrap();
     assert_refused(&run(2, path, &["corridor", "--resume"]), &["saved"]);
     fs::remove_file(&state).unwrap();
-    assert_refused(&run(2, path, &["corridor", "--resume"]), &["cannot read the state of rank 1", "copy them to one folder"]);
+    assert_refused(
+        &run(2, path, &["corridor", "--resume"]),
+        &["cannot read the state of rank 1", "copy them to one folder"],
+    );
 }
 
 /// A rank that cannot write ends the run on all ranks.
 #[test]
 fn a_full_disk_on_one_rank_ends_the_run() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = format!("run crossing --every 0.04 --format rec --time 20 --threads 1 -o {}", folder.path().display());
+    let arguments =
+        format!("run crossing --every 0.04 --format rec --time 20 --threads 1 -o {}", folder.path().display());
     // the second rank may write 8 blocks, and gets an error for the next
     let limited = format!("trap '' XFSZ; ulimit -f 8; exec {PROGRAM} {arguments}");
     let mut command = mpirun(1);

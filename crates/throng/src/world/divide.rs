@@ -21,7 +21,10 @@ impl World {
 
     /// Returns a hash of everything that the world has been built with, apart from the agents that are present.
     pub(crate) fn built_for_agents(&self) -> u64 {
-        fnv_1a(self.saved_for_agents().bytes().into_iter())
+        let state = self.saved_for_agents();
+        // where a walkable area bounds the ground, any box will do
+        let extent = state.extent.filter(|_| self.state.is_open_with_walls());
+        fnv_1a(SavedWorld { extent, ..state }.bytes().into_iter())
     }
 
     /// Adds the agents of a saved world of the same division.
