@@ -22,6 +22,7 @@ mod map;
 pub mod moment;
 mod moments;
 mod output;
+mod parts;
 pub mod pedestrian;
 pub mod people;
 mod resample;

@@ -4,6 +4,7 @@ use crate::Setting;
 use crate::consistency;
 use crate::formats::{FORMATS, Format, FormatFlaw, Reading};
 use crate::limits;
+use crate::parts;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -74,7 +75,8 @@ pub enum TrajectoriesError {
 }
 
 impl Trajectories {
-    /// Reads a trajectory file. The ending of its name determines its format ([`FORMATS`](crate::formats::FORMATS)).
+    /// Reads a trajectory file. The ending of its name determines its format ([`FORMATS`](crate::formats::FORMATS)). Of a
+    /// folder, reads the files called `part-*` as the parts of one recording.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -99,6 +101,9 @@ impl Trajectories {
     /// As [`read`](Self::read).
     pub fn read_as(path: impl AsRef<Path>, reading: &Reading) -> Result<Self, TrajectoriesError> {
         let path = path.as_ref();
+        if path.is_dir() {
+            return parts::read(path, reading);
+        }
         let bytes = std::fs::read(path).map_err(|source| TrajectoriesError::File { path: path.into(), source })?;
         Self::of_file(path, &bytes, reading)
     }

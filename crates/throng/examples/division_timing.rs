@@ -15,8 +15,8 @@ mod threads;
 use draw::Draw;
 use glam::{DVec2, Vec2};
 use std::thread;
-use threads::{Cuts, Threads, halos};
-use throng::halo::DividedWorld;
+use threads::{Threads, halos};
+use throng::halo::{Cuts, DividedWorld, Load};
 use throng::{Agent, Goal, Group, Journey, Settings, Stop, SubSteps, World};
 
 /// Steps before the counted ones.
@@ -48,22 +48,6 @@ fn crowd(count: usize, density: f64) -> Result<(World, f64), Box<dyn std::error:
         world.add_agent(Agent { journey: draw.one_of(&journeys), group, ..Agent::at(at) })?;
     }
     Ok((world, side))
-}
-
-/// Halves a box again and again, along its longer side.
-fn bisect(first: usize, worlds: usize, low: Vec2, high: Vec2) -> Cuts {
-    if worlds == 1 {
-        return Cuts::World(first);
-    }
-    let size = high - low;
-    let axis = usize::from(size.y > size.x);
-    let lower = worlds / 2;
-    let at = low[axis] + size[axis] * lower as f32 / worlds as f32;
-    let (mut middle_high, mut middle_low) = (high, low);
-    (middle_high[axis], middle_low[axis]) = (at, at);
-    let below = bisect(first, lower, low, middle_high);
-    let above = bisect(first + lower, worlds - lower, middle_low, high);
-    Cuts::Cut { axis, at, below: Box::new(below), above: Box::new(above) }
 }
 
 /// Valgrind counts the instructions of this function, by name.
@@ -98,7 +82,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if worlds == 0 {
         all.push((time(steps, || whole.step()), 0));
     } else {
-        let cuts = bisect(0, worlds, Vec2::ZERO, Vec2::splat(side as f32));
+        let mut load = Load::within(Vec2::ZERO, Vec2::splat(side as f32));
+        whole.relative_columns().position.iter().for_each(|&place| load.add(place, 1));
+        let cuts = Cuts::balanced(worlds, &load);
         let run = |halo: Threads, world: World| {
             let mut part = DividedWorld::new(world, halo).expect("a crowd that can be divided");
             let (mut before, mut step) = (0, 0);

@@ -79,7 +79,8 @@ pub struct Summary {
     pub agent_steps: u64,
 }
 
-/// The counters of a running world.
+/// The counters of a running world. Those of the worlds of a division [merge](Self::merge) into those of the undivided
+/// world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Tally {
     pub sub_steps: u64,
@@ -95,15 +96,130 @@ pub(crate) struct Tally {
     pub without_progress_30s: u64,
     pub least_separation: f64,
     pub least_wall_separation: f64,
-    /// Trips of the agents that exits removed, with their numbers.
-    pub removed: Vec<(u32, Ended)>,
+    /// Number of agents that exits removed.
+    pub removed: u64,
+    /// The trips of these agents.
+    pub trips: Trips,
 }
 
-/// The statistics of a trip, and the agent's preferred speed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Ended {
-    pub trip: TripStatistics,
-    pub preferred_speed: f32,
+/// What a summary is computed from, apart from what all worlds of a division share. Those of the worlds
+/// [merge](Self::merge) into those of the undivided world.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Totals {
+    /// Agents present: all, at the end of their journeys, at rest, and those that cannot reach their goals.
+    pub present: usize,
+    pub arrived: usize,
+    pub resting: usize,
+    pub stranded: usize,
+    pub hindered: Hindered,
+    /// The trips of the agents present.
+    pub trips: Trips,
+    pub tally: Tally,
+}
+
+impl Totals {
+    /// Adds those of another world of the same division.
+    pub(crate) fn merge(&mut self, other: &Self) {
+        self.present += other.present;
+        self.arrived += other.arrived;
+        self.resting += other.resting;
+        self.stranded += other.stranded;
+        self.hindered.merge(other.hindered);
+        self.trips.merge(&other.trips);
+        self.tally.merge(&other.tally);
+    }
+
+    /// Returns the summary after `steps` of in all `time` seconds, with this number of agents scheduled to enter.
+    pub(crate) fn summary(&self, scheduled: usize, steps: u64, time: f64) -> Summary {
+        let (tally, mut trips) = (&self.tally, self.trips);
+        trips.merge(&tally.trips);
+        let removed = tally.removed as usize;
+        let share = |part: u64, all: u64| part as f64 / (all.max(1) as f64);
+        Summary {
+            agents: self.present + scheduled + removed,
+            arrived: self.arrived + removed,
+            removed,
+            resting: self.resting,
+            hindered: self.hindered,
+            stranded: self.stranded,
+            stuck: self.hindered.blocked + self.hindered.oscillating + self.stranded,
+            without_progress_30s: tally.without_progress_30s,
+            time,
+            time_ratio: trips.time_ratio.value(),
+            path_ratio: trips.path_ratio.value(),
+            least_separation: tally.least_separation,
+            least_wall_separation: tally.least_wall_separation,
+            overlaps: tally.overlaps,
+            standoffs: tally.standoffs,
+            guard_share: share(tally.guard_changed, tally.agent_steps),
+            pushed_share: share(tally.pushed, tally.agent_steps),
+            backwards_share: share(tally.backwards, tally.looks),
+            heading_change_deg_per_s: trips.heading_change.value(),
+            course_change_deg_per_s: trips.course_change.value(),
+            steps,
+            sub_steps: tally.sub_steps,
+            agent_steps: tally.agent_steps,
+        }
+    }
+}
+
+/// A mean as a sum of whole numbers, which does not depend on the order of the values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Mean {
+    /// The sum, in parts of 2^-40.
+    sum: i128,
+    count: u64,
+}
+
+impl Mean {
+    const PARTS: f64 = (1u64 << 40) as f64;
+
+    fn add(&mut self, value: f64) {
+        // the sum of 2^32 values, each of 64 bits, fits into 128 bits
+        self.sum += i128::from((value * Self::PARTS) as i64);
+        self.count += 1;
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.sum += other.sum;
+        self.count += other.count;
+    }
+
+    fn value(self) -> f64 {
+        self.sum as f64 / Self::PARTS / (self.count.max(1) as f64)
+    }
+}
+
+/// Means over trips, as [`Summary`] describes them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Trips {
+    time_ratio: Mean,
+    path_ratio: Mean,
+    heading_change: Mean,
+    course_change: Mean,
+}
+
+impl Trips {
+    /// Adds the trip of an agent with this preferred speed.
+    pub(crate) fn add(&mut self, trip: &TripStatistics, preferred_speed: f32) {
+        let free = trip.shortest / f64::from(preferred_speed);
+        // agents that started at their goals have no ratio
+        if let Some(arrived) = trip.arrived.filter(|_| trip.shortest > 1e-3 && free > 0.0) {
+            self.time_ratio.add((arrived - trip.entered) / free);
+            self.path_ratio.add(trip.walked / trip.shortest);
+        }
+        if trip.on_way > 0.0 {
+            self.heading_change.add((trip.turned / trip.on_way).to_degrees());
+            self.course_change.add((trip.course_turned / trip.on_way).to_degrees());
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.time_ratio.merge(other.time_ratio);
+        self.path_ratio.merge(other.path_ratio);
+        self.heading_change.merge(other.heading_change);
+        self.course_change.merge(other.course_change);
+    }
 }
 
 impl Default for Tally {
@@ -120,47 +236,26 @@ impl Default for Tally {
             without_progress_30s: 0,
             least_separation: f64::INFINITY,
             least_wall_separation: f64::INFINITY,
-            removed: Vec::new(),
+            removed: 0,
+            trips: Trips::default(),
         }
     }
 }
 
 impl Tally {
-    /// Completes a summary with the statistics of all trips. Sums run in the order of the agents' numbers, so rounding
-    /// does not depend on the order of rows.
-    pub(crate) fn summarise(&self, mut trips: Vec<(u32, Ended)>, mut summary: Summary) -> Summary {
-        trips.extend(&self.removed);
-        trips.sort_by_key(|&(number, _)| number);
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / (values.len().max(1) as f64);
-        let arrived = |&(_, ended): &(u32, Ended)| {
-            let Ended { trip, preferred_speed } = ended;
-            let free = trip.shortest / f64::from(preferred_speed);
-            // agents that started at their goals have no ratio
-            let time = trip.arrived? - trip.entered;
-            (trip.shortest > 1e-3 && free > 0.0).then(|| (time / free, trip.walked / trip.shortest))
-        };
-        let (times, paths): (Vec<f64>, Vec<f64>) = trips.iter().filter_map(arrived).unzip();
-        let a_second = |radians: fn(&TripStatistics) -> f64| {
-            let on_way = trips.iter().map(|(_, ended)| &ended.trip).filter(|trip| trip.on_way > 0.0);
-            let all: Vec<f64> = on_way.map(|trip| (radians(trip) / trip.on_way).to_degrees()).collect();
-            mean(&all)
-        };
-        summary.time_ratio = mean(&times);
-        summary.path_ratio = mean(&paths);
-        summary.heading_change_deg_per_s = a_second(|trip| trip.turned);
-        summary.course_change_deg_per_s = a_second(|trip| trip.course_turned);
-        summary.removed = self.removed.len();
-        summary.least_separation = self.least_separation;
-        summary.least_wall_separation = self.least_wall_separation;
-        summary.overlaps = self.overlaps;
-        summary.standoffs = self.standoffs;
-        summary.without_progress_30s = self.without_progress_30s;
-        let share = |part: u64, all: u64| part as f64 / (all.max(1) as f64);
-        summary.guard_share = share(self.guard_changed, self.agent_steps);
-        summary.pushed_share = share(self.pushed, self.agent_steps);
-        summary.backwards_share = share(self.backwards, self.looks);
-        summary.sub_steps = self.sub_steps;
-        summary.agent_steps = self.agent_steps;
-        summary
+    /// Adds the counters of another world of the same division.
+    pub(crate) fn merge(&mut self, other: &Self) {
+        self.agent_steps += other.agent_steps;
+        self.guard_changed += other.guard_changed;
+        self.pushed += other.pushed;
+        self.looks += other.looks;
+        self.backwards += other.backwards;
+        self.overlaps += other.overlaps;
+        self.standoffs += other.standoffs;
+        self.without_progress_30s += other.without_progress_30s;
+        self.least_separation = self.least_separation.min(other.least_separation);
+        self.least_wall_separation = self.least_wall_separation.min(other.least_wall_separation);
+        self.removed += other.removed;
+        self.trips.merge(&other.trips);
     }
 }

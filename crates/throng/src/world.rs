@@ -247,32 +247,44 @@ impl World {
         pairs
     }
 
-    /// Returns a hash of the state of all agents and of the figures of the rules: FNV-1a, 64 bits. Equal bits give
-    /// equal hashes, in any order of rows.
+    /// Returns a hash of the state of all agents and of the figures of the rules, 64 bits. Equal bits give equal hashes,
+    /// in any order of rows.
     pub fn state_hash(&self) -> u64 {
-        let agents = &self.state.agents;
-        let mut rows: Vec<usize> = (0..agents.len()).collect();
-        rows.sort_by_key(|&row| agents.number[row]);
-        let words = rows.into_iter().flat_map(|row| {
-            let (p, v) = (agents.position[row], agents.velocity[row]);
-            let travel = &agents.travel[row];
-            let words = [
-                agents.number[row],
-                p.x.to_bits(),
-                p.y.to_bits(),
-                v.x.to_bits(),
-                v.y.to_bits(),
-                agents.heading[row].to_bits(),
-                agents.status[row] as u32,
-                travel.leg,
-                travel.turn.rank() as u32,
-            ];
-            // walking agents have none
-            let air = [agents.altitude[row], agents.vertical_velocity[row]].into_iter().filter(|&z| z != 0.0);
-            words.into_iter().chain(air.map(f32::to_bits))
-        });
+        self.hash_with(self.state.hash_of_agents())
+    }
+
+    /// Returns the hash of a state whose agents have this hash.
+    pub(crate) fn hash_with(&self, agents: u64) -> u64 {
         let figures = self.state.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
-        fnv_1a(words.flat_map(u32::to_le_bytes).chain(figures))
+        fnv_1a(agents.to_le_bytes().into_iter().chain(figures))
+    }
+}
+
+impl State {
+    /// Returns the sum of the hashes of all agents, modulo 2^64. The sums of the worlds of a division add up to that of the
+    /// undivided world.
+    pub(crate) fn hash_of_agents(&self) -> u64 {
+        (0..self.agents.len()).map(|row| self.hash_of(row)).fold(0, u64::wrapping_add)
+    }
+
+    fn hash_of(&self, row: usize) -> u64 {
+        let agents = &self.agents;
+        let (p, v) = (agents.position[row], agents.velocity[row]);
+        let travel = &agents.travel[row];
+        let words = [
+            agents.number[row],
+            p.x.to_bits(),
+            p.y.to_bits(),
+            v.x.to_bits(),
+            v.y.to_bits(),
+            agents.heading[row].to_bits(),
+            agents.status[row] as u32,
+            travel.leg,
+            travel.turn.rank() as u32,
+        ];
+        // walking agents have none
+        let air = [agents.altitude[row], agents.vertical_velocity[row]].into_iter().filter(|&z| z != 0.0);
+        fnv_1a(words.into_iter().chain(air.map(f32::to_bits)).flat_map(u32::to_le_bytes))
     }
 }
 

@@ -18,7 +18,9 @@ Examples:
   throng convert run.csv -o part.csv --from 5 --to 20 --rate 10 --columns number,time,x,y
   throng convert run.parquet --agents 1,5,10-20 --groups left -o some.csv
   throng convert run.csv --map office -o run.usda
-      with the walls of the scene, which a .csv does not hold";
+      with the walls of the scene, which a .csv does not hold
+  throng convert run/ -o run.sqlite
+      joins the parts that throng-mpi has written to a folder";
 
 /// The outputs and examples for `throng render --help`.
 pub const RENDER: &str = "\

@@ -17,6 +17,7 @@ const SKIPPED: &[(&str, usize, &str)] = &[
     ("compare.md", 2, "minutes, the Python package"),
     ("flocks.md", 1, "cargo, minutes"),
     ("gallery.md", 1, "minutes"),
+    ("machines.md", 4, "cargo, MPI"),
     ("papers.md", 1, "minutes"),
     ("peers.md", 1, "the network, minutes"),
     ("performance.md", 1, "cargo, minutes"),

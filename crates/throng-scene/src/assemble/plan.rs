@@ -109,7 +109,31 @@ impl Scene {
     /// A number is out of its limits, a polygon crosses itself, agents overlap each other or a wall, agents do not fit,
     /// goals are in walls, or there are no or too many agents. The error has file, line, column and a hint.
     pub fn plan(&self) -> Result<Plan, Error> {
-        self.lay_out().map_err(|wrong| self.error_of(wrong))
+        self.lay_out(counts).map_err(|wrong| self.error_of(wrong))
+    }
+
+    /// Checks and lays out everything but the agents of the groups, and their goals.
+    pub(super) fn plan_without_agents(&self) -> Result<Plan, Error> {
+        let none = |scene: &Self, _: &[ChosenPlacement]| {
+            Ok(scene.groups.iter().map(|_| Count { agents: 0, enters: None }).collect())
+        };
+        self.lay_out(none).map_err(|wrong| self.error_of(wrong))
+    }
+
+    /// Returns the `k`-th agent that a group draws, with its body and its speeds, but without a place, a goal, a number
+    /// and its ids, for programs that place the agents themselves.
+    ///
+    /// ```
+    /// let scene = throng_scene::gallery::scene("circle")?;
+    /// assert_eq!(scene.agent_of(0, 5).preferred_speed, scene.plan()?.agents[5].agent.preferred_speed);
+    /// # Ok::<(), throng_scene::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If there is no such group.
+    pub fn agent_of(&self, group: usize, k: usize) -> throng::Agent {
+        let draw = AgentDraw::new(self, group);
+        draw.agent(k).with_body(draw.size(k).body)
     }
 
     /// Returns the walkable ground (none: everywhere) and the obstacles. The scene needs no agents: it may be a map.
@@ -144,7 +168,11 @@ impl Scene {
         }
     }
 
-    fn lay_out(&self) -> Result<Plan, GroundError> {
+    /// Lays out the scene with as many agents as `counts` returns.
+    fn lay_out(
+        &self,
+        counts: impl Fn(&Self, &[ChosenPlacement]) -> Result<Vec<Count>, Problem>,
+    ) -> Result<Plan, GroundError> {
         check_scene(self)?;
         let mut notes = vec![];
         let walkable = ground::areas(self, &mut notes)?;

@@ -60,7 +60,19 @@ impl Scene {
     /// # Errors
     /// Those of [`Scene::plan`], and errors of the world.
     pub fn build(&self) -> Result<(World, Built), Error> {
-        let plan = self.plan()?;
+        self.build_from(self.plan()?)
+    }
+
+    /// Builds the world of this scene without the agents of its groups, and without their goals. A program adds agents of its
+    /// own: [`agent_of`](Self::agent_of).
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_without_agents(&self) -> Result<(World, Built), Error> {
+        self.build_from(self.plan_without_agents()?)
+    }
+
+    fn build_from(&self, plan: Plan) -> Result<(World, Built), Error> {
         let mut world = World::new(plan.settings).map_err(|error| self.refused("time", None, &error))?;
         if !plan.walkable.is_empty() {
             world.set_walkable(plan.walkable.clone()).map_err(|error| self.refused("walkable", None, &error))?;

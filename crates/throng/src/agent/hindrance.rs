@@ -51,6 +51,14 @@ impl Hindered {
             counts
         })
     }
+
+    /// Adds other counts.
+    pub(crate) fn merge(&mut self, other: Self) {
+        self.queueing += other.queueing;
+        self.waiting_for_room += other.waiting_for_room;
+        self.blocked += other.blocked;
+        self.oscillating += other.oscillating;
+    }
 }
 
 /// When an agent last made progress, and what has hindered it since.

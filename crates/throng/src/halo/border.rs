@@ -95,12 +95,15 @@ impl Border {
                 state.remove_row(row);
             }
         }
+        let stayed = state.agents.len();
         for packet in halo.exchange(packets) {
             for Migrant { row, stranded } in read(&packet) {
                 state.stranded.extend(stranded.map(|why| (row.number, why)));
                 state.put_copy(row);
             }
         }
+        // agents from far come with paths on meshes that no agent here has needed
+        state.prepare_meshes_of(stayed..state.agents.len());
         state.stranded.sort_by_key(|&(number, _)| number);
     }
 

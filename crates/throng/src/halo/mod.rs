@@ -8,19 +8,22 @@
 //! velocities, the chosen velocities and, while clamping spreads in the guard, the targets. After the motion it drops the
 //! ghosts.
 //!
-//! A [`Halo`] says which world owns which ground, and carries packets. It knows nothing of agents. [`DividedWorld`] joins
+//! A [`Halo`] says which world owns which ground, for instance by [`Cuts`], and carries packets. It knows nothing of agents. [`DividedWorld`] joins
 //! a world and its halo, and refuses what cannot be divided. `docs/divided.md` has the exchanges, and the depths that make
 //! the bits equal.
 
 mod agreement;
 mod border;
+mod cuts;
 mod divided;
 mod packet;
 mod refuse;
 
 pub use agreement::Agreement;
 pub(crate) use border::{Border, Link, Others};
+pub use cuts::{Cuts, Load};
 pub use divided::DividedWorld;
+use packet::BROKEN;
 pub(crate) use packet::{read, write};
 
 use glam::Vec2;

@@ -5,7 +5,6 @@ use crate::agent::{GoalId, ProgressMark, Status};
 use crate::parallel::WORD;
 use crate::perceive::{Nearby, Perceived, SubStep};
 use crate::sleep::SleepBlocks;
-use crate::summary::Ended;
 use crate::world::{EventKind, State};
 use glam::DVec2;
 
@@ -195,8 +194,8 @@ impl Nearby<'_> {
 impl State {
     /// Records the trip of an agent that leaves.
     pub(crate) fn end_trip(&mut self, row: usize) {
-        let ended = Ended { trip: self.agents.trip(row), preferred_speed: self.agents.preferred_speed[row] };
-        self.tally.removed.push((self.agents.number[row], ended));
+        self.tally.removed += 1;
+        self.tally.trips.add(&self.agents.trip(row), self.agents.preferred_speed[row]);
     }
 
     pub(crate) fn stop(&self, row: usize, leg: u32) -> Option<crate::Stop> {

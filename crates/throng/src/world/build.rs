@@ -266,9 +266,7 @@ impl World {
 
     /// Reserves memory for this number of additional agents. It saves the memory that growth would waste.
     pub fn reserve(&mut self, agents: usize) {
-        self.state.agents.reserve(agents);
-        self.state.slots.rows.reserve(agents);
-        self.state.slots.generations.reserve(agents);
+        self.state.reserve(agents);
     }
 
     /// Adds an agent. It may overlap other agents: then the guard parts them smoothly, and
@@ -330,6 +328,12 @@ impl World {
 }
 
 impl State {
+    pub(crate) fn reserve(&mut self, agents: usize) {
+        self.agents.reserve(agents);
+        self.slots.rows.reserve(agents);
+        self.slots.generations.reserve(agents);
+    }
+
     pub(crate) fn remove_row(&mut self, row: usize) {
         let slot = self.agents.slot[row] as usize;
         self.unstrand(row);

@@ -1,5 +1,6 @@
 //! A world as one of a division.
 
+use super::snapshot::SavedWorld;
 use super::{State, World, fnv_1a};
 use crate::halo::Halo;
 use crate::summary::Tally;
@@ -18,23 +19,35 @@ impl World {
         fnv_1a(self.save().into_iter())
     }
 
-    /// Returns a hash of everything that the world has been built with, but its agents.
-    pub(crate) fn built_around_agents(&mut self) -> u64 {
-        let agents = (std::mem::take(&mut self.state.agents), std::mem::take(&mut self.state.slots));
-        let hash = self.built();
-        (self.state.agents, self.state.slots) = agents;
-        hash
+    /// Returns a hash of everything that the world has been built with, apart from the agents that are present.
+    pub(crate) fn built_for_agents(&self) -> u64 {
+        let state = self.saved_for_agents();
+        // where a walkable area bounds the ground, any box will do
+        let extent = state.extent.filter(|_| self.state.is_open_with_walls());
+        fnv_1a(SavedWorld { extent, ..state }.bytes().into_iter())
     }
 
-    /// Returns the number of the next agent without a number of its own.
-    pub(crate) fn next_number(&self) -> u64 {
-        self.state.slots.next_number.into()
-    }
-
-    /// Makes the world one of a division, with all its agents. The next agent has this number.
-    pub(crate) fn be_part(&mut self, next_number: u64) {
-        self.state.others.are_there = true;
-        self.state.slots.next_number = next_number as u32;
+    /// Adds the agents of a saved world of the same division.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if the bytes are not a saved state or are damaged, or if the state is of another step.
+    pub(crate) fn load_agents(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let part = SavedWorld::read(bytes)?;
+        let state = &mut self.state;
+        if (part.steps, &part.settings) != (state.steps, &state.settings) {
+            let why = format!("it was saved after {} steps, the other parts after {}", part.steps, state.steps);
+            return Err(Error::Snapshot { why });
+        }
+        state.reserve(part.agents.len());
+        for row in 0..part.agents.len() {
+            state.put_copy(part.agents.copy(row));
+        }
+        state.slots.next_number = state.slots.next_number.max(part.slots.next_number);
+        state.tally.merge(&part.tally);
+        state.stranded.extend(part.stranded);
+        state.stranded.sort_by_key(|&(number, _)| number);
+        state.prepare_all_meshes();
+        Ok(())
     }
 
     /// Makes the world one of a division: keeps the agents on its own ground. Statistics of the run so far stay in the

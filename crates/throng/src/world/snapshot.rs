@@ -15,30 +15,30 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// First bytes of every saved state: its kind and the version of its layout. The hash of the rest follows, 8 bytes.
-const MAGIC: &[u8] = b"throng state 17\n";
+const MAGIC: &[u8] = b"throng state 18\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]
-struct SavedWorld {
-    settings: Settings,
-    steps: u64,
-    agents: Columns,
-    slots: Slots,
-    groups: Vec<String>,
-    goals: Vec<Goal>,
-    journeys: Vec<Journey>,
-    choices: Vec<Vec<JourneyId>>,
-    scripts: Vec<Script>,
-    place: Place,
-    schedule: Schedule,
-    tally: Tally,
-    stranded: Vec<(u32, Unreachable)>,
-    standoffs: Vec<Standoff>,
-    stimuli: Vec<Stimulus>,
-    figures: Vec<(String, f64)>,
-    own_journeys: OwnJourneys,
-    field_memories: Vec<Vec<f32>>,
-    extent: Option<(DVec2, DVec2)>,
+pub(super) struct SavedWorld {
+    pub settings: Settings,
+    pub steps: u64,
+    pub agents: Columns,
+    pub slots: Slots,
+    pub groups: Vec<String>,
+    pub goals: Vec<Goal>,
+    pub journeys: Vec<Journey>,
+    pub choices: Vec<Vec<JourneyId>>,
+    pub scripts: Vec<Script>,
+    pub place: Place,
+    pub schedule: Schedule,
+    pub tally: Tally,
+    pub stranded: Vec<(u32, Unreachable)>,
+    pub standoffs: Vec<Standoff>,
+    pub stimuli: Vec<Stimulus>,
+    pub figures: Vec<(String, f64)>,
+    pub own_journeys: OwnJourneys,
+    pub field_memories: Vec<Vec<f32>>,
+    pub extent: Option<(DVec2, DVec2)>,
 }
 
 impl World {
@@ -46,10 +46,24 @@ impl World {
     /// saved by name only, since their models are code. Of [rules](crate::Rules) the figures are saved.
     pub fn save(&self) -> Vec<u8> {
         let state = SavedWorld {
-            settings: self.state.settings,
-            steps: self.state.steps,
             agents: self.state.agents.clone(),
             slots: self.state.slots.clone(),
+            tally: self.state.tally.clone(),
+            stranded: self.state.stranded.clone(),
+            ..self.saved_for_agents()
+        };
+        let body = state.bytes();
+        [MAGIC, &fnv_1a(body.iter().copied()).to_le_bytes(), &body].concat()
+    }
+
+    /// Returns the state without the agents that are present and what they have done. All worlds of a division have the
+    /// same.
+    pub(super) fn saved_for_agents(&self) -> SavedWorld {
+        SavedWorld {
+            settings: self.state.settings,
+            steps: self.state.steps,
+            agents: Columns::default(),
+            slots: Slots::default(),
             groups: self.state.local_groups.iter().map(|group| group.name.clone()).collect(),
             goals: self.state.goals.clone(),
             journeys: self.state.journeys.clone(),
@@ -57,18 +71,15 @@ impl World {
             scripts: self.state.scripts.clone(),
             place: self.state.place.clone(),
             schedule: self.state.schedule.clone(),
-            tally: self.state.tally.clone(),
-            stranded: self.state.stranded.clone(),
+            tally: Tally { sub_steps: self.state.tally.sub_steps, ..Tally::default() },
+            stranded: Vec::new(),
             standoffs: self.state.standoffs.clone(),
             stimuli: self.state.stimuli.clone(),
             figures: self.state.game.saved(),
             own_journeys: self.state.own_journeys.clone(),
             field_memories: self.state.field_memories(),
             extent: self.state.extent,
-        };
-        // writing to memory cannot fail, and all types are serialisable
-        let body = postcard::to_stdvec(&state).unwrap_or_default();
-        [MAGIC, &fnv_1a(body.iter().copied()).to_le_bytes(), &body].concat()
+        }
     }
 
     /// Replaces the state of the world by a [saved](Self::save) one. The world must have groups of the same names, and
@@ -79,13 +90,7 @@ impl World {
     /// [`Error::Snapshot`] if the bytes are not a saved state or are damaged, or if groups or rules differ. The world
     /// is unchanged.
     pub fn load(&mut self, bytes: &[u8]) -> Result<(), Error> {
-        let fail = |why: String| Error::Snapshot { why };
-        let sealed = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
-        let (hash, body) = sealed.split_first_chunk().ok_or_else(|| fail("it ends too early".into()))?;
-        if *hash != fnv_1a(body.iter().copied()).to_le_bytes() {
-            return Err(fail("its bytes are not as they were saved".into()));
-        }
-        let state: SavedWorld = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
+        let state = SavedWorld::read(bytes)?;
         let names: Vec<&String> = self.state.local_groups.iter().map(|group| &group.name).collect();
         if !names.iter().copied().eq(&state.groups) {
             return Err(fail(format!("its groups are {:?}, this world's {names:?}", state.groups)));
@@ -94,9 +99,6 @@ impl World {
             let names = |all: &[(String, f64)]| all.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
             let (saved, own) = (names(&state.figures), names(&self.state.game.saved()));
             return Err(fail(format!("its rules have the figures {saved:?}, this world's {own:?}")));
-        }
-        if !state.agents.is_whole() {
-            return Err(fail("its columns differ in length".into()));
         }
         let adapted = self.state.fields_that_remember(state.field_memories);
         self.state.adapted = adapted.ok_or_else(|| fail("its field memories do not fit this world's fields".into()))?;
@@ -126,4 +128,33 @@ impl World {
         self.state.prepare_all_meshes();
         Ok(())
     }
+}
+
+impl SavedWorld {
+    /// Returns the state as bytes, without what [`World::save`] puts before them.
+    pub fn bytes(&self) -> Vec<u8> {
+        // writing to memory cannot fail, and all types are serialisable
+        postcard::to_stdvec(self).unwrap_or_default()
+    }
+
+    /// Reads what [`World::save`] has returned.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if the bytes are not a saved state, or are damaged.
+    pub fn read(bytes: &[u8]) -> Result<Self, Error> {
+        let sealed = bytes.strip_prefix(MAGIC).ok_or_else(|| fail("it begins with something else".into()))?;
+        let (hash, body) = sealed.split_first_chunk().ok_or_else(|| fail("it ends too early".into()))?;
+        if *hash != fnv_1a(body.iter().copied()).to_le_bytes() {
+            return Err(fail("its bytes are not as they were saved".into()));
+        }
+        let state: Self = postcard::from_bytes(body).map_err(|error| fail(error.to_string()))?;
+        if !state.agents.is_whole() {
+            return Err(fail("its columns differ in length".into()));
+        }
+        Ok(state)
+    }
+}
+
+fn fail(why: String) -> Error {
+    Error::Snapshot { why }
 }

@@ -3,7 +3,7 @@
 use super::{State, World};
 use crate::agent::{Hindered, Hindrance, Status};
 use crate::intend::{Trace, TraceRequest};
-use crate::summary::{Counts, Ended, Summary};
+use crate::summary::{Counts, Summary, Totals, Trips};
 
 impl World {
     /// Returns what hinders the agent of a row of [`relative_columns`](Self::relative_columns), as of the last check, at most
@@ -44,10 +44,10 @@ impl World {
     /// Returns how many agents there are, how many have arrived and how many are hindered, without scripted agents. It
     /// is cheap enough for every frame of a recording.
     pub fn counts(&self) -> Counts {
-        let (present, removed) = (self.state.walkers().count(), self.state.tally.removed.len());
+        let (present, removed) = (self.state.walkers().count(), self.state.tally.removed as usize);
         Counts {
             agents: present + self.state.schedule.len() + removed,
-            arrived: self.state.arrived_now(),
+            arrived: self.state.in_place() + removed,
             removed,
             present,
             hindered: self.state.hindered(),
@@ -56,25 +56,12 @@ impl World {
 
     /// Returns the statistics of the run so far. Scripted agents do not count, but agents that they touch do.
     pub fn summary(&self) -> Summary {
-        let agents = &self.state.agents;
-        let trips = self.state.walkers().map(|row| {
-            (agents.number[row], Ended { trip: agents.trip(row), preferred_speed: agents.preferred_speed[row] })
-        });
-        let resting = self.state.walkers().filter(|&row| agents.speed(row) < 0.05).count();
-        let stranded = self.state.walkers().filter(|&row| agents.status[row] == Status::Stranded).count();
-        let hindered = self.state.hindered();
-        let summary = Summary {
-            agents: self.state.walkers().count() + self.state.schedule.len() + self.state.tally.removed.len(),
-            arrived: self.state.arrived_now(),
-            resting,
-            hindered,
-            stranded,
-            stuck: hindered.blocked + hindered.oscillating + stranded,
-            time: self.state.time(),
-            steps: self.state.steps,
-            ..Summary::default()
-        };
-        self.state.tally.summarise(trips.collect(), summary)
+        self.summary_of(&self.state.totals())
+    }
+
+    /// Returns the summary of all worlds of a division from their merged totals.
+    pub(crate) fn summary_of(&self, totals: &Totals) -> Summary {
+        totals.summary(self.state.schedule.len(), self.state.steps, self.state.time())
     }
 }
 
@@ -84,10 +71,25 @@ impl State {
         (0..self.agents.len()).filter(|&row| self.agents.script[row].is_none())
     }
 
-    /// Returns the number of agents in place at the end of their journeys, including agents removed by exits.
-    fn arrived_now(&self) -> usize {
-        let in_place = self.walkers().filter(|&row| self.agents.status[row] == Status::Arrived);
-        in_place.count() + self.tally.removed.len()
+    /// Returns the number of agents present that are in place at the end of their journeys.
+    fn in_place(&self) -> usize {
+        self.walkers().filter(|&row| self.agents.status[row] == Status::Arrived).count()
+    }
+
+    /// Returns what a summary is computed from.
+    pub(crate) fn totals(&self) -> Totals {
+        let agents = &self.agents;
+        let mut trips = Trips::default();
+        self.walkers().for_each(|row| trips.add(&agents.trip(row), agents.preferred_speed[row]));
+        Totals {
+            present: self.walkers().count(),
+            arrived: self.in_place(),
+            resting: self.walkers().filter(|&row| agents.speed(row) < 0.05).count(),
+            stranded: self.walkers().filter(|&row| agents.status[row] == Status::Stranded).count(),
+            hindered: self.hindered(),
+            trips,
+            tally: self.tally.clone(),
+        }
     }
 
     fn hindered(&self) -> Hindered {

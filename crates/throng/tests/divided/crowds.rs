@@ -2,15 +2,16 @@
 
 use crate::common::with_settings;
 use crate::compare;
+use crate::cuts::random_cuts;
 use crate::draw::Draw;
 use crate::irregular::irregular;
-use crate::threads::Cuts;
 use glam::{DVec2, Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 use throng::agent::Guidance;
 use throng::avoid::{Orca, Orca3d, PowerLaw, Vo};
 use throng::field::Governed;
+use throng::halo::Cuts;
 use throng::motion::Holonomic;
 use throng::space::surface::{SeenFrom, Sphere};
 use throng::steer::Barriers;
@@ -48,7 +49,7 @@ pub struct Kind {
     step: f64,
 }
 
-fn kind() -> impl Strategy<Value = Kind> {
+pub fn kind() -> impl Strategy<Value = Kind> {
     let density = prop_oneof![0.05f64..1.0, 1.0f64..5.0];
     let step = prop_oneof![Just(0.1), Just(0.25), 0.01f64..0.2];
     let sub_steps = prop_oneof![Just(SubSteps::Fixed(1)), Just(SubSteps::Fixed(3)), Just(SubSteps::Auto)];
@@ -206,9 +207,9 @@ impl Kind {
     }
 
     /// Cuts the crowd at random.
-    fn cuts(&self, seed: u64, worlds: usize) -> Cuts {
+    pub fn cuts(&self, seed: u64, worlds: usize) -> Cuts {
         let half = Vec2::splat(self.half() as f32);
-        Cuts::random(&mut Draw::new(seed), worlds, -half, half)
+        random_cuts(&mut Draw::new(seed), worlds, -half, half)
     }
 }
 

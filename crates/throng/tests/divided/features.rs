@@ -1,9 +1,8 @@
 //! What a division must carry, one feature at a time.
 
 use crate::common::{journey_to, rectangle, with_settings};
-use crate::cuts::across;
+use crate::cuts::{across, random_cuts};
 use crate::draw::Draw;
-use crate::threads::Cuts;
 use crate::{Part, Work, compare};
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
@@ -176,7 +175,7 @@ fn a_large_crowd_sorts_its_rows() {
     }
     let cuts = |step: u64| {
         let mut draw = Draw::new(step / 10);
-        Cuts::random(&mut draw, 3, Vec2::splat(-5.0), Vec2::splat(5.0))
+        random_cuts(&mut draw, 3, Vec2::splat(-5.0), Vec2::splat(5.0))
     };
     let work = compare(world, cuts, 34, |_, _| ()).unwrap();
     assert!(work.migrants > 100, "{work:?}");

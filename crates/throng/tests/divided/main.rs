@@ -14,9 +14,9 @@ mod threads;
 
 use std::sync::mpsc;
 use std::thread;
-use threads::Cuts;
-use throng::halo::DividedWorld;
-use throng::{Event, EventKind, World};
+use threads::Threads;
+use throng::halo::{Cuts, DividedWorld};
+use throng::{Counts, Error, Event, EventKind, Summary, World};
 
 /// What is compared of an agent: its number and all that is saved of it.
 type AgentBits = (u32, Vec<u8>);
@@ -96,6 +96,27 @@ impl Snapshot {
     }
 }
 
+/// What all worlds of a division agree on.
+#[derive(Clone, Debug, PartialEq)]
+struct Together {
+    hash: u64,
+    counts: Counts,
+    /// Without the least separation, which a division knows only of agents that could touch.
+    summary: Summary,
+}
+
+impl Together {
+    fn of(world: &World) -> Self {
+        let summary = Summary { least_separation: 0.0, ..world.summary() };
+        Self { hash: world.state_hash(), counts: world.counts(), summary }
+    }
+
+    fn of_division(part: &mut DividedWorld<Threads>) -> Self {
+        let summary = Summary { least_separation: 0.0, ..part.summary() };
+        Self { hash: part.state_hash(), counts: part.counts(), summary }
+    }
+}
+
 /// What a division did in a run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
@@ -113,14 +134,26 @@ pub fn compare(
     steps: u64,
     change: impl Fn(u64, Part<'_>) + Sync,
 ) -> Result<Work, String> {
+    let whole = world.clone();
+    compare_with(whole, cuts, steps, change, |_, halo| DividedWorld::new(world.clone(), halo))
+}
+
+/// As [`compare`], with worlds that `begin` returns from their index and their halo.
+pub fn compare_with(
+    world: World,
+    cuts: impl Fn(u64) -> Cuts + Sync,
+    steps: u64,
+    change: impl Fn(u64, Part<'_>) + Sync,
+    begin: impl Fn(usize, Threads) -> Result<DividedWorld<Threads>, Error> + Sync,
+) -> Result<Work, String> {
     let worlds = cuts(0).worlds();
     let (send, receive): (Vec<_>, Vec<_>) = (0..worlds).map(|_| mpsc::channel()).unzip();
     thread::scope(|scope| {
         let mut handles = Vec::new();
-        for (halo, send) in threads::halos(cuts(0)).into_iter().zip(send) {
-            let (world, cuts, change) = (world.clone(), &cuts, &change);
+        for (index, (halo, send)) in threads::halos(cuts(0)).into_iter().zip(send).enumerate() {
+            let (begin, cuts, change) = (&begin, &cuts, &change);
             handles.push(scope.spawn(move || {
-                let mut part = DividedWorld::new(world, halo).map_err(|error| error.to_string())?;
+                let mut part = begin(index, halo).map_err(|error| error.to_string())?;
                 let mut migrants = 0;
                 for step in 0..steps {
                     change(step, Part::Divided(&mut part));
@@ -132,7 +165,8 @@ pub fn compare(
                     let now = &part.world().relative_columns().number;
                     migrants +=
                         now.iter().filter(|number| !before.contains(number) && !entered.contains(number)).count();
-                    if send.send(Snapshot::of(part.world())).is_err() {
+                    let together = Together::of_division(&mut part);
+                    if send.send((Snapshot::of(part.world()), together)).is_err() {
                         break;
                     }
                 }
@@ -146,7 +180,13 @@ pub fn compare(
             whole.step();
             let parts: Result<Vec<_>, _> = receive.iter().map(|receive| receive.recv()).collect();
             let Ok(parts) = parts else { break };
-            if let Some(why) = Snapshot::of(&whole).sorted().difference(&Snapshot::join(parts)) {
+            let (parts, together): (Vec<Snapshot>, Vec<Together>) = parts.into_iter().unzip();
+            let of_whole = Together::of(&whole);
+            let why = Snapshot::of(&whole).sorted().difference(&Snapshot::join(parts)).or_else(|| {
+                let other = together.iter().find(|together| **together != of_whole)?;
+                Some(format!("{of_whole:?} and {other:?}"))
+            });
+            if let Some(why) = why {
                 differs = Some(format!("{worlds} worlds differ after step {step}: {why}"));
                 break;
             }
@@ -174,5 +214,5 @@ pub enum Part<'a> {
     /// The undivided world.
     Whole(&'a mut World),
     /// A world of the division.
-    Divided(&'a mut DividedWorld<threads::Threads>),
+    Divided(&'a mut DividedWorld<Threads>),
 }

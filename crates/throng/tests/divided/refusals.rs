@@ -132,12 +132,8 @@ fn what_concerns_the_whole_world_is_refused() {
 
 #[test]
 fn worlds_that_differ_are_refused() {
-    let halos = crate::threads::halos(crate::threads::Cuts::random(
-        &mut crate::draw::Draw::new(1),
-        3,
-        Vec2::NEG_ONE,
-        Vec2::ONE,
-    ));
+    let halos =
+        crate::threads::halos(crate::cuts::random_cuts(&mut crate::draw::Draw::new(1), 3, Vec2::NEG_ONE, Vec2::ONE));
     let refusals: Vec<String> = std::thread::scope(|scope| {
         let handles: Vec<_> = halos
             .into_iter()

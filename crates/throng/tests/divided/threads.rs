@@ -2,44 +2,7 @@
 
 use glam::Vec2;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use throng::halo::{Agreement, Halo};
-
-/// A division of the ground by straight cuts along the axes, as recursive bisection makes them.
-#[derive(Clone, Debug)]
-pub enum Cuts {
-    World(usize),
-    Cut { axis: usize, at: f32, below: Box<Cuts>, above: Box<Cuts> },
-}
-
-impl Cuts {
-    pub fn worlds(&self) -> usize {
-        match self {
-            Self::World(_) => 1,
-            Self::Cut { below, above, .. } => below.worlds() + above.worlds(),
-        }
-    }
-
-    fn owner(&self, place: Vec2) -> usize {
-        match self {
-            Self::World(index) => *index,
-            Self::Cut { axis, at, below, above } => if place[*axis] < *at { below } else { above }.owner(place),
-        }
-    }
-
-    fn near(&self, place: Vec2, distance: f32, found: &mut dyn FnMut(usize)) {
-        match self {
-            Self::World(index) => found(*index),
-            Self::Cut { axis, at, below, above } => {
-                if place[*axis] - distance < *at {
-                    below.near(place, distance, found);
-                }
-                if place[*axis] + distance >= *at {
-                    above.near(place, distance, found);
-                }
-            }
-        }
-    }
-}
+use throng::halo::{Agreement, Cuts, Halo};
 
 /// What travels between two worlds.
 enum Message {
