@@ -21,8 +21,8 @@ pub struct SetMesh {
 
 impl SetMesh {
     /// Reads all meshes of a file in memory, at rest: binary glTF 2.0 (`.glb`), or glTF with everything embedded (`.gltf`).
-    /// Its axis y points up. Colours are those of materials, of vertices, and of PNG textures where a vertex is on them.
-    /// Parts that one sees through (`BLEND` with an opacity below 0.5) are left out.
+    /// Its axis y points up. Colours are those of materials, of vertices, and of textures (PNG, JPEG, WebP) where a vertex is
+    /// on them. Parts that one sees through (`BLEND` with an opacity below 0.5) are left out.
     ///
     /// ```
     /// let error = throng_record::SetMesh::read(b"no set").unwrap_err();

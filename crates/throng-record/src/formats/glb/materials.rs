@@ -13,7 +13,7 @@ pub(super) const MOST_PIXELS: usize = 1 << 26;
 /// The materials of a file.
 #[derive(Default)]
 pub(super) struct Materials {
-    /// The textures that were read, by image; `None`: another format than PNG.
+    /// The textures that were read, by image; `None`: another format than PNG, JPEG and WebP.
     textures: BTreeMap<usize, Option<Texture>>,
 }
 
@@ -51,7 +51,7 @@ impl Materials {
         Ok((0..vertices as usize).map(colour).collect())
     }
 
-    /// Returns the texture of an image; `None`: another format than PNG.
+    /// Returns the texture of an image; `None`: another format than PNG, JPEG and WebP.
     fn texture(&mut self, data: &Data, image: usize) -> Result<Option<&Texture>, String> {
         if !self.textures.contains_key(&image) {
             let pixels: usize = self.textures.values().flatten().map(Texture::pixels).sum();
@@ -63,7 +63,8 @@ impl Materials {
     }
 }
 
-/// Returns the image of the texture of a material.
+/// Returns the image of the texture of a material: where there are two, the one that every program reads.
 fn image(data: &Data, said: &Value) -> Option<usize> {
-    number(&data.root.textures.get(number(&said["index"])?)?["source"])
+    let texture = data.root.textures.get(number(&said["index"])?)?;
+    number(&texture["source"]).or_else(|| number(&texture["extensions"]["EXT_texture_webp"]["source"]))
 }

@@ -314,7 +314,12 @@ fn colours_are_those_of_materials_vertices_and_textures() {
     assert_eq!(body.colours()[0], [255, 0, 0]);
     // half the light is 188 of 255 in sRGB
     assert_eq!(body.colours()[count - 1], [255, 188, 255]);
-    // a picture of another format leaves the colour of the material
+    // the texture of an extension is read; where there is another for all programs, that one is
+    json["textures"] = json!([{ "extensions": { "EXT_texture_webp": { "source": 0 } } }]);
+    assert_eq!(read(&packed(&json, &bin)).unwrap().colours()[0], [255, 0, 0]);
+    json["textures"] = json!([{ "source": 0, "extensions": { "EXT_texture_webp": { "source": 7 } } }]);
+    assert_eq!(read(&packed(&json, &bin)).unwrap().colours()[0], [255, 0, 0]);
+    // a picture that is not in the file leaves the colour of the material
     json["images"][0] = json!({ "uri": "skin.jpg" });
     assert_eq!(read(&packed(&json, &bin)).unwrap().colours()[0], [255, 188, 255]);
     json["images"] = json!([]);
