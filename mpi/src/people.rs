@@ -41,7 +41,7 @@ pub struct People<'a> {
 }
 
 impl<'a> People<'a> {
-    /// Adds the people of files to a world without agents: to that of each rank an equal share of those who are there from
+    /// Adds the people of files to a world without agents: to that of each rank an equal share of those that are there from
     /// the start, and to all ranks those that enter later.
     ///
     /// # Errors

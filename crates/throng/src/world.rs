@@ -253,7 +253,7 @@ impl World {
         self.hash_with(self.state.hash_of_agents())
     }
 
-    /// Returns the hash of a state whose agents have this hash.
+    /// Returns the hash of a state from the hash of its agents.
     pub(crate) fn hash_with(&self, agents: u64) -> u64 {
         let figures = self.state.game.figures.iter().flat_map(|figure| figure.to_le_bytes());
         fnv_1a(agents.to_le_bytes().into_iter().chain(figures))

@@ -61,7 +61,7 @@ impl<H: Halo> DividedWorld<H> {
 
     /// Continues a run from the saved states of all worlds of a division, with the bits of the run that was saved; the
     /// number of worlds may be another one. `shared` is the state of any world of the division, the same one in all
-    /// worlds. `parts` are the states whose agents this world reads: each state is read by one world.
+    /// worlds. This world reads the agents of the states in `parts`: each state is read by one world.
     ///
     /// # Errors
     /// Those of [`World::load`], [`Error::Snapshot`] for states of other steps, and those of [`new`](Self::new).
