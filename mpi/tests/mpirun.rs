@@ -79,8 +79,8 @@ fn crossing_streams_have_the_bits_of_one_world() {
 }
 
 #[test]
-fn rooms_with_doors_have_the_bits_of_one_world() {
-    assert_same("rooms", &[], 12.0);
+fn a_crowd_at_a_door_has_the_bits_of_one_world() {
+    assert_same("doorway", &[], 12.0);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn signal(kind: &str, process: &str) {
 #[test]
 fn a_run_survives_a_killed_rank() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = ["rooms", "--hashes", "--time", "12", "--every", "0.2", "--checkpoint", "0.001"];
+    let arguments = ["doorway", "--hashes", "--time", "12", "--every", "0.2", "--checkpoint", "0.001"];
     let mut command = mpirun(3);
     command.arg("run").args(arguments).arg("-o").arg(folder.path()).args(["--threads", "1"]);
     let mut job = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
@@ -163,8 +163,8 @@ fn a_run_survives_a_killed_rank() {
     assert!(!job.wait().unwrap().success());
 
     let begun = steps();
-    let resumed = run(2, folder.path(), &["rooms", "--resume", "--hashes", "--time", "12", "--every", "0.2"]);
-    let expected = undivided("rooms", &[], 12.0);
+    let resumed = run(2, folder.path(), &["doorway", "--resume", "--hashes", "--time", "12", "--every", "0.2"]);
+    let expected = undivided("doorway", &[], 12.0);
     assert_eq!(hashes(&resumed), expected[begun as usize..]);
     // the files have every moment once
     let all = Trajectories::read(folder.path()).unwrap();
@@ -205,7 +205,7 @@ fn what_cannot_be_divided_is_refused() {
     refused(&["no-such-scene"], &["no-such-scene"]);
     refused(&["circle", "--people", "none.parquet"], &["cannot read none.parquet"]);
     refused(&["circle", "--set", "time.stap=1"], &["stap"]);
-    refused(&["circle", "--every", "-1"], &["must not be negative"]);
+    refused(&["circle", "--every=-1"], &["must not be negative"]);
 }
 
 #[test]
@@ -232,7 +232,7 @@ fn wrong_people_are_refused() {
 fn ranks_with_other_scenes_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let part = |preferred: &str| {
-        let set = format!("group.people.speed.preferred={preferred}");
+        let set = format!("group.eastward.speed.preferred={preferred}");
         let folder = folder.path().display().to_string();
         ["-n", "1", PROGRAM, "run", "corridor", "--set", &set, "-o", &folder].map(str::to_owned)
     };

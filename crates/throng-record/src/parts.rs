@@ -85,7 +85,7 @@ mod tests {
         write("part-0-1.csv", "time,number,group,x,y,z\n0,3,a,5,2,0\n");
         write("part-1-1.csv", "time,number,group,x,y,z\n1,3,a,6,2,0\n2,7,b,3,2,0\n");
         write("run.json", "{}");
-        write("part-notes.txt", "no trajectories");
+        write("part-notes.md", "no trajectories");
         let all = Trajectories::read(folder.path()).unwrap();
         let seen: Vec<_> = all.spots.iter().map(|spot| (spot.time, spot.number, spot.place.x)).collect();
         assert_eq!(seen, [(0.0, 3, 5.0), (0.0, 7, 1.0), (1.0, 3, 6.0), (1.0, 7, 2.0), (2.0, 7, 3.0)]);
