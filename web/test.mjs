@@ -187,7 +187,7 @@ await checked('a visitor sees motion, first of a film', async () => {
   let plays = false;
   const hold = (page) => page.route('**/*.wasm', async (route) => {
     const film = () => document.querySelector('video')?.currentTime > 0;
-    plays = await page.waitForFunction(film, null, { timeout: 60_000 }).then(() => true, () => false);
+    plays ||= await page.waitForFunction(film, null, { timeout: 60_000 }).then(() => true, () => false);
     await route.continue();
   });
   const page = await open('', (now) => now.playing && now.step > 3, { before: hold });
