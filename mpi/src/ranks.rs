@@ -52,7 +52,7 @@ impl Ranks {
     }
 
     /// Returns the bytes that the first rank has.
-    pub fn from_first(&self, mut bytes: Vec<u8>) -> Vec<u8> {
+    pub fn bytes_of_first(&self, mut bytes: Vec<u8>) -> Vec<u8> {
         let first = self.all.process_at_rank(0);
         let mut length = bytes.len() as u64;
         first.broadcast_into(&mut length);
@@ -81,7 +81,7 @@ impl Ranks {
             distance *= 2;
         }
         let bytes = if self.is_first() { encode(&own) } else { Vec::new() };
-        decode(&self.from_first(bytes))
+        decode(&self.bytes_of_first(bytes))
     }
 
     /// Sends each rank its packet, and returns those of all ranks to this one. Empty packets are not sent.
