@@ -18,6 +18,7 @@ use std::fs;
 use std::io::Write as _;
 use std::path::Path;
 use std::sync::Arc;
+use throng::random::SplitMix64;
 use throng_record::{Output, OutputError};
 
 /// Side of the blocks of buildings, metres.
@@ -40,27 +41,6 @@ type Person = (DVec2, DVec2, f64);
 #[derive(Clone, Copy)]
 struct City {
     across: usize,
-}
-
-/// Random numbers that depend on a seed and a counter only: SplitMix64 (Steele and others, OOPSLA 2014).
-struct Dice(u64);
-
-impl Dice {
-    fn below_one(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.below_one()
-    }
-
-    fn index(&mut self, below: usize) -> usize {
-        (self.below_one() * below as f64) as usize
-    }
 }
 
 impl City {
@@ -101,7 +81,7 @@ impl City {
         let reach = 0.5 * (pitch - APART);
         let count = (self.side() / pitch) as u64;
         for (row, column) in (0..count).flat_map(|row| (0..count).map(move |column| (row, column))) {
-            let mut dice = Dice(seed ^ (row << 32 | column).wrapping_mul(0xd134_2543_de82_ef95));
+            let mut dice = SplitMix64(seed ^ (row << 32 | column).wrapping_mul(0xd134_2543_de82_ef95));
             let middle = DVec2::new(column as f64 + 0.5, row as f64 + 0.5) * pitch;
             let place = middle + DVec2::new(dice.between(-reach, reach), dice.between(-reach, reach));
             if self.is_free(place) {
@@ -121,27 +101,27 @@ impl City {
     }
 
     /// Returns one of the eight doors of a block that is two to four blocks away along an axis, or less at the edge.
-    fn door(self, place: DVec2, dice: &mut Dice) -> DVec2 {
+    fn door(self, place: DVec2, dice: &mut SplitMix64) -> DVec2 {
         let from = self.block(place);
-        let away = |at: usize, far: usize, dice: &mut Dice| {
+        let away = |at: usize, far: usize, dice: &mut SplitMix64| {
             let (below, above) = (at.saturating_sub(far), (at + far).min(self.across - 1));
-            if dice.below_one() < 0.5 { below } else { above }
+            if dice.unit() < 0.5 { below } else { above }
         };
-        let far = [2 + dice.index(3), dice.index(5)];
-        let turned = usize::from(dice.below_one() < 0.5);
+        let far = [2 + dice.below(3), dice.below(5)];
+        let turned = usize::from(dice.unit() < 0.5);
         let mut block = [away(from[0], far[turned], dice), away(from[1], far[1 - turned], dice)];
         if self.is_square(block) {
             // a square has no doors
             block[0] = if block[0] > 0 { block[0] - 1 } else { 1 };
         }
-        let along = if dice.below_one() < 0.5 { 0.25 } else { 0.75 } * BLOCK;
-        let out = [-MARGIN, BLOCK + MARGIN][dice.index(2)];
-        let door = if dice.below_one() < 0.5 { DVec2::new(along, out) } else { DVec2::new(out, along) };
+        let along = if dice.unit() < 0.5 { 0.25 } else { 0.75 } * BLOCK;
+        let out = [-MARGIN, BLOCK + MARGIN][dice.below(2)];
+        let door = if dice.unit() < 0.5 { DVec2::new(along, out) } else { DVec2::new(out, along) };
         self.corner(block) + door
     }
 
-    fn person(self, place: DVec2, dice: &mut Dice) -> Person {
-        let to_station = self.across > SQUARES / 2 && dice.below_one() < 0.2;
+    fn person(self, place: DVec2, dice: &mut SplitMix64) -> Person {
+        let to_station = self.across > SQUARES / 2 && dice.unit() < 0.2;
         let goal = if to_station { self.station(place) } else { self.door(place, dice) };
         (place, goal, dice.between(1.1, 1.6))
     }
@@ -225,7 +205,7 @@ fn write_people(args: &CityArgs, city: City, pitch: f64, room: u64) -> Result<()
         let taken = |places: u64| u128::from(places) * u128::from(people) / u128::from(room);
         seen += 1;
         if taken(seen) > taken(seen - 1) {
-            let mut dice = Dice(args.seed.wrapping_add(seen.wrapping_mul(0x2545_f491_4f6c_dd1d)));
+            let mut dice = SplitMix64(args.seed.wrapping_add(seen.wrapping_mul(0x2545_f491_4f6c_dd1d)));
             rows.push(city.person(place, &mut dice));
             if rows.len() == ROWS {
                 write_rows(&mut file, &mut rows).map_err(wrong)?;

@@ -47,7 +47,7 @@ errors!(throng::Error, throng_scene::Error, throng_record::OutputError);
 /// # Errors
 /// The own error, or [`Failure::Elsewhere`].
 pub fn together<T>(ranks: &Ranks, own: Result<T, Failure>) -> Result<T, Failure> {
-    let failed = ranks.gather(u8::from(own.is_err()));
+    let [failed] = ranks.any([own.is_err()]);
     let own = own?;
-    if failed.contains(&1) { Err(Failure::Elsewhere) } else { Ok(own) }
+    if failed { Err(Failure::Elsewhere) } else { Ok(own) }
 }

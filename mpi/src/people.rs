@@ -2,13 +2,12 @@
 
 use crate::failure::Failure;
 use crate::ranks::Ranks;
-use glam::{DVec2, Vec2};
+use glam::DVec2;
 use parquet::column::reader::ColumnReader;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-use throng::halo::Load;
 use throng::{Agent, AgentId, Goal, GroupId, Journey, JourneyId, Stop, World};
 use throng_scene::Scene;
 
@@ -25,7 +24,7 @@ const NEEDED: usize = 4;
 /// The rows of a row group, by column; columns that are not there are empty.
 type Rows = [Vec<f64>; COLUMNS.len()];
 
-/// Adds people to the worlds of all ranks.
+/// People that are added to the worlds of all ranks.
 pub struct People<'a> {
     scene: &'a Scene,
     group: GroupId,
@@ -34,15 +33,13 @@ pub struct People<'a> {
     all: u64,
     /// People with equal goals share a journey.
     journeys: BTreeMap<[u64; 3], JourneyId>,
-    /// How many there are where.
-    pub load: Load,
-    /// Those of this rank, to turn to their paths.
-    pub added: Vec<AgentId>,
+    /// Those of this rank.
+    added: Vec<AgentId>,
 }
 
 impl<'a> People<'a> {
     /// Adds the people of files to a world without agents: to that of each rank an equal share of those that are there from
-    /// the start, and to all ranks those that enter later.
+    /// the start, and to all ranks those that enter later. Returns those that were added.
     ///
     /// # Errors
     /// A file is not a table of people, or the world refuses a person; the file and the row are named.
@@ -50,19 +47,16 @@ impl<'a> People<'a> {
         files: &[PathBuf],
         scene: &'a Scene,
         group: GroupId,
-        bounds: [DVec2; 2],
         ranks: &'a Ranks,
         world: &mut World,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Vec<AgentId>, Failure> {
         let open = files.iter().map(|path| open(path)).collect::<Result<Vec<_>, _>>()?;
         let all: u64 = open.iter().map(|file| file.metadata().file_metadata().num_rows().max(0) as u64).sum();
         if all >= u64::from(u32::MAX) {
             let text = format!("the files hold {all} people, and a crowd has at most 4,294,967,294");
             return Err(Failure::hint(text, "use fewer people"));
         }
-        let [low, high] = bounds.map(|corner| (corner - world.settings().origin).as_vec2());
-        let load = Load::within(low, high);
-        let mut people = Self { scene, group, ranks, all, journeys: BTreeMap::new(), load, added: Vec::new() };
+        let mut people = Self { scene, group, ranks, all, journeys: BTreeMap::new(), added: Vec::new() };
         world.reserve(all as usize / ranks.count() + 1);
         let mut number = 0;
         for (path, file) in files.iter().zip(open) {
@@ -74,7 +68,7 @@ impl<'a> People<'a> {
                 number += rows[0].len() as u32;
             }
         }
-        Ok(people)
+        Ok(people.added)
     }
 
     fn add_rows(&mut self, path: &Path, rows: &Rows, first: u32, world: &mut World) -> Result<(), Failure> {
@@ -92,9 +86,6 @@ impl<'a> People<'a> {
             // every rank knows all journeys, in the same order
             let journey = self.journey(goal, leaves.is_some_and(|leaves| leaves != 0.0), world).map_err(refused)?;
             let enters = time.filter(|&time| time > 0.0);
-            if enters.is_none() {
-                self.load.add((at - world.settings().origin).as_vec2(), 1);
-            }
             let owner = u64::from(number) * self.ranks.count() as u64 / self.all.max(1);
             if enters.is_none() && owner != self.ranks.rank() as u64 {
                 continue;
@@ -134,14 +125,6 @@ impl<'a> People<'a> {
         self.journeys.insert(key, journey);
         Ok(journey)
     }
-}
-
-/// Returns the load of agents that are all in this world.
-pub fn load(world: &World, bounds: [DVec2; 2]) -> Load {
-    let [low, high]: [Vec2; 2] = bounds.map(|corner| (corner - world.settings().origin).as_vec2());
-    let mut load = Load::within(low, high);
-    world.relative_columns().position.iter().for_each(|&place| load.add(place, 1));
-    load
 }
 
 fn pair(x: Option<f64>, y: Option<f64>) -> DVec2 {

@@ -51,6 +51,13 @@ impl Ranks {
         all
     }
 
+    /// Returns which of these flags, at most 64, are set on any rank.
+    pub fn any<const N: usize>(&self, own: [bool; N]) -> [bool; N] {
+        let bits = own.iter().rev().fold(0u64, |bits, &flag| bits << 1 | u64::from(flag));
+        let all = self.gather(bits).into_iter().fold(0, |all, bits| all | bits);
+        std::array::from_fn(|index| all >> index & 1 == 1)
+    }
+
     /// Returns the bytes that the first rank has.
     pub fn bytes_of_first(&self, mut bytes: Vec<u8>) -> Vec<u8> {
         let first = self.all.process_at_rank(0);

@@ -5,14 +5,15 @@ use crate::checkpoint::Manifest;
 use crate::clocks::Clocks;
 use crate::failure::{Failure, together};
 use crate::parts::Parts;
-use crate::people::{self, People};
+use crate::people::People;
 use crate::ranks::Ranks;
 use crate::report;
 use crate::signals::Signals;
+use glam::DVec2;
 use std::fs;
 use std::time::Instant;
 use throng::World;
-use throng::halo::{Cuts, DividedWorld};
+use throng::halo::{Cuts, DividedWorld, Load};
 use throng_record::moment;
 use throng_scene::{Built, Scene, Until};
 
@@ -24,7 +25,8 @@ pub fn run(args: &RunArgs, mut ranks: Ranks) -> Result<(), Failure> {
     let begin = Instant::now();
     let scene = together(&ranks, scene(args))?;
     let identity = together(&ranks, identity(args, &scene))?;
-    same_everywhere(&ranks, &identity)?;
+    same_everywhere(&ranks, identity)?;
+    let identity = format!("{identity:016x}");
     together(&ranks, threads(args, &ranks))?;
     together(&ranks, folder(args))?;
     let last = match args.resume {
@@ -33,14 +35,20 @@ pub fn run(args: &RunArgs, mut ranks: Ranks) -> Result<(), Failure> {
     };
     // all ranks look before the first of them writes
     let last = together(&ranks, last)?;
-    let (world, built, cuts) = together(&ranks, build(args, &scene, &ranks))?;
-    ranks.cuts = cuts;
+    let (world, built) = together(&ranks, build(args, &scene, &ranks))?;
     let setting = moment::setting(&world, &built, &scene.title);
     let rank = ranks.rank();
-    let part = match &last {
-        None if args.people.is_empty() => DividedWorld::new(world, ranks)?,
-        None => DividedWorld::from_part(world, ranks)?,
-        Some(last) => resume(args, last, world, ranks)?,
+    let part = if last.is_none() && args.people.is_empty() {
+        ranks.cuts = Cuts::balanced(ranks.count(), &load(&world, built.bounds));
+        DividedWorld::new(world, ranks)?
+    } else {
+        let mut part = match &last {
+            None => DividedWorld::from_part(world, ranks)?,
+            Some(last) => resume(args, last, world, ranks)?,
+        };
+        // the agents are on any rank, and move in the first step
+        part.halo_mut().cuts = part.balanced(0.0);
+        part
     };
     let from = last.as_ref().map_or(0, |last| last.steps);
     let removed = if rank == 0 { Parts::remove_after(&args.output, from) } else { Ok(()) };
@@ -86,8 +94,8 @@ impl Job<'_> {
             // what was written until the last checkpoint is complete
             together(self.part.halo(), pushed)?;
             let done = self.is_over();
-            let asked = self.part.any(self.signals.asked()) && !done;
-            let due = self.part.any(self.is_first() && self.clocks.checkpoint_is_due()) && !done;
+            let due = self.is_first() && self.clocks.checkpoint_is_due();
+            let [asked, due] = self.part.halo().any([self.signals.asked(), due]).map(|any| any && !done);
             if done || asked || due {
                 together(self.part.halo(), self.parts.complete())?;
             }
@@ -133,7 +141,7 @@ impl Job<'_> {
             self.clocks.balance(&mut self.part);
         }
         let due = self.is_first() && self.clocks.progress_is_due(self.args);
-        if self.part.any(due) {
+        if self.part.halo().any([due]) == [true] {
             let counts = self.part.counts();
             if self.is_first() {
                 self.clocks.show(self.part.world().time(), self.limit(), &counts);
@@ -169,22 +177,20 @@ fn scene(args: &RunArgs) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// Returns a hash of the scene and of what changes it, as text.
-fn identity(args: &RunArgs, scene: &Scene) -> Result<String, Failure> {
+/// Returns a hash of the scene and of what changes it.
+fn identity(args: &RunArgs, scene: &Scene) -> Result<u64, Failure> {
     let sizes = args.people.iter().map(|path| fs::metadata(path).map_or(0, |file| file.len()));
-    let said = format!("{}{:?}{:?}", scene.to_toml()?, args.people, sizes.collect::<Vec<_>>());
-    // FNV-1a, RFC 9923
-    let hash = said
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
-    Ok(format!("{hash:016x}"))
+    Ok(hash(&format!("{}{:?}{:?}", scene.to_toml()?, args.people, sizes.collect::<Vec<_>>())))
+}
+
+/// Returns the FNV-1a hash of a text, 64 bits. Source: RFC 9923, section 2.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 /// Checks that all ranks have the same program and the same scene.
-fn same_everywhere(ranks: &Ranks, identity: &str) -> Result<(), Failure> {
-    let number =
-        |text: &str| text.bytes().fold(0u64, |number, byte| number.wrapping_mul(257).wrapping_add(byte.into()));
-    for (own, what) in [(number(VERSION), "version of throng-mpi"), (number(identity), "scene, people or options")] {
+fn same_everywhere(ranks: &Ranks, identity: u64) -> Result<(), Failure> {
+    for (own, what) in [(hash(VERSION), "version of throng-mpi"), (identity, "scene, people or options")] {
         let all = ranks.gather(own);
         if let Some(other) = all.iter().position(|value| *value != all[0]) {
             let text = format!("rank {other} has another {what} than rank 0");
@@ -218,23 +224,32 @@ fn unused(args: &RunArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the world of this rank, and cuts that give all ranks as many agents.
-fn build(args: &RunArgs, scene: &Scene, ranks: &Ranks) -> Result<(World, Built, Cuts), Failure> {
+/// Returns the world of this rank: with all agents of the scene, or with its share of the people. A run that goes on has the
+/// people of its checkpoint.
+fn build(args: &RunArgs, scene: &Scene, ranks: &Ranks) -> Result<(World, Built), Failure> {
     if args.people.is_empty() {
-        let (world, built) = scene.build()?;
-        let cuts = Cuts::balanced(ranks.count(), &people::load(&world, built.bounds));
-        return Ok((world, built, cuts));
+        return Ok(scene.build()?);
     }
     let (mut world, built) = scene.build_without_agents()?;
     let Some(group) = built.groups.first() else {
         return Err(Failure::hint("the scene has no group for the people", "add a [[group]] to the scene"));
     };
-    let People { load, added, .. } = People::add(&args.people, scene, group.id, built.bounds, ranks, &mut world)?;
-    // on open ground, the box in which paths are planned depends on the people of all ranks
-    if !args.resume && !built.walkable.is_empty() {
-        world.face_ways(&added);
+    if !args.resume {
+        let added = People::add(&args.people, scene, group.id, ranks, &mut world)?;
+        // on open ground, the box in which paths are planned depends on the people of all ranks
+        if !built.walkable.is_empty() {
+            world.face_ways(&added);
+        }
     }
-    Ok((world, built, Cuts::balanced(ranks.count(), &load)))
+    Ok((world, built))
+}
+
+/// Returns the load of a world with all agents.
+fn load(world: &World, bounds: [DVec2; 2]) -> Load {
+    let [low, high] = bounds.map(|corner| (corner - world.settings().origin).as_vec2());
+    let mut load = Load::within(low, high);
+    world.relative_columns().position.iter().for_each(|&place| load.add(place, 1));
+    load
 }
 
 /// Goes on from a checkpoint. Each rank reads the states of some ranks of the run before.

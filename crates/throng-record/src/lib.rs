@@ -22,7 +22,6 @@ mod map;
 pub mod moment;
 mod moments;
 mod output;
-mod parts;
 pub mod pedestrian;
 pub mod people;
 mod resample;

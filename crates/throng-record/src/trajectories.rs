@@ -2,9 +2,8 @@
 
 use crate::Setting;
 use crate::consistency;
-use crate::formats::{FORMATS, Format, FormatFlaw, Reading};
+use crate::formats::{FORMATS, Format, FormatFlaw, Reading, parts};
 use crate::limits;
-use crate::parts;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

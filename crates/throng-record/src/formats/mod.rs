@@ -20,11 +20,11 @@ mod hdf5;
 pub mod keys;
 #[cfg(any(feature = "glb", feature = "usda"))]
 mod mesh;
-#[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod names;
 mod obsmat;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub(crate) mod parts;
 #[cfg(any(feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]
 mod place;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "parquet", feature = "sqlite", feature = "usda"))]

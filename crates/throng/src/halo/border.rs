@@ -155,7 +155,7 @@ impl Border {
             standoffs.within(agents.position[row], *standoff_reach, |_| near = true);
             near
         };
-        let any = !members.is_empty() || !standoffs.is_empty();
+        let any = halo.worlds() > 1 && (!members.is_empty() || !standoffs.is_empty());
         let whole: Vec<u32> = (0..agents.len() as u32).filter(|&row| any && is_whole(row as usize)).collect();
         sent.iter_mut().enumerate().filter(|&(world, _)| world != index).for_each(|(_, rows)| rows.extend(&whole));
         let rows = rows_near_others(&agents.position, &*halo, *depth);

@@ -1,6 +1,7 @@
 //! Trajectories in parts: the folder that a run on several machines writes.
 
-use crate::formats::{Format, FormatFlaw, Reading};
+use super::names::Names;
+use super::{Format, FormatFlaw, Reading};
 use crate::trajectories::{Trajectories, TrajectoriesError};
 use std::path::{Path, PathBuf};
 
@@ -11,12 +12,17 @@ use std::path::{Path, PathBuf};
 /// Those of [`Trajectories::read_as`] for each file; [`TrajectoriesError::Content`] for a folder without parts, and for an agent
 /// that is in two files at the same time.
 pub(crate) fn read(folder: &Path, reading: &Reading) -> Result<Trajectories, TrajectoriesError> {
-    let mut all: Option<Trajectories> = None;
+    let (mut all, mut names): (Option<Trajectories>, _) = (None, Names::default());
     for path in parts(folder)? {
-        let part = Trajectories::read_as(&path, reading)?;
+        let mut part = Trajectories::read_as(&path, reading)?;
+        let groups: Vec<u32> = part.setting.groups.iter().map(|name| names.index(name)).collect();
+        part.spots.iter_mut().for_each(|spot| spot.group = groups[spot.group as usize]);
         match &mut all {
             None => all = Some(part),
-            Some(all) => all.join(part),
+            Some(all) => {
+                all.spots.append(&mut part.spots);
+                all.notes.append(&mut part.notes);
+            }
         }
     }
     let wrong = |why: String, hint| {
@@ -25,6 +31,7 @@ pub(crate) fn read(folder: &Path, reading: &Reading) -> Result<Trajectories, Tra
     };
     let hint = "such a folder has trajectories in files called part-*, as throng-mpi writes them";
     let mut all = all.ok_or_else(|| wrong("the folder has no parts of trajectories".into(), hint))?;
+    all.setting.groups = names.into_names();
     all.sort();
     let twice = all.spots.windows(2).find(|pair| (pair[0].time, pair[0].number) == (pair[1].time, pair[1].number));
     if let Some([spot, _]) = twice {
@@ -47,29 +54,6 @@ fn parts(folder: &Path) -> Result<Vec<PathBuf>, TrajectoriesError> {
     }
     parts.sort();
     Ok(parts)
-}
-
-impl Trajectories {
-    /// Adds the samples of another part, without sorting them.
-    fn join(&mut self, part: Self) {
-        let groups: Vec<u32> = part.setting.groups.into_iter().map(|name| self.group(name)).collect();
-        self.spots.extend(part.spots.into_iter().map(|mut spot| {
-            spot.group = groups[spot.group as usize];
-            spot
-        }));
-        self.notes.extend(part.notes);
-    }
-
-    /// Returns the index of a group, which is added if it is new.
-    fn group(&mut self, name: String) -> u32 {
-        let groups = &mut self.setting.groups;
-        let known = groups.iter().position(|other| *other == name);
-        let index = known.unwrap_or_else(|| {
-            groups.push(name);
-            groups.len() - 1
-        });
-        index as u32
-    }
 }
 
 #[cfg(test)]
