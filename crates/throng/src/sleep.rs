@@ -14,7 +14,7 @@
 //! The data of a stage for a block stay as they are while the block sleeps. On the scalar path no agent sleeps: it is
 //! the reference.
 //!
-//! In a world of a division the stages before the guard leave out [lean ghosts](crate::halo) as they leave out rows that
+//! In a world of a division the stages before the guard leave out [ghosts](crate::halo) as they leave out rows that
 //! sleep.
 
 use crate::agent::Status;
@@ -36,8 +36,8 @@ pub(crate) struct SleepBlocks {
     unrest: ActiveSquares,
     /// Seconds of the last sub-step and whether it was guarded; `None` if sleep was not possible.
     made: Option<(f32, bool)>,
-    /// The first of the rows that are lean ghosts in this sub-step, if there are any.
-    first_lean: Option<usize>,
+    /// The first of the rows that are ghosts in this sub-step, if there are any.
+    first_ghost: Option<usize>,
 }
 
 /// Squares of the ground that contain agents that were not still.
@@ -61,9 +61,9 @@ impl SleepBlocks {
         self.asleep.clear();
     }
 
-    /// Includes lean ghosts, for the guard and the stages after it.
+    /// Includes ghosts, for the guard and the stages after it.
     pub fn include_ghosts(&mut self) {
-        self.first_lean = None;
+        self.first_ghost = None;
     }
 
     /// Records that an agent has gone from a position to a far one. It was not still.
@@ -98,21 +98,21 @@ impl SleepBlocks {
         !self.asleep.is_empty() && self.asleep.iter().all(|&asleep| asleep)
     }
 
-    /// Whether the stages before the guard leave out a row: it sleeps, or it is a lean ghost.
+    /// Whether the stages before the guard leave out a row: it sleeps, or it is a ghost.
     #[inline]
     fn is_left_out(&self, row: usize) -> bool {
-        self.sleeps(row / WORD) || self.first_lean.is_some_and(|first| row >= first)
+        self.sleeps(row / WORD) || self.first_ghost.is_some_and(|first| row >= first)
     }
 
-    /// Whether all agents of a sub-step are awake, and none is a lean ghost.
+    /// Whether all agents of a sub-step are awake, and none is a ghost.
     fn leaves_out_none(&self) -> bool {
-        self.asleep.is_empty() && self.first_lean.is_none()
+        self.asleep.is_empty() && self.first_ghost.is_none()
     }
 
-    /// Returns the ranges of rows within a range that do not sleep and are no lean ghosts.
+    /// Returns the ranges of rows within a range that do not sleep and are no ghosts.
     pub fn awake(&self, rows: Range<usize>) -> impl Iterator<Item = Range<usize>> + '_ {
         let mut at = rows.start;
-        let end = rows.end.min(self.first_lean.unwrap_or(rows.end));
+        let end = rows.end.min(self.first_ghost.unwrap_or(rows.end));
         let mut skip = move |asleep: bool| {
             while at < end && self.sleeps(at / WORD) == asleep {
                 at = ((at / WORD + 1) * WORD).min(end);
@@ -125,7 +125,7 @@ impl SleepBlocks {
         })
     }
 
-    /// Calls `work` for each range of rows that does not sleep, without lean ghosts, with its part of `all`.
+    /// Calls `work` for each range of rows that does not sleep, without ghosts, with its part of `all`.
     pub fn each<P: Parts>(&self, rows: Range<usize>, all: P, mut work: impl FnMut(Range<usize>, P)) {
         if self.leaves_out_none() {
             return work(rows, all);
@@ -216,7 +216,7 @@ impl SleepBlocks {
         }
         self.find_asleep(state, seconds, passes, no_overlap);
         self.gone.clear();
-        self.first_lean = (state.others.lean > 0).then_some(state.acting().end);
+        self.first_ghost = (state.others.ghosts > 0).then_some(state.own().end);
     }
 
     fn find_asleep(&mut self, state: &State, seconds: f32, passes: usize, no_overlap: impl Fn(usize) -> bool) {

@@ -5,14 +5,13 @@ use crate::navigate::{RouteProgress, Turn};
 use glam::{Vec2, Vec3};
 
 /// The words of a ghost.
-pub(crate) type GhostWords = [u32; 29];
+pub(crate) type GhostWords = [u32; 30];
 
 /// What a word has for no script.
 const NO_SCRIPT: u32 = u32::MAX;
 
 const HINDRANCES: [Hindrance; 5] =
     [Hindrance::None, Hindrance::Queueing, Hindrance::WaitingForRoom, Hindrance::Blocked, Hindrance::Oscillating];
-const TURNS: [Turn; 3] = [Turn::Free, Turn::First, Turn::Aside];
 
 impl Status {
     const ALL: [Self; 4] = [Self::Walking, Self::Waiting, Self::Arrived, Self::Stranded];
@@ -28,7 +27,7 @@ impl Columns {
     pub(crate) fn ghost(&self, row: usize) -> GhostWords {
         let (position, velocity, core) = (self.position[row], self.velocity[row], self.core[row]);
         let ProgressMark { queue_ticks, hindrance, .. } = self.progress_mark[row];
-        let RouteProgress { leg, turn, .. } = self.travel[row];
+        let RouteProgress { leg, turn, stalled, .. } = self.travel[row];
         let commanded = self.commanded[row].unwrap_or_default();
         let flags = [self.status[row] as u8 | (turn as u8) << 4, hindrance as u8, queue_ticks];
         let [status_and_turn, hindrance, queue_ticks] = flags.map(u32::from);
@@ -63,6 +62,7 @@ impl Columns {
             leg,
             status_and_turn | hindrance << 8 | queue_ticks << 16,
             is_commanded,
+            stalled.to_bits(),
         ]
     }
 
@@ -134,8 +134,8 @@ impl Columns {
             script.push((words[22] != NO_SCRIPT).then_some(ScriptId(words[22])));
             commanded.push((words[28] != 0).then(|| Vec3::new(float(23), float(24), float(25))));
             let [status_and_turn, hindrance, queue_ticks, _] = words[27].to_le_bytes();
-            let turn = *TURNS.get(usize::from(status_and_turn >> 4))?;
-            travel.push(RouteProgress::seen(words[26], turn));
+            let turn = Turn::numbered(u32::from(status_and_turn >> 4))?;
+            travel.push(RouteProgress::seen(words[26], turn, float(29)));
             status.push(Status::numbered(u32::from(status_and_turn & 15))?);
             let hindrance = *HINDRANCES.get(usize::from(hindrance))?;
             progress_mark.push(ProgressMark { queue_ticks, hindrance, ..ProgressMark::default() });

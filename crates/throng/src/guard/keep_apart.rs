@@ -212,9 +212,9 @@ fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) ->
 /// flies, and the agent, a disc, avoids all others.
 fn covered<'a>(state: &'a State, seen: Perceived<'a>) -> impl Fn(usize) -> Option<RowContacts<'a>> {
     let State { agents, local_groups: groups, .. } = state;
-    let (none_flies, avoids_all, acting) = (!agents.any_flies(), AvoidsAll::of(agents), state.acting());
+    let (none_flies, avoids_all, own) = (!agents.any_flies(), AvoidsAll::of(agents), state.own());
     move |row| {
-        if row >= acting.end {
+        if row >= own.end {
             return None;
         }
         let group = &groups[agents.group[row].index()];

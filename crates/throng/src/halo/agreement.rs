@@ -1,7 +1,7 @@
 //! Values that all worlds of a division know.
 
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Values that all worlds of a division [agree](super::Halo::agree) on. The merged values do not depend on the order in
 /// which they are merged: they are least and greatest values, flags and sums of whole numbers.
@@ -28,8 +28,8 @@ pub struct Agreement {
     pub(crate) flags: Vec<bool>,
     /// Changes of counts, by index.
     pub(crate) counts: BTreeMap<u32, i64>,
-    /// Places, as the bits of their coordinates.
-    pub(crate) places: BTreeSet<[u32; 2]>,
+    /// What single worlds tell all others, by a kind and a number. Worlds that tell of the same number tell the same.
+    pub(crate) told: BTreeMap<(u8, u32), Vec<u8>>,
     /// The least and the greatest of a value that should be the same in all worlds.
     pub(crate) same: Option<(u64, u64)>,
     /// Lower and upper ends of a box.
@@ -50,7 +50,7 @@ impl Default for Agreement {
             any: false,
             flags: Vec::new(),
             counts: BTreeMap::new(),
-            places: BTreeSet::new(),
+            told: BTreeMap::new(),
             same: None,
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
@@ -73,7 +73,7 @@ impl Agreement {
         for (&index, change) in &other.counts {
             *self.counts.entry(index).or_default() += change;
         }
-        self.places.extend(&other.places);
+        self.told.extend(other.told.iter().map(|(&key, told)| (key, told.clone())));
         self.same = match (self.same, other.same) {
             (Some(own), Some(other)) => Some((own.0.min(other.0), own.1.max(other.1))),
             (own, other) => own.or(other),

@@ -5,9 +5,8 @@ use super::{Agreement, Halo};
 use crate::agent::{Columns, GhostWords, GoalId, Row, Status};
 use crate::guard::{Clamping, Spreading};
 use crate::intend::{STANDOFF_REACH, Velocities, set};
-use crate::navigate::{Arrivals, NavFlags, NeighbourData, Unreachable};
+use crate::navigate::{Arrivals, NavFlags, NeighbourData, Turn, Unreachable};
 use crate::parallel::WORD;
-use crate::perceive::Grid;
 use crate::world::State;
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -28,17 +27,16 @@ pub(crate) struct Others {
     pub are_there: bool,
     /// Number of rows, the last ones, that are ghosts.
     pub ghosts: usize,
-    /// Number of ghosts, the last ones, that are lean: they have what other agents read before and in the guard. The
-    /// ghosts before them are whole: they have all that their agents have.
-    pub lean: usize,
     /// Whether an agent of any world may be guarded, and the least radius of all agents, metres. Of a step.
     pub any_guarded: bool,
     pub least_radius: f32,
+    /// Whether standoffs go on or may begin in any world. Of a sub-step.
+    pub any_standoff: bool,
 }
 
 impl Default for Others {
     fn default() -> Self {
-        Self { are_there: false, ghosts: 0, lean: 0, any_guarded: false, least_radius: f32::INFINITY }
+        Self { are_there: false, ghosts: 0, any_guarded: false, least_radius: f32::INFINITY, any_standoff: false }
     }
 }
 
@@ -52,18 +50,18 @@ struct Migrant {
 /// The border of a world of a division: which of its rows other worlds have as ghosts, and the other way round.
 #[derive(Clone, Debug)]
 pub(crate) struct Border {
-    /// Own rows that are ghosts elsewhere in this sub-step, by world; whole ones first.
+    /// Own rows that are ghosts elsewhere in this sub-step, by world.
     sent: Vec<Vec<u32>>,
-    /// The rows of the ghosts of each world: whole ones, and lean ones.
-    ghosts: Vec<[Range<usize>; 2]>,
+    /// The rows of the ghosts of each world.
+    ghosts: Vec<Range<usize>>,
     /// Distance from the ground of a world within which it has ghosts, metres.
     depth: f32,
     /// Rounds of clamping between two exchanges.
     rounds: usize,
-    /// Distance from the places at which standoffs begin within which all worlds have all agents as ghosts, metres; and
-    /// these places.
-    standoff_reach: f32,
-    standoffs: Grid,
+    /// Greatest bounding radius of all agents, metres.
+    pub bound: f32,
+    /// Distance from an agent of a standoff that begins within which other agents matter, metres.
+    pub standoff_reach: f32,
     /// Numbers of own agents that have arrived at goals, as the other worlds know them; and of the agents of all worlds.
     told: BTreeMap<u32, i64>,
     arrived: BTreeMap<u32, i64>,
@@ -72,8 +70,8 @@ pub(crate) struct Border {
 impl Default for Border {
     fn default() -> Self {
         let (sent, ghosts, told, arrived) = Default::default();
-        let (depth, standoff_reach, standoffs) = Default::default();
-        Self { sent, ghosts, depth, rounds: usize::MAX, standoff_reach, standoffs, told, arrived }
+        let (depth, bound, standoff_reach) = Default::default();
+        Self { sent, ghosts, depth, rounds: usize::MAX, bound, standoff_reach, told, arrived }
     }
 }
 
@@ -139,71 +137,55 @@ impl Border {
         self.rounds = rounds.saturating_sub(CONTACTS).clamp(LEAST_ROUNDS, MOST_ROUNDS);
         let guards = (self.rounds + CONTACTS) as f32 * contact;
         // own agents leave the ground of their world by what they move in the step; a little more for rounding
+        self.bound = all.bound;
         self.standoff_reach = 1.01 * (sees + STANDOFF_REACH * all.bound) + 0.1;
         self.depth = 1.01 * (sees.max(guards) + all.speed * seconds) + 0.1;
     }
 
-    /// Exchanges ghosts: copies of the agents near the ground of another world. All worlds have whole ghosts of the agents
-    /// of standoffs, and of the agents around places where standoffs begin, so that all decide alike.
-    fn exchange_ghosts(&mut self, state: &mut State, members: &[u32], halo: &mut dyn Halo) {
-        let Self { sent, ghosts, depth, standoff_reach, standoffs, .. } = self;
-        let (index, agents) = (halo.index(), &mut state.agents);
+    /// Exchanges ghosts: what other agents read of the agents near the ground of another world.
+    fn exchange_ghosts(&mut self, state: &mut State, halo: &mut dyn Halo) {
+        let Self { sent, ghosts, depth, .. } = self;
+        let agents = &mut state.agents;
         sent.resize_with(halo.worlds(), Vec::new);
         sent.iter_mut().for_each(Vec::clear);
-        let is_whole = |row: usize| {
-            let mut near = members.binary_search(&agents.number[row]).is_ok();
-            standoffs.within(agents.position[row], *standoff_reach, |_| near = true);
-            near
-        };
-        let any = halo.worlds() > 1 && (!members.is_empty() || !standoffs.is_empty());
-        let whole: Vec<u32> = (0..agents.len() as u32).filter(|&row| any && is_whole(row as usize)).collect();
-        sent.iter_mut().enumerate().filter(|&(world, _)| world != index).for_each(|(_, rows)| rows.extend(&whole));
-        let rows = rows_near_others(&agents.position, &*halo, *depth);
-        for row in rows.filter(|&row| whole.binary_search(&(row as u32)).is_err()) {
+        for row in rows_near_others(&agents.position, &*halo, *depth) {
             halo.near(agents.position[row], *depth, &mut |world| sent[world].push(row as u32));
         }
         let packet = |rows: &Vec<u32>| {
-            let (whole, lean) = rows.split_at(whole.len().min(rows.len()));
-            let (mut packet, mut all) = (Vec::with_capacity(size_of::<GhostWords>() * rows.len() + 4), Vec::new());
-            if !rows.is_empty() {
-                whole.iter().for_each(|&row| write(&mut all, &agents.copy(row as usize)));
-                push_words(&mut packet, [all.len() as u32]);
-                packet.extend(all);
-                lean.iter().for_each(|&row| push_words(&mut packet, agents.ghost(row as usize)));
-            }
+            let mut packet = Vec::with_capacity(size_of::<GhostWords>() * rows.len());
+            rows.iter().for_each(|&row| push_words(&mut packet, agents.ghost(row as usize)));
             packet
         };
         let packets = halo.exchange(sent.iter().map(packet).collect());
         let own = agents.len();
-        let parts: Vec<(&[u8], &[u8])> = packets.iter().map(|packet| split(packet)).collect();
         ghosts.clear();
-        for (whole, _) in &parts {
+        for packet in &packets {
             let first = agents.len();
-            read(whole).for_each(|row| agents.push_copy(row));
-            ghosts.push([first..agents.len(), 0..0]);
+            let words: Vec<GhostWords> = words(packet).collect();
+            agents.push_ghosts(&words).expect(BROKEN);
+            ghosts.push(first..agents.len());
         }
-        let acting = agents.len();
-        for ((_, lean), [_, rows]) in parts.iter().zip(&mut *ghosts) {
-            let first = agents.len();
-            let lean: Vec<GhostWords> = words(lean).collect();
-            agents.push_ghosts(&lean).expect(BROKEN);
-            *rows = first..agents.len();
-        }
-        (state.others.ghosts, state.others.lean) = (agents.len() - own, agents.len() - acting);
-        state.prepare_meshes_of(own..acting);
+        state.others.ghosts = agents.len() - own;
     }
 
-    /// Replaces what neighbours know of the paths of ghosts, and their status, by those that their owners have computed.
+    /// Returns the world of the agent of a row; `None` for an own one.
+    pub fn world_of(&self, row: usize) -> Option<usize> {
+        self.ghosts.iter().position(|rows| rows.contains(&row))
+    }
+
+    /// Replaces what neighbours know of the paths of ghosts, their status and their right of way by those that their owners
+    /// have computed.
     pub fn exchange_ways(&self, state: &mut State, shown: &mut [NeighbourData], halo: &mut dyn Halo) {
         let agents = &mut state.agents;
         let of = |(agents, shown): &(&mut Columns, &mut [NeighbourData]), row: usize| {
             let [x, y, remaining, key] = shown[row].way.words();
-            [x, y, remaining, key, agents.status[row] as u32]
+            [x, y, remaining, key, agents.status[row] as u32 | (agents.travel[row].turn as u32) << 8]
         };
         let set = |(agents, shown): &mut (&mut Columns, &mut [NeighbourData]), row: usize, words: [u32; 5]| {
-            let [x, y, remaining, key, status] = words;
+            let [x, y, remaining, key, status_and_turn] = words;
             let way = NavFlags::of_words([x, y, remaining, key]);
-            agents.status[row] = Status::numbered(status).expect(BROKEN);
+            agents.status[row] = Status::numbered(status_and_turn & 255).expect(BROKEN);
+            agents.travel[row].turn = Turn::numbered(status_and_turn >> 8).expect(BROKEN);
             shown[row] = NeighbourData::new(agents.position[row], agents.velocity[row], way);
         };
         if state.others.are_there {
@@ -227,7 +209,7 @@ impl Border {
     pub fn drop_ghosts(&self, state: &mut State) {
         if state.others.ghosts > 0 {
             state.agents.truncate(state.own().end);
-            (state.others.ghosts, state.others.lean) = (0, 0);
+            state.others.ghosts = 0;
         }
     }
 
@@ -245,41 +227,37 @@ impl Border {
             packet
         };
         let packets = halo.exchange(self.sent.iter().map(packet).collect());
-        for (packet, [whole, lean]) in packets.iter().zip(&self.ghosts) {
-            assert_eq!(packet.len(), size_of::<[u32; N]>() * (whole.len() + lean.len()), "{BROKEN}");
-            for (row, words) in whole.clone().chain(lean.clone()).zip(words(packet)) {
+        for (packet, rows) in packets.iter().zip(&self.ghosts) {
+            assert_eq!(packet.len(), size_of::<[u32; N]>() * rows.len(), "{BROKEN}");
+            for (row, words) in rows.clone().zip(words(packet)) {
                 set(all, row, words);
             }
         }
     }
 
     /// Begins a sub-step of `seconds`: replaces the numbers of own agents that have arrived at goals by those of the agents
-    /// of all worlds, and finds the places where standoffs begin. Then exchanges ghosts.
+    /// of all worlds. Then exchanges ghosts.
     pub fn begin(&mut self, state: &mut State, arrivals: &mut Arrivals, halo: &mut dyn Halo, seconds: f32) {
         if !state.others.are_there {
             return;
         }
-        let (members, places) = state.standoffs_that_begin(seconds);
-        let places = places.into_iter().map(|place| place.to_array().map(f32::to_bits)).collect();
         let own: BTreeMap<u32, i64> = arrivals.all().map(|(goal, count)| (goal.0, count.into())).collect();
         let mut counts: BTreeMap<u32, i64> = self.told.iter().map(|(&goal, &count)| (goal, -count)).collect();
         own.iter().for_each(|(&goal, count)| *counts.entry(goal).or_default() += count);
         counts.retain(|_, change| *change != 0);
         self.told = own;
-        let all = halo.agree(Agreement { counts, places, ..Agreement::default() });
+        let all = halo.agree(Agreement { counts, any: state.any_standoff(seconds), ..Agreement::default() });
+        state.others.any_standoff = all.any;
         for (goal, change) in all.counts {
             *self.arrived.entry(goal).or_default() += change;
         }
         self.arrived.retain(|_, count| *count != 0);
         arrivals.replace(self.arrived.iter().map(|(&goal, &count)| (GoalId(goal), count as u32)));
-        let places: Vec<Vec2> = all.places.iter().map(|place| Vec2::from_array(place.map(f32::from_bits))).collect();
-        let numbers: Vec<u32> = (0..places.len() as u32).collect();
-        self.standoffs.rebuild(&places, &numbers, self.standoff_reach);
-        self.exchange_ghosts(state, &members, halo);
+        self.exchange_ghosts(state, halo);
     }
 }
 
-/// A border and its halo, for the guard.
+/// A border and its halo, for stages.
 pub(crate) struct Link<'a> {
     pub border: &'a Border,
     pub halo: &'a mut dyn Halo,
@@ -314,10 +292,4 @@ fn rows_near_others(positions: &[Vec2], halo: &dyn Halo, distance: f32) -> impl 
     };
     let blocks = (0..).step_by(WORD).zip(positions.chunks(WORD));
     blocks.filter(move |(_, block)| is_near(block)).flat_map(|(first, block)| first..first + block.len())
-}
-
-/// Returns the two parts of a packet of ghosts: whole ones, and lean ones.
-fn split(packet: &[u8]) -> (&[u8], &[u8]) {
-    let Some((&length, ghosts)) = packet.split_first_chunk() else { return (packet, packet) };
-    ghosts.split_at_checked(u32::from_le_bytes(length) as usize).expect(BROKEN)
 }

@@ -2,11 +2,9 @@
 //!
 //! Each world owns the agents on a part of the ground: its own rows. In every sub-step it receives copies of the agents
 //! near its part, its *ghosts*, as rows behind its own, so that the neighbours of an own row are those of the undivided
-//! crowd. Most ghosts are *lean*: they have what other agents read, and the stages before the guard leave them out. Ghosts
-//! of agents that may take part in a standoff are *whole*, and all stages compute them as own rows. At four points of a
-//! sub-step a world receives for its ghosts what their owners have computed: the paths that neighbours know, the preferred
-//! velocities, the chosen velocities and, while clamping spreads in the guard, the targets. After the motion it drops the
-//! ghosts.
+//! crowd. Ghosts have what other agents read, and the stages before the guard leave them out. At four points of a sub-step a
+//! world receives for its ghosts what their owners have computed: the paths that neighbours know, the preferred velocities,
+//! the chosen velocities and, while clamping spreads in the guard, the targets. After the motion it drops the ghosts.
 //!
 //! A [`Halo`] says which world owns which ground, for instance by [`Cuts`], and carries packets. It knows nothing of agents. [`DividedWorld`] joins
 //! a world and its halo, and refuses what cannot be divided. `docs/divided.md` has the exchanges, and the depths that make
@@ -23,8 +21,7 @@ pub use agreement::Agreement;
 pub(crate) use border::{Border, Link, Others};
 pub use cuts::{Cuts, Load};
 pub use divided::DividedWorld;
-use packet::BROKEN;
-pub(crate) use packet::{read, write};
+pub(crate) use packet::{BROKEN, read, write};
 
 use glam::Vec2;
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-pub(super) const BROKEN: &str = "a packet of another world has arrived damaged";
+pub(crate) const BROKEN: &str = "a packet of another world has arrived damaged";
 
 /// Adds a value to a packet.
 pub(crate) fn write(packet: &mut Vec<u8>, value: &impl Serialize) {

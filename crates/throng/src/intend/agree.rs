@@ -1,8 +1,8 @@
 //! Agreement on the right of way: of two sides, the side that costs the other side the shorter retreat goes first.
 
 use crate::agent::Status;
-use crate::navigate::{NeighbourData, Path, Refuge, Route, Turn};
-use crate::perceive::{Grid, Neighbours};
+use crate::navigate::{Path, Refuge, Route, Turn};
+use crate::perceive::Grid;
 use crate::space::{Disc, nearest_on_segment};
 use crate::world::State;
 use glam::DVec2;
@@ -44,9 +44,12 @@ type StandoffLane = (Vec<DVec2>, f64);
 #[derive(Clone, Copy)]
 pub(crate) struct StandoffView<'a> {
     pub state: &'a State,
-    pub near: &'a Neighbours,
+    /// The agents, or those of `rows`.
     pub grid: &'a Grid,
-    pub shown: &'a [NeighbourData],
+    /// The rows that the points of the grid have, if they are not all rows.
+    pub rows: Option<&'a [u32]>,
+    /// Returns the distance to the goal, metres, that an agent has left.
+    pub remaining: &'a dyn Fn(usize) -> f32,
 }
 
 impl StandoffView<'_> {
@@ -62,7 +65,7 @@ impl StandoffView<'_> {
         };
         let cost = |side: &StandoffAgreement| side.aside.iter().map(|(_, path)| path.length).sum::<f64>();
         let saved = cost(&two) - cost(&one);
-        let remaining = |row: usize| self.shown[row].way.remaining;
+        let remaining = self.remaining;
         // equal retreats differ by rounding
         let saved = if saved.abs() > f64::from(agents.radius[row]) { saved } else { 0.0 };
         let order = priority(&two)
@@ -124,13 +127,20 @@ impl StandoffView<'_> {
         let mut near = Vec::new();
         for &row in rows {
             let reach = REACH * self.state.agents.radius[row];
-            self.grid.within(self.state.agents.position[row], reach, |found| near.push(found.row as usize));
+            self.within(row, reach, |other| near.push(other));
         }
         near.sort_unstable();
         near.dedup();
         near.retain(|&row| self.state.may_resolve(row));
         self.state.nearest_first(&mut near, rows);
         near
+    }
+
+    /// Calls `found` for all agents within a distance of an agent, metres.
+    fn within(&self, row: usize, distance: f32, mut found: impl FnMut(usize)) {
+        self.grid.within(self.state.agents.position[row], distance, |near| {
+            found(self.rows.map_or(near.row, |rows| rows[near.row as usize]) as usize);
+        });
     }
 }
 
@@ -224,8 +234,7 @@ impl<'a> StandoffGround<'a> {
         let radius = |row: usize| f64::from(agents.radius[row]);
         let mut bodies: Vec<_> = first.iter().map(|&row| (state.world_position(row), radius(row))).collect();
         let around = AROUND * agents.radius[first[0]];
-        view.grid.within(agents.position[first[0]], around, |near| {
-            let row = near.row as usize;
+        view.within(first[0], around, |row| {
             let rests = agents.status[row] != Status::Walking || agents.travel[row].turn == Turn::Aside;
             if rests && agents.avoids(first[0], row) && !agents.passes_clear(first[0], row) && !aside.contains(&row) {
                 bodies.push((state.world_position(row), radius(row)));
@@ -286,7 +295,7 @@ impl<'a> StandoffGround<'a> {
             clear.map_or(passed, |k| passed.max(step * k as f64))
         });
         let last = last.fold(0.0, f64::max);
-        view.shown[row].way.remaining - last as f32
+        (view.remaining)(row) - last as f32
     }
 }
 

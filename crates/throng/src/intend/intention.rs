@@ -8,6 +8,7 @@ use super::steering::{Behaving, Planned, Steer};
 use super::trace::Trace;
 use super::velocities::{Velocities, set};
 use crate::agent::{Group, Status};
+use crate::halo::Link;
 use crate::navigate::{Goal, Keyframe, NeighbourData, RETURN_TIME, RouteProgress, Surroundings, Turn};
 use crate::parallel;
 use crate::perceive::{Perceived, SubStep};
@@ -71,6 +72,7 @@ impl Intend {
         (seen, shown): (Perceived<'_>, &[NeighbourData]),
         sleep: &SleepBlocks,
         SubStep { first, seconds, now, .. }: SubStep,
+        link: &mut Link<'_>,
     ) -> Intended<'_> {
         let near = seen.near;
         if first {
@@ -78,7 +80,7 @@ impl Intend {
         } else if let Some(cycles) = seen.sorted {
             self.ahead.permute(cycles);
         }
-        self.standoffs.run(state, seen, shown, sleep, seconds);
+        self.standoffs.run(state, seen, shown, sleep, seconds, link);
         self.sources.find(state);
         self.sources.find_looks(state, now);
         let Self { ahead, sources, interaction, preferred, .. } = self;

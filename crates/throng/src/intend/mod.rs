@@ -13,6 +13,7 @@ mod intention_simd;
 mod look_ahead;
 mod right_of_way;
 mod standoff;
+mod standoff_division;
 mod steering;
 mod steering_simd;
 mod trace;

@@ -52,7 +52,7 @@ impl Navigate {
         let agents = &state.agents;
         let is_lost =
             |&row: &usize| shown[row].way.walks() && shown[row].way.has_goal() && !agents.travel[row].has_way();
-        let lost = state.acting().filter(is_lost);
+        let lost = state.own().filter(is_lost);
         let mut lost: Vec<PathRequest> = lost.filter_map(|row| state.ask_way(row, agents.travel[row].leg)).collect();
         state.prepare_meshes(&lost, halo);
         if lost.is_empty() {
@@ -293,7 +293,7 @@ impl State {
 
     /// Builds the meshes of all agents that have a path or need one.
     pub(crate) fn prepare_all_meshes(&mut self) {
-        let needs: Vec<_> = self.acting().filter_map(|row| self.mesh_need(row)).collect();
+        let needs: Vec<_> = self.own().filter_map(|row| self.mesh_need(row)).collect();
         self.prepare_meshes_for(needs.into_iter());
     }
 

@@ -17,6 +17,11 @@ pub enum Turn {
 }
 
 impl Turn {
+    /// Returns the turn with a number; `None` if there is no such turn.
+    pub(crate) fn numbered(number: u32) -> Option<Self> {
+        [Self::Free, Self::First, Self::Aside].get(number as usize).copied()
+    }
+
     /// Returns a rank: an agent that goes first ranks above an agent that steps aside.
     pub(crate) fn rank(self) -> i32 {
         match self {
@@ -111,8 +116,8 @@ impl Default for RouteProgress {
 
 impl RouteProgress {
     /// Returns what other agents read of the progress of an agent.
-    pub(crate) fn seen(leg: u32, turn: Turn) -> Self {
-        Self { leg, turn, ..Self::default() }
+    pub(crate) fn seen(leg: u32, turn: Turn, stalled: f32) -> Self {
+        Self { leg, turn, stalled, ..Self::default() }
     }
 
     /// Starts a leg of the journey.

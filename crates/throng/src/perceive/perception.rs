@@ -110,7 +110,7 @@ impl Perceive {
             (&state.agents, &state.local_groups, self.close, state.instructions.level());
         self.long.rebuild(agents, range);
         self.near.resize(self.grid.places(), most);
-        self.near.forget(state.acting().end..state.agents.len());
+        self.near.forget(state.own().end..state.agents.len());
         let any_flies = agents.any_flies();
         // beside a large flock that is searched otherwise, too few agents need this search
         let group = agents.group.values();

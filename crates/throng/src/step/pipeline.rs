@@ -82,7 +82,7 @@ impl Pipeline {
         let shown = navigate.run(state, seen, sleep, halo, of);
         border.exchange_ways(state, shown, halo);
         let shown = &*shown;
-        let intended = intend.run(state, (seen, shown), sleep, of);
+        let intended = intend.run(state, (seen, shown), sleep, of, &mut Link { border: &*border, halo: &mut *halo });
         border.exchange_velocities(state, intended.preferred, halo);
         ended(Stage::Intend);
 

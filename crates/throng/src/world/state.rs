@@ -85,13 +85,6 @@ impl State {
         0..self.agents.len() - self.others.ghosts
     }
 
-    /// Returns the rows of the agents that the stages before the guard work for: own agents, and whole ghosts behind them.
-    /// The stages leave out the lean ghosts behind these.
-    #[inline]
-    pub(crate) fn acting(&self) -> std::ops::Range<usize> {
-        0..self.agents.len() - self.others.lean
-    }
-
     /// Returns the number of whole intervals, each of `interval` seconds, in this number of steps.
     pub(crate) fn ticks(&self, steps: u64, interval: f64) -> u64 {
         (steps as f64 * self.settings.step / interval + 1e-9).floor() as u64
