@@ -1,6 +1,7 @@
 //! The clocks of a rank: when a checkpoint or a line of progress is due, and what the steps have cost.
 
 use crate::args::RunArgs;
+use crate::memory;
 use crate::ranks::Ranks;
 use crate::report::Figures;
 use std::io::{IsTerminal, Write};
@@ -99,6 +100,7 @@ impl Clocks {
     /// Returns the figures of all ranks.
     pub fn figures(&self, part: &DividedWorld<Ranks>) -> Figures {
         let ranks = part.halo();
+        let memory = ranks.gather(memory::peak());
         let mean = |own: f64| ranks.gather(own).iter().sum::<f64>() / ranks.count() as f64;
         Figures {
             stepping: self.begin.elapsed().as_secs_f64(),
@@ -106,6 +108,8 @@ impl Clocks {
             waiting: mean(ranks.waited.as_secs_f64()),
             sent: ranks.gather(ranks.sent).iter().sum(),
             divisions: self.divisions,
+            largest: memory.iter().copied().max().unwrap_or(0),
+            memory: memory.iter().sum(),
         }
     }
 }

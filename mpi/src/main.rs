@@ -9,6 +9,7 @@ mod checkpoint;
 mod city;
 mod clocks;
 mod failure;
+mod memory;
 mod parts;
 mod people;
 mod ranks;

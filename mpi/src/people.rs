@@ -8,7 +8,7 @@ use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-use throng::{Agent, AgentId, Goal, GroupId, Journey, JourneyId, Stop, World};
+use throng::{Agent, Goal, GroupId, Journey, JourneyId, Stop, World};
 use throng_scene::Scene;
 
 /// Half of the side of the square at a goal in which people leave, metres.
@@ -33,13 +33,11 @@ pub struct People<'a> {
     all: u64,
     /// People with equal goals share a journey.
     journeys: BTreeMap<[u64; 3], JourneyId>,
-    /// Those of this rank.
-    added: Vec<AgentId>,
 }
 
 impl<'a> People<'a> {
     /// Adds the people of files to a world without agents: to that of each rank an equal share of those that are there from
-    /// the start, and to all ranks those that enter later. Returns those that were added.
+    /// the start, and to all ranks those that enter later. They face their goals.
     ///
     /// # Errors
     /// A file is not a table of people, or the world refuses a person; the file and the row are named.
@@ -49,14 +47,14 @@ impl<'a> People<'a> {
         group: GroupId,
         ranks: &'a Ranks,
         world: &mut World,
-    ) -> Result<Vec<AgentId>, Failure> {
+    ) -> Result<(), Failure> {
         let open = files.iter().map(|path| open(path)).collect::<Result<Vec<_>, _>>()?;
         let all: u64 = open.iter().map(|file| file.metadata().file_metadata().num_rows().max(0) as u64).sum();
         if all >= u64::from(u32::MAX) {
             let text = format!("the files hold {all} people, and a crowd has at most 4,294,967,294");
             return Err(Failure::hint(text, "use fewer people"));
         }
-        let mut people = Self { scene, group, ranks, all, journeys: BTreeMap::new(), added: Vec::new() };
+        let mut people = Self { scene, group, ranks, all, journeys: BTreeMap::new() };
         world.reserve(all as usize / ranks.count() + 1);
         let mut number = 0;
         for (path, file) in files.iter().zip(open) {
@@ -68,7 +66,7 @@ impl<'a> People<'a> {
                 number += rows[0].len() as u32;
             }
         }
-        Ok(people.added)
+        Ok(())
     }
 
     fn add_rows(&mut self, path: &Path, rows: &Rows, first: u32, world: &mut World) -> Result<(), Failure> {
@@ -91,6 +89,9 @@ impl<'a> People<'a> {
                 continue;
             }
             let agent = self.scene.agent_of(0, number as usize);
+            let ahead = goal - at;
+            let is_disc = agent.core == glam::Vec2::ZERO;
+            let heading = agent.heading.or(is_disc.then(|| libm::atan2(ahead.y, ahead.x) as f32));
             let preferred_speed = speed.map_or(agent.preferred_speed, |speed| speed as f32);
             let agent = Agent {
                 position: at.extend(0.0),
@@ -98,12 +99,14 @@ impl<'a> People<'a> {
                 journey,
                 number: Some(number),
                 preferred_speed,
+                heading,
                 ..agent
             };
             match enters {
-                Some(time) => world.schedule_agent(time, agent).map_err(refused)?,
-                None => self.added.push(world.add_agent(agent).map_err(refused)?),
+                Some(time) => world.schedule_agent(time, agent),
+                None => world.add_agent(agent).map(|_| ()),
             }
+            .map_err(refused)?;
         }
         Ok(())
     }

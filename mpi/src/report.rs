@@ -9,13 +9,16 @@ use std::time::Duration;
 use throng::Summary;
 use throng_record::{Output, OutputError};
 
-/// What a run has cost: seconds, means over the ranks; bytes sent by all ranks; and how often the ground was divided.
+/// What a run has cost: seconds, means over the ranks; bytes sent by all ranks; how often the ground was divided; and
+/// the peak of the memory of the largest rank and of all ranks, bytes.
 pub struct Figures {
     pub stepping: f64,
     pub computing: f64,
     pub waiting: f64,
     pub sent: u64,
     pub divisions: u32,
+    pub largest: u64,
+    pub memory: u64,
 }
 
 /// Prints the summary.
@@ -33,6 +36,12 @@ pub fn print(summary: &Summary, hash: u64, ranks: usize, figures: &Figures, wall
         figures.sent as f64 / 1e6,
     );
     println!("  ground     divided {} times", figures.divisions);
+    println!(
+        "  memory     {:.2} GB on the largest rank, {:.2} GB in all; {} bytes an agent",
+        figures.largest as f64 / 1e9,
+        figures.memory as f64 / 1e9,
+        figures.memory / (*agents).max(1) as u64,
+    );
 }
 
 /// Writes `run.json`.
@@ -40,7 +49,7 @@ pub fn print(summary: &Summary, hash: u64, ranks: usize, figures: &Figures, wall
 /// # Errors
 /// The file cannot be written.
 pub fn write(args: &RunArgs, summary: &Summary, hash: u64, ranks: usize, figures: &Figures) -> Result<(), Failure> {
-    let Figures { stepping, computing, waiting, sent, divisions } = figures;
+    let Figures { stepping, computing, waiting, sent, divisions, largest, memory } = figures;
     let result = json!({
         "version": VERSION,
         "scene": args.scene.display().to_string(),
@@ -52,6 +61,8 @@ pub fn write(args: &RunArgs, summary: &Summary, hash: u64, ranks: usize, figures
         "waiting_seconds": waiting,
         "bytes_sent": sent,
         "divisions": divisions,
+        "largest_rank_bytes": largest,
+        "memory_bytes": memory,
     });
     let path = args.output.join("run.json");
     let mut output = Output::create(&path)?;

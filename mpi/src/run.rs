@@ -235,11 +235,7 @@ fn build(args: &RunArgs, scene: &Scene, ranks: &Ranks) -> Result<(World, Built),
         return Err(Failure::hint("the scene has no group for the people", "add a [[group]] to the scene"));
     };
     if !args.resume {
-        let added = People::add(&args.people, scene, group.id, ranks, &mut world)?;
-        // on open ground, the box in which paths are planned depends on the people of all ranks
-        if !built.walkable.is_empty() {
-            world.face_ways(&added);
-        }
+        People::add(&args.people, scene, group.id, ranks, &mut world)?;
     }
     Ok((world, built))
 }

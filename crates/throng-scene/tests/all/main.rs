@@ -3,7 +3,11 @@
 mod about;
 mod damaged;
 mod data;
+mod divided;
 mod docs;
+#[path = "../../../throng/tests/shared/draw.rs"]
+#[allow(dead_code, reason = "other tests use more")]
+mod draw;
 mod drawings;
 mod expectations;
 mod fields;
@@ -27,10 +31,16 @@ mod plans;
 mod plugin_goals;
 mod plugin_places;
 mod plugins;
+#[path = "../../../throng/tests/divided/cuts.rs"]
+#[allow(dead_code, reason = "other tests use more")]
+mod random_cuts;
 mod robust;
 mod run;
 mod schema;
 mod set;
 mod steering;
 mod steering_places;
+#[path = "../../../throng/tests/divided/threads.rs"]
+#[allow(dead_code, reason = "other tests use more")]
+mod threads;
 mod tune;

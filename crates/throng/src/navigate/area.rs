@@ -9,7 +9,6 @@ use super::triangulate::{NONE, triangulate};
 use crate::space::nearest_on_segment;
 use glam::DVec2;
 use std::ops::Range;
-use std::sync::OnceLock;
 
 /// Distance inside the area at which paths end, metres, so that an agent that arrives is certainly inside.
 const INSET: f64 = 0.05;
@@ -30,8 +29,6 @@ pub struct Area {
     /// Positions of the triangles in the order of the bridges, sorted.
     places: Vec<u32>,
     gap: f64,
-    /// See [`in_sight`](Self::in_sight).
-    in_sight: OnceLock<Box<[(u32, f64)]>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -143,10 +140,9 @@ impl Area {
         best
     }
 
-    /// Returns the vertices from which the area is visible, with the lengths of the straight ways to it. They are found
-    /// when first needed.
-    pub(super) fn in_sight(&self, find: impl FnOnce() -> Vec<(u32, f64)>) -> &[(u32, f64)] {
-        self.in_sight.get_or_init(|| find().into())
+    /// Returns the triangles that the area has parts in, in order.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = u32> + '_ {
+        self.pieces.iter().map(|piece| piece.triangle)
     }
 
     pub(super) fn corner(&self) -> DVec2 {

@@ -196,7 +196,7 @@ pub(super) fn clip(polygon: &[DVec2], from: DVec2, to: DVec2, out: &mut Vec<DVec
 }
 
 /// Returns the distance between a segment and a box.
-fn segment_to_box(a: DVec2, b: DVec2, low: DVec2, high: DVec2) -> f64 {
+pub(super) fn segment_to_box(a: DVec2, b: DVec2, low: DVec2, high: DVec2) -> f64 {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
         let (start, along) = (a[axis], b[axis] - a[axis]);

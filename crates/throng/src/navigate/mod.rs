@@ -22,6 +22,7 @@ mod meshes;
 mod navigation;
 mod neighbour_data;
 mod outline;
+mod outlook;
 mod passage;
 mod path;
 mod planning;

@@ -18,6 +18,7 @@ use super::error::Unreachable;
 use super::interval::{GRAZE, IntervalCrossing};
 use super::locate::TOUCH;
 use super::mesh::NavMesh;
+use super::outlook::Outlook;
 use super::path::Path;
 use super::reached::{Reached, ReachedVertices};
 use super::sweep::{VertexAhead, ViewSweep};
@@ -33,6 +34,8 @@ pub(super) struct Tree {
     /// Bits of lengths, and vertices that are not final yet. Lengths are never negative, so their bits are in the order
     /// of their values.
     open: BinaryHeap<Reverse<(u64, u32)>>,
+    /// The vertices that see the target are open as far as this has been visited.
+    outlook: Outlook,
 }
 
 /// Distance inside the view from a point, metres, at which a vertex certainly sees the point.
@@ -93,24 +96,45 @@ pub(super) fn path(
 }
 
 impl Tree {
-    /// Creates a tree with the vertices that are visible from the target.
+    /// Creates a tree. If the target is a point, all vertices that see it are open.
     fn new(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Self {
-        let found;
-        let seen = match target {
-            SearchTarget::Area(area) => area.in_sight(|| in_sight(mesh, target, scratch)),
-            SearchTarget::Point { .. } => {
-                found = in_sight(mesh, target, scratch);
-                &found[..]
+        let (reached, outlook) = (ReachedVertices::new(mesh.vertices.len()), Outlook::of(target));
+        let mut tree = Self { reached, open: BinaryHeap::new(), outlook };
+        if let SearchTarget::Point { at, triangles, .. } = target {
+            for (vertex, length) in in_sight(mesh, target, (*at, triangles), scratch) {
+                tree.offer(vertex, length, NONE);
             }
-        };
-        let mut tree = Self { reached: ReachedVertices::new(mesh.vertices.len()), open: BinaryHeap::new() };
-        seen.iter().for_each(|&(vertex, length)| tree.offer(vertex, length, NONE));
+        }
         tree
+    }
+
+    /// Returns the first vertex that is not final, after the bits of its length; or before all vertices of this length, how
+    /// far the outlook has been visited, if that is less.
+    fn first_open(&self) -> Option<(u64, u32)> {
+        let open = self.open.peek().map(|&Reverse(first)| first);
+        open.into_iter().chain(self.outlook.reached().map(|bits| (bits, 0))).min()
+    }
+
+    /// Visits the next triangle of the outlook: vertices that see the target become open.
+    fn look_out(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) {
+        let mut outlook = std::mem::take(&mut self.outlook);
+        outlook.go_on(mesh, |vertex| {
+            if let Some(way) = straight(mesh, target, vertex, scratch) {
+                self.offer(vertex, way.length, NONE);
+            }
+        });
+        self.outlook = outlook;
+    }
+
+    /// Whether the outlook is to be visited before an open vertex with these bits of a length, or before the end if there is
+    /// none.
+    fn looks_out_before(&self, bits: Option<u64>) -> bool {
+        self.outlook.reached().is_some_and(|reached| bits.is_none_or(|bits| reached <= bits))
     }
 
     /// Returns the size of the tree's memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.reached.bytes() + self.open.len() * size_of::<Reverse<(u64, u32)>>()
+        self.reached.bytes() + self.open.len() * size_of::<Reverse<(u64, u32)>>() + self.outlook.bytes()
     }
 
     /// Returns the shortest path from a point of the mesh.
@@ -188,7 +212,7 @@ impl Tree {
         let nearest = open.fold(f64::INFINITY, |least, &(_, distance)| least.min(distance));
         // the paths through seen vertices that are not final are at least as long as through the first open vertex
         let lacks = |tree: &Self, shortest: f64| {
-            tree.open.peek().is_some_and(|&Reverse((bits, _))| nearest + f64::from_bits(bits) <= shortest + GRAZE)
+            tree.first_open().is_some_and(|(bits, _)| nearest + f64::from_bits(bits) <= shortest + GRAZE)
         };
         if growth == Growth::Toward && lacks(self, shortest) {
             self.grow_toward(mesh, target, (start, shortest), scratch);
@@ -222,7 +246,7 @@ impl Tree {
     /// Whether the path from a vertex is known and final.
     fn is_done(&self, vertex: u32) -> bool {
         let length = self.reached.of(vertex).length;
-        length.is_finite() && self.open.peek().is_none_or(|&Reverse(first)| (length.to_bits(), vertex) < first)
+        length.is_finite() && self.first_open().is_none_or(|first| (length.to_bits(), vertex) < first)
     }
 
     /// Returns the length of the path through a vertex, if the vertex is among those seen, which are given with their
@@ -233,8 +257,12 @@ impl Tree {
     }
 
     /// Finalises the path from the open vertex with the shortest path, and returns that vertex; `None` for an entry
-    /// that is out of date.
+    /// that is out of date, and after a look at vertices that may come before.
     fn grow(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Option<u32> {
+        if self.looks_out_before(self.open.peek().map(|&Reverse((bits, _))| bits)) {
+            self.look_out(mesh, target, scratch);
+            return None;
+        }
         let Reverse((bits, vertex)) = self.open.pop()?;
         if bits != self.reached.of(vertex).length.to_bits() {
             return None;
@@ -262,10 +290,20 @@ impl Tree {
         };
         enter(self, &mut front);
         // twice the tolerance, so that all vertices of the paths compared below have all their continuations
-        while let Some(&Reverse((least, bits, vertex))) = front.peek()
-            && f64::from_bits(least) <= shortest + 2.0 * GRAZE
-        {
-            front.pop();
+        let matters = |bits: u64, shortest: f64| f64::from_bits(bits) <= shortest + 2.0 * GRAZE;
+        loop {
+            let least = front.peek().map(|&Reverse((least, ..))| least);
+            // a path to a vertex that the outlook has not reached is at least as long as the distance of the vertex
+            if self.looks_out_before(least) && self.outlook.reached().is_some_and(|bits| matters(bits, shortest)) {
+                self.look_out(mesh, target, scratch);
+                enter(self, &mut front);
+                continue;
+            }
+            let Some(Reverse((_, bits, vertex))) =
+                least.filter(|&least| matters(least, shortest)).and_then(|_| front.pop())
+            else {
+                break;
+            };
             if bits != self.reached.of(vertex).length.to_bits() {
                 continue;
             }
@@ -309,13 +347,14 @@ impl Tree {
     }
 }
 
-/// Returns the vertices where paths bend and from which the target is visible, in order, with the lengths of the
-/// straight ways.
-fn in_sight(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Vec<(u32, f64)> {
-    let way = |vertex: u32, scratch: &mut TreeScratch| Some((vertex, straight(mesh, target, vertex, scratch)?.length));
-    let SearchTarget::Point { at, triangles, .. } = *target else {
-        return (0..mesh.vertices.len() as u32).filter_map(|vertex| way(vertex, scratch)).collect();
-    };
+/// Returns the vertices where paths bend and from which a target, a point in these triangles, is visible, in order, with the
+/// lengths of the straight ways.
+fn in_sight(
+    mesh: &NavMesh,
+    target: &SearchTarget<'_>,
+    (at, triangles): (DVec2, &[u32]),
+    scratch: &mut TreeScratch,
+) -> Vec<(u32, f64)> {
     // vertices that may be visible, and whether they are certainly hidden by nothing
     let mut near: Vec<(u32, bool)> = Vec::new();
     near.extend(triangles.iter().flat_map(|&triangle| mesh.triangles[triangle as usize]).map(|vertex| (vertex, true)));
@@ -333,7 +372,7 @@ fn in_sight(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch
         if is_clear {
             mesh.bends_along(vertex, offset).then(|| (vertex, offset.length()))
         } else {
-            way(vertex, scratch)
+            straight(mesh, target, vertex, scratch).map(|way| (vertex, way.length))
         }
     });
     seen.collect()

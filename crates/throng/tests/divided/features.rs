@@ -207,6 +207,53 @@ fn standoffs_on_both_sides_of_a_border() {
     assert_same(world, &[-3.0, -0.5, 1.0], 300);
 }
 
+/// Random passages, each too narrow for two, in three places so far from each other that their standoffs do not depend on each
+/// other. The cuts change often, so that agreements are made by other worlds than those of the agents.
+#[test]
+fn standoffs_in_random_passages() {
+    let mut standoffs = 0;
+    for seed in 0..6 {
+        let mut draw = Draw::new(100 + seed);
+        let (mut world, group) = plain(0.1);
+        let turn = DVec2::from_angle(draw.between(0.0, 6.3));
+        let middles = [-130.0, 0.0, 130.0].map(|x| turn.rotate(DVec2::new(x, 0.0)));
+        let outer = rectangle(DVec2::ZERO, DVec2::splat(400.0));
+        world.set_walkable(vec![Walkable { outer, holes: vec![] }]).unwrap();
+        for middle in middles {
+            let place = |x: f64, y: f64| middle + turn.rotate(DVec2::new(x, y));
+            let (radius, thick) = (draw.between(0.13, 0.22), draw.between(0.6, 4.0));
+            let (lanes, width) = (1 + draw.index(3), radius * draw.between(2.3, 3.2));
+            let lane = |k: usize| 5.0 * (k as f64 - 0.5 * (lanes - 1) as f64);
+            let mut ends = vec![-14.0];
+            ends.extend((0..lanes).flat_map(|k| [lane(k) - 0.5 * width, lane(k) + 0.5 * width]));
+            ends.push(14.0);
+            for pair in ends.chunks(2) {
+                let corners = [(-thick, pair[0]), (thick, pair[0]), (thick, pair[1]), (-thick, pair[1])];
+                let corners = corners.map(|(x, y)| place(0.5 * x, y)).to_vec();
+                world.add_obstacle(Obstacle::Polygon { corners }).unwrap();
+            }
+            for k in 0..8 * lanes {
+                let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+                let from = 0.5 * thick + 1.0 + 0.6 * (k / (2 * lanes)) as f64;
+                let along = lane(k / 2 % lanes);
+                let (at, to) = (place(side * from, along), place(-side * draw.between(4.0, 9.0), along));
+                world.add_agent(Agent::at(at).goal(to).radius(radius as f32).group(group)).unwrap();
+            }
+        }
+        let mut alone = world.clone();
+        (0..200).for_each(|_| alone.step());
+        standoffs += alone.summary().standoffs;
+        let worlds = 2 + draw.index(6);
+        let cuts = |step: u64| {
+            let mut draw = Draw::new(1000 * seed + step / 7);
+            let middle = middles[draw.index(3)].as_vec2();
+            random_cuts(&mut draw, worlds, middle - 4.0, middle + 4.0)
+        };
+        compare(world, cuts, 200, |_, _| ()).unwrap_or_else(|why| panic!("seed {seed}: {why}"));
+    }
+    assert!(standoffs > 30, "{standoffs}");
+}
+
 /// A field that leads to the place where the agents were on average.
 #[derive(Clone)]
 struct ToMiddle(Vec2);
