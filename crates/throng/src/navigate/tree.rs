@@ -98,7 +98,7 @@ pub(super) fn path(
 impl Tree {
     /// Creates a tree. If the target is a point, all vertices that see it are open.
     fn new(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Self {
-        let (reached, outlook) = (ReachedVertices::new(mesh.vertices.len()), Outlook::of(target));
+        let (reached, outlook) = (ReachedVertices::new(mesh.vertices.len()), Outlook::of(mesh, target));
         let mut tree = Self { reached, open: BinaryHeap::new(), outlook };
         if let SearchTarget::Point { at, triangles, .. } = target {
             for (vertex, length) in in_sight(mesh, target, (*at, triangles), scratch) {
