@@ -16,6 +16,7 @@ mod ranks;
 mod report;
 mod run;
 mod signals;
+mod threads;
 
 use args::{Command, Program};
 use clap::Parser;

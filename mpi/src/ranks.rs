@@ -7,6 +7,10 @@ use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Root, Sour
 use std::time::{Duration, Instant};
 use throng::halo::{Agreement, Cuts, Halo};
 
+/// Greatest length of a message, bytes: MPI counts in 32 bits. In debug builds it is short, so that tests send packets in
+/// several messages.
+const MOST: usize = if cfg!(debug_assertions) { 1 << 12 } else { 1 << 30 };
+
 /// The ranks of a job, the division of the ground among them, and the time spent in exchanges.
 pub struct Ranks {
     all: SimpleCommunicator,
@@ -97,13 +101,19 @@ impl Ranks {
         let mut coming = vec![0u64; packets.len()];
         self.all.all_to_all_into(&lengths[..], &mut coming[..]);
         let mut received: Vec<Vec<u8>> = coming.iter().map(|&length| vec![0; length as usize]).collect();
-        let requests = lengths.iter().chain(&coming).filter(|&&length| length > 0).count();
+        let pieces = |packet: &Vec<u8>| packet.len().div_ceil(MOST);
+        let requests = packets.iter().chain(&received).map(pieces).sum();
         mpi::request::multiple_scope(requests, |scope, open| {
-            for (rank, packet) in received.iter_mut().enumerate().filter(|(_, packet)| !packet.is_empty()) {
-                open.add(self.all.process_at_rank(rank as i32).immediate_receive_into(scope, &mut packet[..]));
+            // messages from one rank to another arrive in their order
+            for (rank, packet) in received.iter_mut().enumerate() {
+                for piece in packet.chunks_mut(MOST) {
+                    open.add(self.all.process_at_rank(rank as i32).immediate_receive_into(scope, piece));
+                }
             }
-            for (rank, packet) in packets.iter().enumerate().filter(|(_, packet)| !packet.is_empty()) {
-                open.add(self.all.process_at_rank(rank as i32).immediate_send(scope, &packet[..]));
+            for (rank, packet) in packets.iter().enumerate() {
+                for piece in packet.chunks(MOST) {
+                    open.add(self.all.process_at_rank(rank as i32).immediate_send(scope, piece));
+                }
             }
             open.wait_all(&mut Vec::with_capacity(requests));
         });

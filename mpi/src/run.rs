@@ -9,6 +9,7 @@ use crate::people::People;
 use crate::ranks::Ranks;
 use crate::report;
 use crate::signals::Signals;
+use crate::threads;
 use glam::DVec2;
 use std::fs;
 use std::time::Instant;
@@ -27,7 +28,7 @@ pub fn run(args: &RunArgs, mut ranks: Ranks) -> Result<(), Failure> {
     let identity = together(&ranks, identity(args, &scene))?;
     same_everywhere(&ranks, identity)?;
     let identity = format!("{identity:016x}");
-    together(&ranks, threads(args, &ranks))?;
+    together(&ranks, threads::start(args, &ranks))?;
     together(&ranks, folder(args))?;
     let last = match args.resume {
         true => Manifest::read(&args.output, VERSION, &identity).map(Some),
@@ -199,14 +200,6 @@ fn same_everywhere(ranks: &Ranks, identity: u64) -> Result<(), Failure> {
         }
     }
     Ok(())
-}
-
-fn threads(args: &RunArgs, ranks: &Ranks) -> Result<(), Failure> {
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let threads = args.threads.unwrap_or((cores / ranks.on_this_machine()).max(1));
-    // this thread is one of them, because MPI is called from the main thread
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread().build_global();
-    pool.map_err(|error| Failure::Here(format!("cannot start {threads} threads: {error}")))
 }
 
 fn folder(args: &RunArgs) -> Result<(), Failure> {

@@ -88,3 +88,48 @@ impl Outlook {
         16 * self.open.len() + 8 * (self.triangles.0.len() + self.vertices.0.len())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::navigate::tree::{TreeScratch, straight};
+    use crate::random::SplitMix64;
+    use crate::space::{Obstacle, Walkable};
+    use std::collections::BTreeSet;
+
+    fn rectangle(low: DVec2, size: DVec2) -> Vec<DVec2> {
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| low + size * DVec2::new(x, y)).to_vec()
+    }
+
+    #[test]
+    fn no_vertex_in_sight_is_missed() {
+        let mut seen = 0;
+        for seed in 0..30 {
+            let mut dice = SplitMix64(seed);
+            let mut draw = |low: f64, high: f64| dice.between(low, high);
+            let mut blocks = Vec::new();
+            for cell in 0..36 {
+                let corner = DVec2::new(f64::from(cell % 6), f64::from(cell / 6)) * 10.0;
+                let (at, size) =
+                    (DVec2::new(draw(1.0, 4.0), draw(1.0, 4.0)), DVec2::new(draw(1.0, 5.0), draw(1.0, 5.0)));
+                blocks.push(Obstacle::Polygon { corners: rectangle(corner + at, size) });
+            }
+            let ground = Walkable { outer: rectangle(DVec2::ZERO, DVec2::splat(60.0)), holes: vec![] };
+            let mesh = NavMesh::build(&[ground], &blocks, 0.2, (DVec2::ZERO, DVec2::ZERO)).unwrap();
+            let (at, size) = (DVec2::new(draw(2.0, 50.0), draw(2.0, 50.0)), DVec2::new(draw(0.5, 8.0), draw(0.5, 8.0)));
+            let area = mesh.area(&rectangle(at, size)).unwrap();
+            let (target, mut scratch) = (SearchTarget::Area(&area), TreeScratch::default());
+            let mut length = |vertex| Some((vertex, straight(&mesh, &target, vertex, &mut scratch)?.length));
+            let in_sight: Vec<(u32, f64)> = (0..mesh.vertices.len() as u32).filter_map(&mut length).collect();
+            seen += in_sight.len();
+            let (mut outlook, mut found) = (Outlook::of(&mesh, &target), BTreeSet::new());
+            while let Some(reached) = outlook.reached().map(f64::from_bits) {
+                let missed = in_sight.iter().find(|(vertex, length)| *length < reached && !found.contains(vertex));
+                assert_eq!(missed, None, "seed {seed}, at {reached} m");
+                outlook.go_on(&mesh, |vertex| assert!(found.insert(vertex), "each vertex is found once"));
+            }
+            assert!(area.is_empty() || in_sight.iter().all(|(vertex, _)| found.contains(vertex)), "seed {seed}");
+        }
+        assert!(seen > 500, "{seen}");
+    }
+}

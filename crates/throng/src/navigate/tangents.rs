@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 /// The tangents of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Tangents {
-    /// For each vertex: the vertices that its tangents lead to, in order.
+    /// For each vertex: the vertices that its tangents lead to, the nearest first.
     of: Vec<OnceLock<Box<[u32]>>>,
 }
 
@@ -21,7 +21,7 @@ impl Tangents {
 }
 
 impl NavMesh {
-    /// Returns the vertices that the tangents of a vertex lead to, in order.
+    /// Returns the vertices that the tangents of a vertex lead to, the nearest first.
     pub(super) fn tangents(&self, vertex: u32, sweep: &mut ViewSweep) -> &[u32] {
         self.tangents.of[vertex as usize].get_or_init(|| {
             let at = self.vertices[vertex as usize];
@@ -42,7 +42,8 @@ impl NavMesh {
                     true
                 });
             }
-            found.sort_unstable();
+            let distance = |other: u32| self.vertices[other as usize].distance_squared(at);
+            found.sort_unstable_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)));
             found.dedup();
             found.into()
         })

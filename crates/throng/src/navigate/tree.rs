@@ -36,7 +36,14 @@ pub(super) struct Tree {
     open: BinaryHeap<Reverse<(u64, u32)>>,
     /// The vertices that see the target are open as far as this has been visited.
     outlook: Outlook,
+    /// Length up to which paths are offered, metres: in a long street a vertex has many far tangents. And the vertices with
+    /// longer paths to offer, with the first tangent that has one.
+    horizon: f64,
+    beyond: Vec<(u32, u32)>,
 }
+
+/// The first horizon of a tree, relative to the distance of the first start.
+const FAR: f64 = 1.5;
 
 /// Distance inside the view from a point, metres, at which a vertex certainly sees the point.
 const CLEARLY: f64 = 1e-6;
@@ -99,7 +106,7 @@ impl Tree {
     /// Creates a tree. If the target is a point, all vertices that see it are open.
     fn new(mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) -> Self {
         let (reached, outlook) = (ReachedVertices::new(mesh.vertices.len()), Outlook::of(mesh, target));
-        let mut tree = Self { reached, open: BinaryHeap::new(), outlook };
+        let mut tree = Self { reached, open: BinaryHeap::new(), outlook, horizon: 0.0, beyond: Vec::new() };
         if let SearchTarget::Point { at, triangles, .. } = target {
             for (vertex, length) in in_sight(mesh, target, (*at, triangles), scratch) {
                 tree.offer(vertex, length, NONE);
@@ -108,15 +115,28 @@ impl Tree {
         tree
     }
 
-    /// Returns the first vertex that is not final, after the bits of its length; or before all vertices of this length, how
-    /// far the outlook has been visited, if that is less.
-    fn first_open(&self) -> Option<(u64, u32)> {
-        let open = self.open.peek().map(|&Reverse(first)| first);
-        open.into_iter().chain(self.outlook.reached().map(|bits| (bits, 0))).min()
+    /// Returns the bits of the length beyond which paths are missing; `None`: none is missing.
+    fn complete_to(&self) -> Option<u64> {
+        let horizon = (!self.beyond.is_empty()).then_some(self.horizon.to_bits());
+        self.outlook.reached().into_iter().chain(horizon).min()
     }
 
-    /// Visits the next triangle of the outlook: vertices that see the target become open.
+    /// Returns the first vertex that is not final, after the bits of its length; or, before all vertices of this length, the
+    /// length beyond which paths are missing, if that is less.
+    fn first_open(&self) -> Option<(u64, u32)> {
+        let open = self.open.peek().map(|&Reverse(first)| first);
+        open.into_iter().chain(self.complete_to().map(|bits| (bits, 0))).min()
+    }
+
+    /// Offers some of the missing paths: it visits the next triangle of the outlook, or doubles the horizon.
     fn look_out(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, scratch: &mut TreeScratch) {
+        if self.outlook.reached().is_none_or(|bits| bits > self.horizon.to_bits() && !self.beyond.is_empty()) {
+            self.horizon *= 2.0;
+            for (vertex, from) in std::mem::take(&mut self.beyond) {
+                self.expand(mesh, target, (vertex, from), scratch);
+            }
+            return;
+        }
         let mut outlook = std::mem::take(&mut self.outlook);
         outlook.go_on(mesh, |vertex| {
             if let Some(way) = straight(mesh, target, vertex, scratch) {
@@ -126,15 +146,15 @@ impl Tree {
         self.outlook = outlook;
     }
 
-    /// Whether the outlook is to be visited before an open vertex with these bits of a length, or before the end if there is
-    /// none.
+    /// Whether missing paths may be shorter than an open one with these bits of a length, or than none.
     fn looks_out_before(&self, bits: Option<u64>) -> bool {
-        self.outlook.reached().is_some_and(|reached| bits.is_none_or(|bits| reached <= bits))
+        self.complete_to().is_some_and(|complete| bits.is_none_or(|bits| complete <= bits))
     }
 
     /// Returns the size of the tree's memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.reached.bytes() + self.open.len() * size_of::<Reverse<(u64, u32)>>() + self.outlook.bytes()
+        let open = self.open.len() * size_of::<Reverse<(u64, u32)>>();
+        self.reached.bytes() + open + self.outlook.bytes() + self.beyond.len() * size_of::<(u32, u32)>()
     }
 
     /// Returns the shortest path from a point of the mesh.
@@ -145,6 +165,10 @@ impl Tree {
         (start, growth): (DVec2, Growth),
         scratch: &mut TreeScratch,
     ) -> Result<Path, Unreachable> {
+        if self.horizon == 0.0 {
+            let (low, high) = target.bounds();
+            self.horizon = FAR * start.distance(start.clamp(low, high)) + 1.0;
+        }
         let mut around = std::mem::take(&mut scratch.around);
         mesh.touching(start, TOUCH, &mut around);
         let reached = target.check_island(mesh, &around);
@@ -267,7 +291,7 @@ impl Tree {
         if bits != self.reached.of(vertex).length.to_bits() {
             return None;
         }
-        self.expand(mesh, target, vertex, scratch);
+        self.expand(mesh, target, (vertex, 0), scratch);
         Some(vertex)
     }
 
@@ -293,8 +317,7 @@ impl Tree {
         let matters = |bits: u64, shortest: f64| f64::from_bits(bits) <= shortest + 2.0 * GRAZE;
         loop {
             let least = front.peek().map(|&Reverse((least, ..))| least);
-            // a path to a vertex that the outlook has not reached is at least as long as the distance of the vertex
-            if self.looks_out_before(least) && self.outlook.reached().is_some_and(|bits| matters(bits, shortest)) {
+            if self.looks_out_before(least) && self.complete_to().is_some_and(|bits| matters(bits, shortest)) {
                 self.look_out(mesh, target, scratch);
                 enter(self, &mut front);
                 continue;
@@ -310,15 +333,21 @@ impl Tree {
             if let Some(length) = self.by_way_of(vertex, &scratch.seen) {
                 shortest = shortest.min(length);
             }
-            self.expand(mesh, target, vertex, scratch);
+            self.expand(mesh, target, (vertex, 0), scratch);
             enter(self, &mut front);
         }
         self.open.extend(front.drain().map(|Reverse((_, bits, vertex))| Reverse((bits, vertex))));
         scratch.front = front;
     }
 
-    /// Offers the path from a vertex to all vertices that its tangents lead to.
-    fn expand(&mut self, mesh: &NavMesh, target: &SearchTarget<'_>, vertex: u32, scratch: &mut TreeScratch) {
+    /// Offers the path from a vertex to the vertices that its tangents lead to, from this one on, as far as the horizon.
+    fn expand(
+        &mut self,
+        mesh: &NavMesh,
+        target: &SearchTarget<'_>,
+        (vertex, from): (u32, u32),
+        scratch: &mut TreeScratch,
+    ) {
         let (Reached { length, next }, at) = (self.reached.of(vertex), mesh.vertices[vertex as usize]);
         let on = match next {
             NONE => match straight(mesh, target, vertex, scratch) {
@@ -327,10 +356,15 @@ impl Tree {
             },
             next => mesh.vertices[next as usize],
         };
-        for &other in mesh.tangents(vertex, &mut scratch.sweep) {
+        for (index, &other) in (from..).zip(&mesh.tangents(vertex, &mut scratch.sweep)[from as usize..]) {
             let offset = at - mesh.vertices[other as usize];
+            let longer = length + offset.length();
+            if longer > self.horizon {
+                self.beyond.push((vertex, index));
+                return;
+            }
             if mesh.bends_to(vertex, offset, on - at) {
-                self.offer(other, length + offset.length(), vertex);
+                self.offer(other, longer, vertex);
             }
         }
     }
@@ -384,7 +418,7 @@ fn shorter(one: Option<IntervalCrossing>, other: Option<IntervalCrossing>) -> Op
 }
 
 /// Returns the straight way to the target from a vertex where paths bend, if the target is visible from it.
-fn straight(
+pub(super) fn straight(
     mesh: &NavMesh,
     target: &SearchTarget<'_>,
     vertex: u32,
