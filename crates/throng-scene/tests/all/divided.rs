@@ -9,9 +9,6 @@ use throng::halo::{Cuts, DividedWorld};
 use throng::{Error, World};
 use throng_scene::gallery;
 
-/// Greatest number of agents of the scenes that are always tested.
-const FEW: usize = 600;
-
 /// Returns the hashes of the states after each step.
 fn hashes(mut world: World, steps: u64) -> Vec<u64> {
     let step = |_| {
@@ -41,15 +38,11 @@ fn hashes_of_division(world: &World, cuts: impl Fn(u64) -> Cuts + Sync, steps: u
     Ok(parts.into_iter().next().unwrap())
 }
 
-/// Compares scenes of the gallery with their divisions. Returns how many scenes can be divided.
-fn compare(steps: u64, is_tested: impl Fn(usize) -> bool) -> usize {
-    let mut divided = 0;
+#[test]
+fn all_scenes_of_the_gallery_have_the_bits_of_one_world() {
+    let (steps, mut divided) = (60, 0);
     for (index, name) in gallery::names().enumerate() {
-        let scene = gallery::scene(name).unwrap();
-        let (world, built) = scene.build().unwrap();
-        if !is_tested(built.agents) {
-            continue;
-        }
+        let (world, _) = gallery::scene(name).unwrap().build().unwrap();
         let worlds = [1, 2, 3, 4, 9][index % 5];
         let places = &world.relative_columns().position;
         let corner = |pick: fn(Vec2, Vec2) -> Vec2| places.iter().copied().reduce(pick).unwrap_or(Vec2::ZERO);
@@ -64,18 +57,5 @@ fn compare(steps: u64, is_tested: impl Fn(usize) -> bool) -> usize {
             Err(error) => panic!("{name}: {error}"),
         }
     }
-    divided
-}
-
-#[test]
-fn small_scenes_of_the_gallery_have_the_bits_of_one_world() {
-    let divided = compare(30, |agents| agents <= FEW);
-    assert!(divided > 30, "{divided} scenes");
-}
-
-#[test]
-#[ignore = "slow"]
-fn slow_all_scenes_of_the_gallery_have_the_bits_of_one_world() {
-    let divided = compare(60, |_| true);
     assert!(divided > 30, "{divided} scenes");
 }
