@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Values that all worlds of a division [agree](super::Halo::agree) on. The merged values do not depend on the order in
-/// which they are merged: they are least and greatest values, flags and sums of whole numbers.
+/// which they are merged: they are least and greatest values, flags, sums of whole numbers, and what
+/// single worlds tell by keys of their own.
 ///
 /// ```
 /// use throng::halo::Agreement;

@@ -136,8 +136,8 @@ impl Border {
         let rounds = (sees / contact) as usize;
         self.rounds = rounds.saturating_sub(CONTACTS).clamp(LEAST_ROUNDS, MOST_ROUNDS);
         let guards = (self.rounds + CONTACTS) as f32 * contact;
-        // own agents leave the ground of their world by what they move in the step; a little more for rounding
         self.bound = all.bound;
+        // own agents leave the ground of their world by what they move in the step; a little more for rounding
         self.standoff_reach = 1.01 * (sees + STANDOFF_REACH * all.bound) + 0.1;
         self.depth = 1.01 * (sees.max(guards) + all.speed * seconds) + 0.1;
     }

@@ -78,7 +78,7 @@ pub(super) fn run_divided(
     if told.is_empty() {
         return;
     }
-    let points = told.iter().map(|(&key, place)| (key, postcard::from_bytes(place).expect(BROKEN))).collect();
+    let points = told.iter().map(|(&key, place)| (key, postcard::from_bytes(place).expect(BROKEN)));
     let clusters = Clusters::new(points, state, link);
     let agreed = agree_in_clusters(state, seen, remaining, &clusters, &looking, link);
     let agreed = link.halo.agree(Agreement { told: agreed, ..Agreement::default() }).told;
@@ -209,17 +209,16 @@ const CELL: f32 = 4.0;
 
 /// The agents that standoffs of a sub-step may begin or grow with, in clusters that do not depend on each other.
 struct Clusters {
-    /// The places of the agents, by kind and number.
-    points: BTreeMap<(u8, u32), Vec2>,
-    /// The place of the first agent of the cluster of each point, in the order of points.
-    first: Vec<Vec2>,
-    /// Distance from these points within which agents matter, metres.
+    /// The place of each agent and that of the first agent of its cluster, by kind and number.
+    points: BTreeMap<(u8, u32), [Vec2; 2]>,
+    /// Distance from the agents within which other agents matter, metres.
     reach: f32,
 }
 
 impl Clusters {
-    fn new(points: BTreeMap<(u8, u32), Vec2>, state: &State, link: &Link<'_>) -> Self {
-        let (places, keys): (Vec<Vec2>, Vec<_>) = (points.values().copied().collect(), points.keys().collect());
+    /// Returns the clusters of agents, given by their keys, in order, and their places.
+    fn new(agents: impl Iterator<Item = ((u8, u32), Vec2)>, state: &State, link: &Link<'_>) -> Self {
+        let (keys, places): (Vec<(u8, u32)>, Vec<Vec2>) = agents.unzip();
         let reach = link.border.standoff_reach;
         let mut cluster: Vec<usize> = (0..places.len()).collect();
         let mut grid = Grid::default();
@@ -228,24 +227,23 @@ impl Clusters {
             grid.within(place, 2.0 * reach, |near| join(&mut cluster, index, near.row as usize));
         }
         for standoff in &state.standoffs {
-            let members = standoff.numbers().filter_map(|number| keys.binary_search(&&(MEMBER, number)).ok());
+            let members = standoff.numbers().filter_map(|number| keys.binary_search(&(MEMBER, number)).ok());
             let members: Vec<usize> = members.collect();
             members.windows(2).for_each(|pair| join(&mut cluster, pair[0], pair[1]));
         }
-        let first = (0..places.len()).map(|index| places[root(&cluster, index)]).collect();
-        Self { points, first, reach }
+        let point = |index: usize| (keys[index], [index, root(&cluster, index)].map(|index| places[index]));
+        Self { points: (0..keys.len()).map(point).collect(), reach }
     }
 
     /// Returns the world in which the agents around a point agree.
     fn owner(&self, key: (u8, u32), link: &Link<'_>) -> Option<usize> {
-        let index = self.points.contains_key(&key).then(|| self.points.range(..key).count())?;
-        Some(link.halo.owner(self.first[index]))
+        self.points.get(&key).map(|&[_, first]| link.halo.owner(first))
     }
 
     /// Returns the own rows around the points, by the world in which they agree.
     fn own_rows(&self, state: &State, grid: &Grid, link: &Link<'_>) -> BTreeMap<usize, BTreeSet<u32>> {
         let (own, mut rows) = (state.own(), BTreeMap::<usize, BTreeSet<u32>>::new());
-        for (&place, &first) in self.points.values().zip(&self.first) {
+        for &[place, first] in self.points.values() {
             let to = link.halo.owner(first);
             grid.within(place, self.reach, |near| {
                 if own.contains(&(near.row as usize)) {
