@@ -26,16 +26,16 @@ impl Parts {
         Self { folder: folder.into(), rank, kind, setting, every, writer: None, frame: Frame::default() }
     }
 
-    /// Removes the files that hold moments after this step, and what a killed process has left: a run that goes on from
-    /// there writes them again.
+    /// Removes the files that begin after the checkpoint at a step, and what a killed process has left of them: a run that
+    /// goes on from there writes them again. Without a checkpoint, removes the files of a run before.
     ///
     /// # Errors
     /// A file cannot be removed.
-    pub fn remove_after(folder: &Path, step: u64) -> Result<(), Failure> {
+    pub fn remove_after(folder: &Path, checkpoint: Option<u64>) -> Result<(), Failure> {
         let names = fs::read_dir(folder).map_err(|error| unread(folder, &error))?;
         for path in names.filter_map(|entry| Some(entry.ok()?.path())) {
             let begins = path.file_name().and_then(|name| name.to_str()).and_then(first_step);
-            if begins.is_some_and(|begins| begins >= step) {
+            if begins.is_some_and(|begins| checkpoint.is_none_or(|step| begins > step)) {
                 fs::remove_file(&path)
                     .map_err(|error| Failure::Here(format!("cannot remove {}: {error}", path.display())))?;
             }

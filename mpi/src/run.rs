@@ -51,8 +51,8 @@ pub fn run(args: &RunArgs, mut ranks: Ranks) -> Result<(), Failure> {
         part.halo_mut().cuts = part.balanced(0.0);
         part
     };
-    let from = last.as_ref().map_or(0, |last| last.steps);
-    let removed = if rank == 0 { Parts::remove_after(&args.output, from) } else { Ok(()) };
+    let checkpoint = last.as_ref().map(|last| last.steps);
+    let removed = if rank == 0 { Parts::remove_after(&args.output, checkpoint) } else { Ok(()) };
     together(part.halo(), removed)?;
     let steps_of = |seconds: f64| if seconds > 0.0 { ((seconds / scene.time.step).round() as u64).max(1) } else { 0 };
     let parts = Parts::new(&args.output, rank, args.format, setting, steps_of(args.every));

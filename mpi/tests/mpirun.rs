@@ -148,7 +148,8 @@ fn signal(kind: &str, process: &str) {
 #[test]
 fn a_run_survives_a_killed_rank() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = ["doorway", "--hashes", "--time", "12", "--every", "0.2", "--checkpoint", "0.001"];
+    // a moment and a checkpoint after every step: each file holds one moment
+    let arguments = ["doorway", "--hashes", "--time", "12", "--every", "0.04", "--checkpoint", "0.000001"];
     let mut command = mpirun(3);
     command.arg("run").args(arguments).arg("-o").arg(folder.path()).args(["--threads", "1"]);
     let mut job = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
@@ -163,14 +164,14 @@ fn a_run_survives_a_killed_rank() {
     assert!(!job.wait().unwrap().success());
 
     let begun = steps();
-    let resumed = run(2, folder.path(), &["doorway", "--resume", "--hashes", "--time", "12", "--every", "0.2"]);
+    let resumed = run(2, folder.path(), &["doorway", "--resume", "--hashes", "--time", "12", "--every", "0.04"]);
     let expected = undivided("doorway", &[], 12.0);
     assert_eq!(hashes(&resumed), expected[begun as usize..]);
     // the files have every moment once
     let all = Trajectories::read(folder.path()).unwrap();
     let mut times: Vec<f64> = all.spots.iter().map(|spot| spot.time).collect();
     times.dedup();
-    assert_eq!(times.len(), 61);
+    assert_eq!(times.len(), 301);
 }
 
 /// SIGUSR1 is what a job scheduler sends before the end of the time of a job.
