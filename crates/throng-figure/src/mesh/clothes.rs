@@ -1,4 +1,4 @@
-//! What only some looks wear: skirts, coats, rucksacks and long hair, as closed tubes over the body.
+//! What only some looks wear or carry: skirts, coats, rucksacks, long hair and umbrellas, as closed tubes.
 
 use super::tubes::{Body, Detail, Form, Ring, add_tube, weights};
 use super::{Level, Mesh, Region};
@@ -37,6 +37,9 @@ impl Body {
         self.bag(mesh);
         if self.level <= Level::Medium {
             Side::BOTH.into_iter().for_each(|side| self.strap(mesh, side));
+        }
+        if self.level <= Level::Coarse {
+            self.umbrella(mesh);
         }
     }
 
@@ -132,6 +135,31 @@ impl Body {
             form: Form::Box,
         });
         add_tube(mesh, self.sides(), rings.collect(), |_, _| weights(Joint::Spine1, &[], 0.0));
+    }
+
+    /// Adds a closed umbrella that goes on where the right arm ends.
+    fn umbrella(&self, mesh: &mut Mesh) {
+        // distance from the wrist, radius
+        const TABLE: [(f64, f64, Detail); 7] = [
+            (0.000, 0.006, 1),
+            (0.012, 0.009, 2),
+            (0.085, 0.009, 1),
+            (0.095, 0.016, 2),
+            (0.150, 0.021, 1),
+            (0.330, 0.012, 1),
+            (0.375, 0.003, 1),
+        ];
+        let [shoulder, wrist] = [Joint::RightArm, Joint::RightHand].map(|joint| self.joint(joint));
+        let along = (wrist - shoulder).normalize();
+        // the wrist is at the thumb: the fist holds the handle
+        let grip = wrist + DVec3::X * 0.012;
+        let rings = TABLE.iter().filter(|row| self.has(row.2)).map(|&(distance, radius, _)| Ring {
+            centre: grip + along * distance,
+            axes: [DVec3::X * radius, along.cross(DVec3::X) * radius],
+            region: Region::Umbrella,
+            form: Form::Ellipse,
+        });
+        add_tube(mesh, self.sides().min(6), rings.collect(), |_, _| weights(Joint::RightHand, &[], 0.0));
     }
 
     /// Adds a strap of the rucksack, from its top over the shoulder and under the arm to its bottom.

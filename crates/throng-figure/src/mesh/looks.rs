@@ -28,6 +28,8 @@ pub enum Region {
     Bag,
     /// Hair to the shoulders, of women and children. Only some looks have it.
     LongHair,
+    /// A closed umbrella in the right hand. Only some looks carry it; blocks do not have it.
+    Umbrella,
 }
 
 impl Region {
@@ -44,6 +46,7 @@ impl Region {
         Region::Coat,
         Region::Bag,
         Region::LongHair,
+        Region::Umbrella,
     ];
 
     /// Returns the name, in lower case.
@@ -60,12 +63,13 @@ impl Region {
             Region::Coat => "coat",
             Region::Bag => "bag",
             Region::LongHair => "long hair",
+            Region::Umbrella => "umbrella",
         }
     }
 }
 
 /// Number of regions.
-const REGIONS: usize = 11;
+const REGIONS: usize = 12;
 
 /// The clothes of a person: the colour of each region, red, green, blue (sRGB), and which regions it wears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -91,6 +95,8 @@ const SHOES: [[u8; 3]; 4] = [[38, 34, 32], [92, 62, 42], [196, 194, 190], [60, 6
 const SKIRT: [[u8; 3]; 4] = [[62, 64, 74], [124, 58, 68], [72, 92, 120], [172, 150, 120]];
 const TIGHTS: [u8; 3] = [44, 42, 46];
 const BAG: [[u8; 3]; 5] = [[58, 62, 70], [150, 62, 48], [62, 92, 78], [182, 146, 84], [46, 66, 98]];
+
+const UMBRELLA: [[u8; 3]; 3] = [[40, 42, 50], [120, 44, 52], [38, 74, 92]];
 
 impl Look {
     /// Returns the look of a number. Numbers from 16 on repeat the looks.
@@ -123,6 +129,7 @@ impl Look {
                 coat.then_some(top),
                 matches!(number % 7, 3 | 6).then(|| BAG[number % BAG.len()]),
                 (number % 2 == 0).then_some(hair),
+                (number % 8 == 1).then(|| UMBRELLA[number % UMBRELLA.len()]),
             ],
         }
     }

@@ -10,14 +10,14 @@ use crate::person::Build;
 use crate::pose::{JOINTS, Placed, Skeleton};
 use glam::{DVec3, Mat4, Vec3};
 
-/// How finely a body is modelled. Vertices are those of the body, and of what only some looks wear.
+/// How finely a body is modelled. Vertices are those of the body, and of what only some looks wear or carry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Level {
-    /// 1104 + 302 vertices: files, and pictures closer than 8 m.
+    /// 1104 + 346 vertices: files, and pictures closer than 8 m.
     Fine,
-    /// 704 + 218 vertices: hundreds of people.
+    /// 704 + 262 vertices: hundreds of people.
     Medium,
-    /// 352 + 84 vertices: thousands of people.
+    /// 352 + 116 vertices: thousands of people.
     Coarse,
     /// 128 + 34 vertices: people in the distance.
     Blocks,

@@ -1,7 +1,8 @@
 //! A trajectory with a known future.
 
 use super::{Ahead, Motion, Sample};
-use crate::math::wrapped;
+use crate::gait::FASTEST_TURN;
+use crate::math::{direction, wrapped};
 use glam::DVec2;
 
 /// Duration of a cell of the time grid, s.
@@ -9,7 +10,10 @@ pub(crate) const CELL: f64 = 0.02;
 /// Deviations of the smoothing filters, s.
 const OF_POSITION: f64 = 0.12;
 const OF_VELOCITY: f64 = 0.16;
-const OF_HEADING: f64 = 0.15;
+const OF_HEADING: f64 = 0.14;
+const OF_TURN: f64 = 0.05;
+/// The weight of the heading of a person that stands, as a speed, m/s.
+const STANDING: f64 = 0.1;
 /// Duration over which the velocity at an end is measured, s. The path goes on with it beyond that end.
 const OF_END: f64 = 0.3;
 
@@ -65,6 +69,31 @@ pub(crate) fn gauss(values: &[f64], deviation: f64) -> Vec<f64> {
         .collect()
 }
 
+/// Returns headings as a person turns: smoothed, and no faster than a person can turn. Headings of a person that hardly moves
+/// have less weight: directions of motion that were measured say little there.
+fn turned(headings: &[f64], speeds: impl Iterator<Item = f64>) -> Vec<f64> {
+    let ways: Vec<DVec2> = headings.iter().zip(speeds).map(|(&at, speed)| direction(at) * (speed + STANDING)).collect();
+    let [x, y] = [0, 1].map(|axis| gauss(&ways.iter().map(|way| way[axis]).collect::<Vec<_>>(), OF_HEADING));
+    let mut last = headings[0];
+    let smooth = x.iter().zip(&y).map(|(&x, &y)| {
+        last += if x == 0.0 && y == 0.0 { 0.0 } else { wrapped(libm::atan2(y, x) - last) };
+        last
+    });
+    let smooth: Vec<f64> = smooth.collect();
+    // a turn that takes longer begins earlier and ends later
+    let mut after = smooth.clone();
+    (1..after.len()).for_each(|at| after[at] = near(after[at - 1], after[at]));
+    let mut before = smooth;
+    (1..before.len()).rev().for_each(|at| before[at - 1] = near(before[at], before[at - 1]));
+    let both: Vec<f64> = after.iter().zip(&before).map(|(after, before)| (after + before) / 2.0).collect();
+    gauss(&both, OF_TURN)
+}
+
+/// Returns the heading nearest to `to` that a person can have a cell of the grid after or before `from`.
+fn near(from: f64, to: f64) -> f64 {
+    from + (to - from).clamp(-FASTEST_TURN * CELL, FASTEST_TURN * CELL)
+}
+
 /// The smoothed motion along samples, on a grid that begins before the first and ends after the last.
 #[derive(Debug, Clone)]
 pub(crate) struct Recorded {
@@ -116,8 +145,9 @@ impl Recorded {
             heading.push(angle);
         }
         let [x, y] = [x, y].map(|values| Column(gauss(&values, OF_POSITION)));
-        let heading = Column(gauss(&heading, OF_HEADING));
         let [velocity_x, velocity_y] = [&x, &y].map(|values| Column(gauss(&values.slope().0, OF_VELOCITY)));
+        let speeds = velocity_x.0.iter().zip(&velocity_y.0).map(|(&x, &y)| DVec2::new(x, y).length());
+        let heading = Column(turned(&heading, speeds));
         let turning = heading.slope();
         Recorded { start, x, y, velocity_x, velocity_y, heading, turning }
     }

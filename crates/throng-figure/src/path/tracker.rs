@@ -1,6 +1,7 @@
 //! A motion with an extrapolated future.
 
 use super::{Ahead, Motion, Sample};
+use crate::gait::FASTEST_TURN;
 use crate::math::{direction, wrapped};
 use glam::DVec2;
 
@@ -34,10 +35,12 @@ impl Tracker {
         self.motion.position = predicted + error * gain;
         self.motion.velocity += error * (speed_gain / step);
         let (gain, speed_gain) = gains(step, OF_HEADING);
+        let most = FASTEST_TURN * step;
         let predicted = self.motion.heading + self.motion.turning * step;
         let error = wrapped(sample.heading - predicted);
-        self.motion.heading = predicted + error * gain;
-        self.motion.turning += error * (speed_gain / step);
+        let turned = (predicted + error * gain - self.motion.heading).clamp(-most, most);
+        self.motion.heading += turned;
+        self.motion.turning = (self.motion.turning + error * (speed_gain / step)).clamp(-FASTEST_TURN, FASTEST_TURN);
         self.time = sample.time;
     }
 }

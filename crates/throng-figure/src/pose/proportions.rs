@@ -47,6 +47,17 @@ impl Legs {
         Proportions::of(build).legs
     }
 
+    /// Returns the lengths in the order of the fields, for files.
+    pub fn lengths(&self) -> [f64; 8] {
+        let Legs { thigh, shank, ankle, foot, heel, ball, toe_height, hip } = *self;
+        [thigh, shank, ankle, foot, heel, ball, toe_height, hip]
+    }
+
+    /// Returns the legs with these [lengths](Self::lengths).
+    pub fn of_lengths([thigh, shank, ankle, foot, heel, ball, toe_height, hip]: [f64; 8]) -> Legs {
+        Legs { thigh, shank, ankle, foot, heel, ball, toe_height, hip }
+    }
+
     /// Returns the length of the leg from the hip joint to the ankle.
     pub fn leg(&self) -> f64 {
         self.thigh + self.shank

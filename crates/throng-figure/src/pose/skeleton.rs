@@ -220,6 +220,11 @@ impl Skeleton {
         &self.binds
     }
 
+    /// Returns the bind matrix of each joint: its place and axes in a body as it was modelled, m.
+    pub fn bind_matrices(&self) -> [DMat4; JOINTS] {
+        self.binds.map(|bind| DMat4::from_rotation_translation(bind.turn.conjugate(), bind.position))
+    }
+
     /// Returns the inverse bind matrix of each joint, as files of skins need it: it moves a body as it was modelled (m) to the
     /// axes of the joint.
     pub fn inverse_bind_matrices(&self) -> [DMat4; JOINTS] {

@@ -141,7 +141,7 @@ impl Swing {
             over,
             x: Quintic::new(from.ankle.x, rate.ankle.x * duration * over, end.ankle.x, to.arrival.x * duration),
             y: Quintic::new(from.ankle.y, rate.ankle.y * duration * over, end.ankle.y, to.arrival.y * duration),
-            z: Quintic::new(from.ankle.z, (rate.ankle.z + rise) * duration, end.ankle.z, -fall * duration),
+            z: Quintic::new(from.ankle.z, (rate.ankle.z.max(0.0) + rise) * duration, end.ankle.z, -fall * duration),
             yaw: line(from.yaw, rate.yaw, turned),
             pitch: line(from.pitch, rate.pitch, end.pitch),
             toes: line(from.toes, rate.toes, end.toes),

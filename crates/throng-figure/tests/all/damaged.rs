@@ -72,7 +72,7 @@ fn extreme_people_have_poses() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::default())]
 
     #[test]
     fn any_numbers_have_sane_poses(

@@ -1,5 +1,6 @@
 //! Which agents of a recording are people, and how they walk.
 
+use super::body::PersonBody;
 use super::{FigureStyle, MOST_SKINS};
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState};
 use crate::{Output, Setting};
@@ -43,14 +44,28 @@ impl People {
     }
 
     /// Returns the people with the bodies that their groups have from files: they walk on the legs of these bodies.
-    #[cfg(feature = "glb")]
     pub(crate) fn with_characters(self, setting: &Setting) -> Self {
         Self { characters: setting.characters.clone(), ..self }
     }
 
     /// Returns the body that an agent has from a file.
-    pub(crate) fn character(&self, agent: &SpilledAgent) -> Option<&Arc<Character>> {
+    fn character(&self, agent: &SpilledAgent) -> Option<&Arc<Character>> {
         self.characters.get(agent.group as usize)?.as_ref()
+    }
+
+    /// Returns the body of a person that an agent is. Bodies of files count from 0, in the order of the groups.
+    pub(crate) fn body(&self, agent: &SpilledAgent, person: &Person) -> PersonBody<'_> {
+        let Some(character) = self.character(agent) else { return PersonBody::Build(person.build, person.look) };
+        let mut before: Vec<&Arc<Character>> = Vec::new();
+        for other in self.characters.iter().flatten() {
+            if Arc::ptr_eq(other, character) {
+                break;
+            }
+            if !before.iter().any(|known| Arc::ptr_eq(known, other)) {
+                before.push(other);
+            }
+        }
+        PersonBody::Character(before.len(), character)
     }
 
     /// Whether an agent is a person.

@@ -6,6 +6,8 @@
 
 #[cfg(any(feature = "bvh", feature = "glb"))]
 pub(crate) mod axes;
+#[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]
+mod body;
 #[cfg(feature = "bvh")]
 mod build;
 #[cfg(feature = "glb")]
@@ -17,6 +19,8 @@ mod figure;
 pub(crate) mod samples;
 mod style;
 
+#[cfg(any(feature = "glb", feature = "usda"))]
+pub(crate) use body::PersonBody;
 #[cfg(feature = "bvh")]
 pub(crate) use build::fitted;
 #[cfg(feature = "glb")]

@@ -5,7 +5,7 @@ use crate::{Body, Choice, Format, Frame, Output, OutputError, Setting};
 use glam::DVec2;
 use std::path::Path;
 use throng_figure::measure::FeetMeasure;
-use throng_figure::{JOINTS, Placed, Sample, Skeleton, Walk};
+use throng_figure::{JOINTS, Person, Placed, Sample, Skeleton, Walk};
 
 /// Returns three people: one walks straight on, one in a circle, one stops and goes.
 pub(crate) fn walkers() -> Vec<Frame> {
@@ -23,6 +23,65 @@ pub(crate) fn walkers() -> Vec<Frame> {
         Frame { time: 3.0 + time, bodies: (0..3).map(body).collect(), ..Frame::default() }
     };
     (0..400).map(frame).collect()
+}
+
+/// People of whom one has a body from a file.
+#[cfg(feature = "glb")]
+pub(crate) struct Dressed {
+    /// The [walkers]; the second is of group 1.
+    pub(crate) frames: Vec<Frame>,
+    pub(crate) setting: Setting,
+    /// The body of group 1.
+    pub(crate) body: std::sync::Arc<throng_figure::Character>,
+    /// The walk of the person with that body.
+    pub(crate) walk: Walk,
+}
+
+#[cfg(feature = "glb")]
+impl Dressed {
+    pub(crate) fn new() -> Self {
+        use crate::formats::glb::character::{self, tests::blocks};
+        let blocks = blocks::Blocks {
+            thigh: 0.5,
+            hip: 0.14,
+            drop: 0.7,
+            turned: true,
+            names: blocks::Names::Vrm,
+            ..blocks::Blocks::default()
+        };
+        let body = std::sync::Arc::new(character::read(&blocks.glb()).unwrap());
+        let mut frames = walkers();
+        frames.iter_mut().for_each(|frame| frame.bodies[1].group = 1);
+        let groups = vec!["plain".to_owned(), "blocks".to_owned()];
+        let setting = Setting { groups, characters: vec![None, Some(body.clone())], ..Setting::default() };
+        let sample = |frame: &Frame| {
+            let body = frame.bodies[1];
+            Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) }
+        };
+        let samples: Vec<Sample> = frames.iter().map(sample).collect();
+        let walk = Walk::recorded(&body.person(Person::new(0, 1)), &samples).unwrap();
+        Self { frames, setting, body, walk }
+    }
+
+    /// Checks that the person with the body of the file is where its walk is, up to `error` metres, with its legs. `begin`
+    /// is the time of the first frame in seconds of the figures.
+    pub(crate) fn assert_walks(&self, figure: &Figure, begin: f64, error: f64) {
+        let person = self.walk.person();
+        let skeleton = self.body.skeleton(person.height);
+        for frame in &self.frames {
+            let want = skeleton.world(&self.walk.pose(frame.time));
+            for (found, want) in figure.joints(frame.time - self.frames[0].time + begin).unwrap().iter().zip(&want) {
+                assert!(found.position.distance(want.position) < error, "{found:?} {want:?}");
+            }
+        }
+        let mut feet = FeetMeasure::new(&figure.person);
+        for moment in 0..1500 {
+            let second = f64::from(moment) / 100.0;
+            feet.push(second, &figure.joints(second + begin).unwrap());
+        }
+        let report = feet.report();
+        assert!(report.steps > 15 && report.mean_slide < 0.003 && report.largest_slide < 0.01, "{report:?}");
+    }
 }
 
 /// Returns every `step`th frame: a recording of people with few moments a second.
@@ -62,7 +121,7 @@ pub(crate) fn planned(figure: &Figure, number: u32, frames: &[Frame]) -> Vec<(f6
         Some(Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) })
     };
     let samples: Vec<Sample> = frames.iter().filter_map(sample).collect();
-    let person = throng_figure::Person::new(0, u64::from(number));
+    let person = Person::new(0, u64::from(number));
     let known = figure.person;
     assert!(known.build == person.build && (known.height - person.height).abs() < 1e-4, "{known:?} {person:?}");
     let (walk, skeleton) = (Walk::recorded(&person, &samples).unwrap(), Skeleton::new(&person));

@@ -46,6 +46,16 @@ fn joints_of_files_are_those_of_the_walk() {
     }
 }
 
+/// A person with the body of a file has the joints of that body.
+#[cfg(feature = "glb")]
+#[test]
+fn bodies_from_files_are_written_and_walk() {
+    let (folder, dressed) = (tempfile::tempdir().unwrap(), crate::people::samples::Dressed::new());
+    let files = written(folder.path(), &dressed.setting, &dressed.frames);
+    let figures = read(&files[1].1).unwrap();
+    dressed.assert_walks(&figures.all[0], 0.0, 1e-4);
+}
+
 /// A recording of 2.5 frames a second gets poses in between.
 #[test]
 fn people_of_a_coarse_recording_stand_on_planted_feet() {

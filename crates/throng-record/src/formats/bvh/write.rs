@@ -61,19 +61,20 @@ impl BvhWriter {
     fn write(mut self) -> Result<(), OutputError> {
         let (origin, output) = (self.setting.origin, &self.output);
         let people = People::of(FigureStyle::Skins, &self.setting, &mut self.spill, output);
-        let people = people.map_err(|error| output.error(error))?;
+        let people = people.map_err(|error| output.error(error))?.with_characters(&self.setting);
         let period = 1.0 / self.spill.rate.mean().unwrap_or(RATE);
         // an error of a person's file names that file
         let mut failed = None;
         let scratch = beside(output).map_err(|error| output.error(error))?;
         let all = by_agent(&mut self.spill, scratch, |agent, track| {
-            if let (Some(walk), Some(path)) = (people.walk(agent, track)?, name(output.path(), agent.number))
-                && let Err(error) = person(output, &path, &walk, period, origin)
-            {
+            let (Some(walk), Some(path)) = (people.walk(agent, track)?, name(output.path(), agent.number)) else {
+                return Ok(());
+            };
+            let skeleton = people.body(agent, walk.person()).skeleton(walk.person().height);
+            person(output, &path, (&walk, &skeleton), period, origin).map_err(|error| {
                 failed = Some(error);
-                return Err(io::Error::other("a person's file"));
-            }
-            Ok(())
+                io::Error::other("a person's file")
+            })
         });
         failed.map_or_else(|| all.map_err(|error| output.error(error)), Err)
     }
@@ -97,12 +98,18 @@ fn name(path: &Path, number: u32) -> Option<PathBuf> {
 }
 
 /// Writes the file of a person.
-fn person(output: &Output, path: &Path, walk: &Walk, period: f64, origin: DVec2) -> Result<(), OutputError> {
+fn person(
+    output: &Output,
+    path: &Path,
+    (walk, skeleton): (&Walk, &Skeleton),
+    period: f64,
+    origin: DVec2,
+) -> Result<(), OutputError> {
     let mut file = output.another(path)?;
     let (from, to) = walk.span();
     let frames = libm::round((to - from) / period) as u64 + 1;
     let mut text = String::from("HIERARCHY\n");
-    joint(&mut text, &Skeleton::new(walk.person()), Joint::Hips, 0);
+    joint(&mut text, skeleton, Joint::Hips, 0);
     let _ = write!(text, "MOTION\nFrames: {frames}\nFrame Time: {period:.9}\n");
     file.put(text.as_bytes())?;
     let mut before = [[0.0; 3]; JOINTS];

@@ -5,15 +5,13 @@ use super::json::{Node, Root};
 use super::motion::{GlbMotion, Visit};
 use super::write::{POINTS, TRIANGLES};
 use crate::color::light;
-use crate::people::axes;
+use crate::people::{PersonBody, axes};
 use glam::{Quat, Vec3};
 use serde_json::json;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::io;
-use std::sync::Arc;
-use throng_figure::{Build, Character, Joint, Level, Look, Mesh, Pose, Region, Skeleton, Walk};
+use throng_figure::{Joint, Mesh, Pose, Region, Walk};
 
 /// Greatest error of the position of the hips along each axis, metres.
 const PLACE: f64 = 2e-4;
@@ -30,8 +28,6 @@ pub struct Skins {
     triangles: BTreeMap<(usize, Vec<Region>), usize>,
     /// The meshes, by body and look.
     meshes: BTreeMap<(usize, u8), usize>,
-    /// The bodies from files; their numbers follow those of the builds.
-    characters: Vec<Arc<Character>>,
     material: Option<usize>,
 }
 
@@ -39,69 +35,6 @@ struct Shape {
     attributes: serde_json::Value,
     binds: usize,
     mesh: Mesh,
-}
-
-/// The body of a person: throng's of a build with a look, or that of a file.
-#[derive(Clone, Copy)]
-enum Figure<'a> {
-    Build(Build, u8),
-    Character(usize, &'a Character),
-}
-
-impl<'a> Figure<'a> {
-    /// Returns the number of the body, and of its look.
-    fn key(self) -> (usize, u8) {
-        match self {
-            Self::Build(build, look) => (build as usize, look),
-            Self::Character(number, _) => (Build::ALL.len() + number, 0),
-        }
-    }
-
-    fn name(self) -> String {
-        match self {
-            Self::Build(build, look) => format!("{} {look}", build.name()),
-            Self::Character(number, _) => format!("figure {}", number + 1),
-        }
-    }
-
-    /// Returns the skeleton for a height of 1 m.
-    fn skeleton(self) -> Skeleton {
-        match self {
-            Self::Build(build, _) => Skeleton::scaled(build, 1.0),
-            Self::Character(_, character) => character.skeleton(1.0),
-        }
-    }
-
-    fn mesh(self) -> Mesh {
-        match self {
-            Self::Build(build, _) => Mesh::new(build, Level::Fine),
-            Self::Character(_, character) => character.mesh().clone(),
-        }
-    }
-
-    /// Returns the regions of a mesh of this body that are worn.
-    fn worn(self, mesh: &Mesh) -> Vec<Region> {
-        match self {
-            Self::Build(_, look) => mesh.worn(&Look::new(look)),
-            Self::Character(..) => Vec::new(),
-        }
-    }
-
-    /// Returns the triangles of what is worn of a mesh of this body.
-    fn triangles(self, mesh: &Mesh) -> Cow<'_, [[u32; 3]]> {
-        match self {
-            Self::Build(_, look) => mesh.triangles_of(&Look::new(look)).into(),
-            Self::Character(..) => (&mesh.triangles[..]).into(),
-        }
-    }
-
-    /// Returns the colours of the vertices of a mesh of this body.
-    fn colours(self, mesh: &Mesh) -> Cow<'a, [[u8; 3]]> {
-        match self {
-            Self::Build(_, look) => mesh.colours(&Look::new(look)).into(),
-            Self::Character(_, character) => character.colours().into(),
-        }
-    }
 }
 
 impl Skins {
@@ -112,17 +45,13 @@ impl Skins {
     pub fn add(
         &mut self,
         (root, bin, motion): (&mut Root, &mut Bin, &mut GlbMotion<'_>),
-        (node, walk, character): (usize, &Walk, Option<&Arc<Character>>),
+        (node, walk, body): (usize, &Walk, PersonBody<'_>),
         (visit, times): (&Visit, &[f64]),
         (places, turns): (Vec<Vec3>, Vec<Quat>),
     ) -> io::Result<()> {
         let person = walk.person();
         let poses: Vec<Pose> = visit.moments.iter().map(|&moment| walk.pose(times[moment])).collect();
-        let figure = match character {
-            Some(character) => Figure::Character(self.number(character), character),
-            None => Figure::Build(person.build, person.look),
-        };
-        let skeleton = figure.skeleton();
+        let skeleton = body.skeleton(1.0);
         let first = root.nodes.len();
         let at = |joint: Joint| first + joint.index();
         for joint in Joint::ALL {
@@ -151,7 +80,7 @@ impl Skins {
         }
         root.nodes[node].children.push(first);
         let joints: Vec<usize> = (first..root.nodes.len()).collect();
-        let (mesh, binds) = self.body(root, bin, figure)?;
+        let (mesh, binds) = self.body(root, bin, body)?;
         root.skins.push(json!({ "inverseBindMatrices": binds, "joints": joints, "skeleton": first }));
         // a skin moves its mesh, and no other node does
         let name = root.nodes[node].name.replace("Agent", "Body");
@@ -162,23 +91,14 @@ impl Skins {
         Ok(())
     }
 
-    /// Returns the number of a body from a file.
-    fn number(&mut self, character: &Arc<Character>) -> usize {
-        let known = self.characters.iter().position(|known| Arc::ptr_eq(known, character));
-        known.unwrap_or_else(|| {
-            self.characters.push(character.clone());
-            self.characters.len() - 1
-        })
-    }
-
     /// Returns the mesh of a person, and the inverse bind matrices of its skeleton.
-    fn body(&mut self, root: &mut Root, bin: &mut Bin, figure: Figure) -> io::Result<(usize, usize)> {
-        let (body, look) = figure.key();
-        let shape = match self.shapes.entry(body) {
+    fn body(&mut self, root: &mut Root, bin: &mut Bin, body: PersonBody<'_>) -> io::Result<(usize, usize)> {
+        let (number, look) = body.key();
+        let shape = match self.shapes.entry(number) {
             Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(new) => new.insert(Shape::new(bin, figure)?),
+            Entry::Vacant(new) => new.insert(Shape::new(bin, body)?),
         };
-        if let Some(&mesh) = self.meshes.get(&(body, look)) {
+        if let Some(&mesh) = self.meshes.get(&(number, look)) {
             return Ok((mesh, shape.binds));
         }
         let material = *self.material.get_or_insert_with(|| {
@@ -188,14 +108,14 @@ impl Skins {
             }));
             root.materials.len() - 1
         });
-        let triangles = match self.triangles.entry((body, figure.worn(&shape.mesh))) {
+        let triangles = match self.triangles.entry((number, body.worn(&shape.mesh))) {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(new) => {
                 bin.view(Some(TRIANGLES))?;
-                *new.insert(bin.triangles(&figure.triangles(&shape.mesh))?)
+                *new.insert(bin.triangles(&body.triangles(&shape.mesh))?)
             }
         };
-        let colors: Vec<[u8; 4]> = figure.colours(&shape.mesh).iter().copied().map(linear).collect();
+        let colors: Vec<[u8; 4]> = body.colours(&shape.mesh).iter().copied().map(linear).collect();
         bin.view(Some(POINTS))?;
         let mut attributes = shape.attributes.clone();
         attributes["COLOR_0"] = bin.fours(&colors, true)?.into();
@@ -203,18 +123,22 @@ impl Skins {
         bin.view(None)?;
         let primitive = json!({ "attributes": attributes, "indices": triangles, "material": material });
         let mesh = root.meshes.len();
-        root.meshes.push(json!({ "name": figure.name(), "primitives": [primitive] }));
-        self.meshes.insert((body, look), mesh);
+        let name = match body {
+            PersonBody::Build(build, look) => format!("{} {look}", build.name()),
+            PersonBody::Character(..) => body.name().into_owned(),
+        };
+        root.meshes.push(json!({ "name": name, "primitives": [primitive] }));
+        self.meshes.insert((number, look), mesh);
         Ok((mesh, shape.binds))
     }
 }
 
 impl Shape {
-    fn new(bin: &mut Bin, figure: Figure) -> io::Result<Self> {
-        let mesh = figure.mesh();
+    fn new(bin: &mut Bin, body: PersonBody<'_>) -> io::Result<Self> {
+        let mesh = body.mesh().into_owned();
         let attributes = vertices(bin, &mesh)?;
         bin.view(None)?;
-        let binds = bin.matrices(&figure.skeleton().inverse_bind_matrices().map(axes::own_matrix))?;
+        let binds = bin.matrices(&body.skeleton(1.0).inverse_bind_matrices().map(axes::own_matrix))?;
         Ok(Self { attributes, binds, mesh })
     }
 }

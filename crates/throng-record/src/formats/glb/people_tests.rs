@@ -1,6 +1,6 @@
 //! Tests of people: skins and baked poses are compared with the planned poses.
 
-use super::character::tests::blocks::{Blocks, Names};
+use super::character::tests::blocks::Blocks;
 use super::people::carries_feet;
 use super::{FORMAT, character, figures};
 use crate::formats::Reading;
@@ -10,8 +10,6 @@ use crate::{Choice, Frame, Setting};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use throng_figure::Joint;
-use throng_figure::measure::FeetMeasure;
-use throng_figure::{Person, Sample, Walk};
 
 /// Returns the bytes of a file with people of a style.
 fn written(frames: &[Frame], figures: FigureStyle) -> Vec<u8> {
@@ -111,47 +109,19 @@ fn joints_are_no_agents() {
 /// body has them, and their feet stand.
 #[test]
 fn bodies_from_files_are_written_and_walk() {
-    let blocks = Blocks { thigh: 0.5, hip: 0.14, drop: 0.7, turned: true, names: Names::Vrm, ..Blocks::default() };
-    let body = Arc::new(character::read(&blocks.glb()).unwrap());
-    let frames: Vec<Frame> = walkers()
-        .into_iter()
-        .map(|mut frame| {
-            frame.bodies[1].group = 1;
-            frame
-        })
-        .collect();
-    let groups = vec!["plain".to_owned(), "blocks".to_owned()];
-    let setting = Setting { groups, characters: vec![None, Some(body.clone())], ..Setting::default() };
+    let dressed = samples::Dressed::new();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.glb");
-    samples::write(&path, &setting, &Choice::default(), &frames).unwrap();
+    samples::write(&path, &dressed.setting, &Choice::default(), &dressed.frames).unwrap();
     let bytes = std::fs::read(&path).unwrap();
     let found = figures::read(&bytes).unwrap();
     let figure = found.all.iter().find(|figure| figure.number == 1).unwrap();
-    let person = body.person(Person::new(0, 1));
+    let (body, person) = (&dressed.body, dressed.walk.person());
     assert!((figure.person.height - body.height()).abs() < 1e-6);
     assert!(
         (figure.person.leg() - person.leg()).abs() < 1e-6 && (figure.person.legs.hip - person.legs.hip).abs() < 1e-9
     );
-    let sample = |frame: &Frame| {
-        let body = frame.bodies[1];
-        Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) }
-    };
-    let walk = Walk::recorded(&person, &frames.iter().map(sample).collect::<Vec<_>>()).unwrap();
-    let skeleton = body.skeleton(person.height);
-    for frame in &frames {
-        let want = skeleton.world(&walk.pose(frame.time));
-        for (found, want) in figure.joints(frame.time - 3.0).unwrap().iter().zip(&want) {
-            assert!(found.position.distance(want.position) < 12e-3, "{found:?} {want:?}");
-        }
-    }
-    let mut feet = FeetMeasure::new(&figure.person);
-    for moment in 0..1500 {
-        let second = f64::from(moment) / 100.0;
-        feet.push(second, &figure.joints(second).unwrap());
-    }
-    let report = feet.report();
-    assert!(report.steps > 15 && report.mean_slide < 0.003 && report.largest_slide < 0.01, "{report:?}");
+    dressed.assert_walks(figure, 0.0, 12e-3);
     // the mesh is in the file once, with all of its vertices, bound as the file has it
     let data = super::data::Data::open(&bytes).unwrap();
     let mesh = data.root.meshes.iter().find(|mesh| mesh["name"] == "figure 1").unwrap();

@@ -10,11 +10,12 @@ use crate::formats::by_agent::by_agent;
 use crate::formats::mesh::{self, Mesh};
 use crate::formats::spill::{Spill, SpilledAgent, SpilledState, beside};
 use crate::formats::{PROGRAM, Writer, body, describe, keys};
-use crate::people::{FigureStyle, People, axes};
+use crate::people::{FigureStyle, People, PersonBody, axes};
 use crate::{Frame, Output, OutputError, Setting, color};
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 use std::io::{self, Write};
+use throng_figure::Walk;
 
 /// The targets of buffer views: vertex data and indices.
 pub const POINTS: u32 = 34962;
@@ -93,14 +94,15 @@ impl GlbWriter {
                 scene.root.nodes.push(node);
                 return Ok(());
             };
-            let character = people.character(agent);
+            let body = people.body(agent, walk.person());
             if let Some(Extras::Person(known)) = &mut node.extras {
                 known.build = Some(walk.person().build.name().to_owned());
-                known.legs = character.map(|_| walk.person().legs.into());
+                known.legs = matches!(body, PersonBody::Character(..)).then(|| walk.person().legs.into());
             }
-            let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, track, &visit))?;
+            let track = turned(track, &walk, &times);
+            let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, &track, &visit))?;
             scene.root.nodes.push(node);
-            skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk, character), (&visit, &times), moved)
+            skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk, body), (&visit, &times), moved)
         })?;
         scene.root.animations = vec![motion.finish(&mut scene.bin)?];
         poses.finish(&mut scene.root, &mut scene.bin)?;
@@ -238,6 +240,16 @@ impl Scene {
         self.root.materials.push(material);
         self.root.materials.len() - 1
     }
+}
+
+/// Returns the track of a person with the directions of its body. Recorded directions may jump: the hips, which are
+/// beside the node, would swing.
+fn turned(track: &[(u32, SpilledState)], walk: &Walk, times: &[f64]) -> Vec<(u32, SpilledState)> {
+    let turned = |&(moment, state): &(u32, SpilledState)| {
+        let rotation = Quat::from_rotation_z(walk.heading(times[moment as usize]) as f32);
+        (moment, SpilledState { rotation, ..state })
+    };
+    track.iter().map(turned).collect()
 }
 
 /// Returns the node of an agent, without mesh and motion.

@@ -2,11 +2,12 @@
 
 use super::cursor::UsdaFlaw;
 use super::layer::Prim;
+use super::people::LEGS;
 use super::read::{codes_per_second, on_line, stage};
 use crate::formats::FormatFlaw;
 use crate::people::{Figure, Figures};
 use glam::{DQuat, DVec3};
-use throng_figure::{Build, JOINTS, Joint, Person, Placed, slerp};
+use throng_figure::{Build, JOINTS, Joint, Legs, Person, Placed, slerp};
 
 const HINT: &str =
     "figures are SkelRoots with the 19 joints that `throng run -o NAME.usda` writes: Hips, Spine and so on";
@@ -73,6 +74,11 @@ impl UsdaPerson {
         let build = root.value("throng:build").and_then(|build| Build::named(build.texts().first()?));
         let build = build.ok_or_else(|| lacks("throng:build of woman, man or child"))?;
         let height = root.value("throng:height").ok_or_else(|| lacks("throng:height"))?.number()?;
+        let mut person = Person::new(0, u64::from(number)).with_build(build).with_height(height);
+        if let Some(legs) = root.value(LEGS) {
+            let lengths = legs.numbers(1)?.try_into();
+            person.legs = Legs::of_lengths(lengths.map_err(|_| (legs.at, "legs have 8 lengths".to_owned()))?);
+        }
         let named = walk.value("joints").ok_or_else(|| lacks("joints"))?.texts();
         let find = |joint: &Joint| {
             let at = named.iter().position(|path| path.rsplit('/').next() == Some(joint.name()));
@@ -103,7 +109,7 @@ impl UsdaPerson {
         let visible = root.attribute("visibility").map(|own| own.samples.as_slice()).unwrap_or_default();
         Ok(Self {
             number,
-            person: Person::new(0, u64::from(number)).with_build(build).with_height(height),
+            person,
             visible: visible.iter().map(|(code, part)| (code / rate, part.text != "\"invisible\"")).collect(),
             places: places.into_iter().map(|(second, at)| (second, DVec3::from_slice(&at))).collect(),
             turns: turns.into_iter().map(|(second, at)| (second, quaternion(&at))).collect(),

@@ -6,52 +6,50 @@
 use super::text::{indented, list, quoted, tuple};
 use crate::color::light;
 use crate::formats::spill::SpilledState;
-use glam::{DQuat, DVec3, Vec3};
-use std::collections::BTreeMap;
+use crate::people::PersonBody;
+use glam::{DMat4, DQuat, DVec3, Vec3};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use throng_figure::{Build, JOINTS, Joint, Level, Look, Mesh, Person, Pose, Region, Skeleton, Walk};
+use throng_figure::{JOINTS, Joint, Mesh, Pose, Region, Skeleton, Walk};
 
 /// The paths of the bodies and of their material.
 const BODIES: &str = "/World/People/Bodies";
 const MATERIAL: &str = "/World/People/Look";
-/// Joints that move a vertex.
-const JOINTS_OF_VERTEX: usize = 2;
+/// The lengths of the legs of a person with the body of a file, in heights.
+pub const LEGS: &str = "throng:legs";
 /// Decimals of positions (m), of weights and normals, and of rotations.
 const PLACE: usize = 5;
 const SHADE: usize = 3;
 const TURN: usize = 5;
 
 /// Returns the beginning of the prim of all people: their material and the bodies that they refer to.
-pub fn bodies(people: &[Person]) -> String {
-    let mut looks: BTreeMap<&str, (Build, Vec<u8>)> = BTreeMap::new();
-    for person in people {
-        let (_, looks) = looks.entry(person.build.name()).or_insert((person.build, Vec::new()));
-        looks.push(person.look);
+pub fn bodies<'a>(worn: impl Iterator<Item = PersonBody<'a>>) -> String {
+    let mut looks: BTreeMap<String, (PersonBody<'_>, BTreeSet<u8>)> = BTreeMap::new();
+    for body in worn {
+        looks.entry(named(body)).or_insert((body, BTreeSet::new())).1.insert(body.look());
     }
     let mut text = String::from("\ndef Scope \"People\"\n{\n");
     text.push_str(&indented(&material(), "    "));
     text.push_str("\n    class Scope \"Bodies\"\n    {\n");
-    for (build, (known, mut looks)) in looks {
-        let mesh = Mesh::new(known, Level::Fine);
-        text.push_str(&indented(&body(build, known, &mesh), "        "));
-        looks.sort_unstable();
-        looks.dedup();
+    for (name, (known, looks)) in looks {
+        let mesh = known.mesh();
+        text.push_str(&indented(&shape(&name, &known.skeleton(1.0), &mesh), "        "));
         // looks that wear the same share the triangles
         let mut cuts: Vec<Vec<Region>> = Vec::new();
-        for number in looks {
-            let look = Look::new(number);
-            let worn = mesh.worn(&look);
+        for look in looks {
+            let body = known.with_look(look);
+            let worn = body.worn(&mesh);
             let cut = cuts.iter().position(|known| *known == worn).unwrap_or_else(|| {
                 cuts.push(worn);
-                text.push_str(&indented(&faces(build, cuts.len() - 1, &mesh.triangles_of(&look)), "        "));
+                text.push_str(&indented(&faces(&name, cuts.len() - 1, &body.triangles(&mesh)), "        "));
                 cuts.len() - 1
             });
             let color = |out: &mut String, [r, g, b]: [u8; 3]| tuple(out, [r, g, b].map(|c| light(c).into()), SHADE);
-            let colors = list(mesh.colours(&look).into_iter(), color);
+            let colors = list(body.colours(&mesh).iter().copied(), color);
             let dressed = format!(
                 "
-def SkelRoot \"{build}_{number}\" (
-    prepend references = <{BODIES}/{build}_cut_{cut}>
+def SkelRoot \"{name}_{look}\" (
+    prepend references = <{BODIES}/{name}_cut_{cut}>
 )
 {{
     over \"Body\"
@@ -68,6 +66,11 @@ def SkelRoot \"{build}_{number}\" (
     }
     text.push_str("    }\n");
     indented(&text, "    ")
+}
+
+/// Returns the name of the prim of a body.
+fn named(body: PersonBody<'_>) -> String {
+    body.name().replace(' ', "_")
 }
 
 /// Returns the material of all people, which has the colours of the vertices.
@@ -97,14 +100,14 @@ def Material \"Look\"
     )
 }
 
-/// Returns a body of a build with the triangles of what some looks wear.
-fn faces(build: &str, cut: usize, triangles: &[[u32; 3]]) -> String {
+/// Returns a body with the triangles of what some looks wear.
+fn faces(name: &str, cut: usize, triangles: &[[u32; 3]]) -> String {
     let corners = list(triangles.iter().flatten(), |out, at| out.push_str(&at.to_string()));
     let counts = list(triangles.iter(), |out, _| out.push('3'));
     format!(
         "
-def SkelRoot \"{build}_cut_{cut}\" (
-    prepend references = <{BODIES}/{build}>
+def SkelRoot \"{name}_cut_{cut}\" (
+    prepend references = <{BODIES}/{name}>
 )
 {{
     over \"Body\"
@@ -117,27 +120,35 @@ def SkelRoot \"{build}_cut_{cut}\" (
     )
 }
 
-/// Returns the skeleton and the vertices of a build, in the pose at rest, with the hips at the origin and a height of 1 m.
-fn body(name: &str, build: Build, mesh: &Mesh) -> String {
-    let skeleton = Skeleton::scaled(build, 1.0);
-    let rest = skeleton.world(&skeleton.rest()).map(|joint| joint.position);
-    let hips = rest[Joint::Hips.index()];
-    let matrix = |out: &mut String, place: DVec3| {
-        out.push_str("((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), ");
-        tuple(out, place.extend(1.0).to_array(), PLACE + 1);
+/// Returns the skeleton and the vertices of a body, as it was modelled, with the hips at the origin and a height of 1 m.
+fn shape(name: &str, skeleton: &Skeleton, mesh: &Mesh) -> String {
+    let hips = skeleton.offset(Joint::Hips);
+    let matrix = |out: &mut String, moves: DMat4| {
+        out.push('(');
+        for axis in [moves.x_axis, moves.y_axis, moves.z_axis] {
+            tuple(out, axis.to_array(), PLACE + 1);
+            out.push_str(", ");
+        }
+        tuple(out, moves.w_axis.to_array(), PLACE + 1);
         out.push(')');
     };
-    let binds = list(rest.iter(), |out, &place| matrix(out, place - hips));
-    let rests = list(offsets(build).iter(), |out, &offset| matrix(out, offset));
+    let from_hips = DMat4::from_translation(-hips);
+    let binds = list(skeleton.bind_matrices().into_iter(), |out, bind| matrix(out, from_hips * bind));
+    let rests = list(offsets(skeleton).into_iter(), |out, offset| matrix(out, DMat4::from_translation(offset)));
     let vector = |decimals| move |out: &mut String, at: Vec3| tuple(out, at.to_array().map(f64::from), decimals);
     let points = || mesh.positions.iter().map(|&point| (point.as_dvec3() - hips).as_vec3());
     let within = |of: fn(Vec3, Vec3) -> Vec3| points().reduce(of).unwrap_or_default();
     let extent = list([within(Vec3::min), within(Vec3::max)].into_iter(), vector(PLACE));
     let whole = |out: &mut String, at: &u8| out.push_str(&at.to_string());
-    let numbers = list(mesh.joints.iter().flat_map(|of| &of[..JOINTS_OF_VERTEX]), whole);
+    // joints without a weight are left out
+    let most = (1..4).rev().find(|&k| mesh.weights.iter().any(|weights| weights[k] > 0.0)).unwrap_or(1) + 1;
+    let numbers = list(mesh.joints.iter().flat_map(|of| &of[..most]), whole);
     let parts = |weights: &[f32; 4]| {
-        let first = (f64::from(weights[0]) * 1e3).round() / 1e3;
-        [first, ((1.0 - first) * 1e3).round() / 1e3]
+        let mut parts = weights.map(|weight| (f64::from(weight) * 1e3).round());
+        // the sum is 1
+        let largest = (0..most).fold(0, |largest, k| if parts[k] > parts[largest] { k } else { largest });
+        parts[largest] += 1e3 - parts[..most].iter().sum::<f64>();
+        parts.into_iter().take(most).map(|part| part / 1e3)
     };
     let weights = list(mesh.weights.iter().flat_map(parts), |out, part| out.push_str(&part.to_string()));
     let (points, normals) = (list(points(), vector(PLACE)), list(mesh.normals.iter().copied(), vector(SHADE)));
@@ -164,11 +175,11 @@ def SkelRoot \"{name}\"
         point3f[] points = {points}
         matrix4d primvars:skel:geomBindTransform = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
         int[] primvars:skel:jointIndices = {numbers} (
-            elementSize = {JOINTS_OF_VERTEX}
+            elementSize = {most}
             interpolation = \"vertex\"
         )
         float[] primvars:skel:jointWeights = {weights} (
-            elementSize = {JOINTS_OF_VERTEX}
+            elementSize = {most}
             interpolation = \"vertex\"
         )
         rel skel:skeleton = <{path}/Skeleton>
@@ -180,10 +191,15 @@ def SkelRoot \"{name}\"
     )
 }
 
-/// Returns a person. `codes` and `times` are those of all frames.
-pub fn person(agent: u32, walk: &Walk, track: &[(u32, SpilledState)], (codes, times): (&[f64], &[f64])) -> String {
+/// Returns a person with a body. `codes` and `times` are those of all frames.
+pub fn person(
+    agent: u32,
+    (walk, body): (&Walk, PersonBody<'_>),
+    track: &[(u32, SpilledState)],
+    (codes, times): (&[f64], &[f64]),
+) -> String {
     let person = walk.person();
-    let (build, look, height) = (person.build.name(), person.look, person.height);
+    let (name, look, height) = (named(body), body.look(), person.height);
     let moments: Vec<usize> = track.iter().map(|&(moment, _)| moment as usize).collect();
     let mut poses: Vec<Pose> = Vec::with_capacity(moments.len());
     for &moment in &moments {
@@ -213,21 +229,29 @@ pub fn person(agent: u32, walk: &Walk, track: &[(u32, SpilledState)], (codes, ti
     });
     let visible = format!("{{ {} }}", visible.collect::<Vec<_>>().join(", "));
     let scale = scale(&changes, codes, height);
-    let translations = list(offsets(person.build).into_iter(), |out, offset| tuple(out, offset.to_array(), PLACE + 1));
+    let translations =
+        list(offsets(&body.skeleton(1.0)).into_iter(), |out, offset| tuple(out, offset.to_array(), PLACE + 1));
     let scales = list(0..JOINTS, |out, _| out.push_str("(1, 1, 1)"));
     let path = format!("/World/People/Agent_{agent}");
-    let (joints, build_text) = (joints(), quoted(build));
+    let (joints, build) = (joints(), quoted(person.build.name()));
+    let legs = match body {
+        PersonBody::Build(..) => String::new(),
+        PersonBody::Character(..) => {
+            let lengths = list(person.legs.lengths().into_iter(), |out, length| out.push_str(&length.to_string()));
+            format!("\n    custom double[] {LEGS} = {lengths}")
+        }
+    };
     format!(
         "
 def SkelRoot \"Agent_{agent}\" (
     prepend apiSchemas = [\"SkelBindingAPI\", \"MaterialBindingAPI\"]
-    prepend references = <{BODIES}/{build}_{look}>
+    prepend references = <{BODIES}/{name}_{look}>
 )
 {{
     rel material:binding = <{MATERIAL}>
     rel skel:animationSource = <{path}/Walk>
-    custom string throng:build = {build_text}
-    custom double throng:height = {height}
+    custom string throng:build = {build}
+    custom double throng:height = {height}{legs}
     custom int64 throng:number = {agent}
     token visibility.timeSamples = {visible}
     quatf xformOp:orient.timeSamples = {turns}
@@ -247,9 +271,8 @@ def SkelRoot \"Agent_{agent}\" (
     )
 }
 
-/// Returns the offsets of the joints for a height of 1 m, against the hips.
-fn offsets(build: Build) -> [DVec3; JOINTS] {
-    let skeleton = Skeleton::scaled(build, 1.0);
+/// Returns the offsets of the joints, against the hips.
+fn offsets(skeleton: &Skeleton) -> [DVec3; JOINTS] {
     Joint::ALL.map(|joint| if joint == Joint::Hips { DVec3::ZERO } else { skeleton.offset(joint) })
 }
 

@@ -148,6 +148,25 @@ fn joints_of_a_file_are_those_of_the_walk() {
     }
 }
 
+/// A body of a file is in the stage once, with all joints of its vertices, and its people walk on its legs.
+#[cfg(feature = "glb")]
+#[test]
+fn bodies_from_files_are_written_and_walk() {
+    let dressed = samples::Dressed::new();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.usda");
+    samples::write(&path, &dressed.setting, &Choice::default(), &dressed.frames).unwrap();
+    let text = std::fs::read_to_string(path).unwrap();
+    assert_eq!(text.matches("def SkelRoot \"figure_1\"").count(), 1);
+    assert_eq!(text.matches("prepend references = </World/People/Bodies/figure_1_0>").count(), 1);
+    let found = figures::read(text.as_bytes()).unwrap();
+    let figure = found.all.iter().find(|figure| figure.number == 1).unwrap();
+    assert!(figure.person.legs == dressed.walk.person().legs && figure.person.height == dressed.body.height());
+    dressed.assert_walks(figure, 3.0, 1e-4);
+    let wrong = text.replace("custom double[] throng:legs = [", "custom double[] throng:legs = [1, ");
+    assert!(figures::read(wrong.as_bytes()).unwrap_err().why.contains("legs have 8 lengths"));
+}
+
 /// Skeletons change nothing of what is read of the agents.
 #[test]
 fn joints_are_no_agents() {

@@ -11,7 +11,6 @@ use crate::people::{FigureStyle, People};
 use crate::{Frame, Output, OutputError, Setting, color};
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
-use throng_figure::Person;
 
 /// Collects trajectories during a run and writes them at the end. The [module](super) describes the prims.
 ///
@@ -154,7 +153,8 @@ impl UsdaWriter {
     }
 
     fn write(&mut self) -> io::Result<()> {
-        let people = People::of(self.style, &self.setting, &mut self.spill, &self.output)?;
+        let people =
+            People::of(self.style, &self.setting, &mut self.spill, &self.output)?.with_characters(&self.setting);
         self.head()?;
         self.agents(&people)?;
         self.samples("point3f[] positions", |out, state| triple(out, state.place, 4))?;
@@ -175,10 +175,12 @@ impl UsdaWriter {
 
     /// Writes the people.
     fn people(&mut self, crowd: &People) -> io::Result<()> {
-        let here: Vec<Person> = self.spill.agents.iter().filter_map(|agent| crowd.person(agent)).collect();
-        if here.is_empty() {
+        let agents = &self.spill.agents;
+        if !agents.iter().any(|agent| crowd.has(agent)) {
             return Ok(());
         }
+        let worn = agents.iter().filter_map(|agent| Some(crowd.body(agent, &crowd.person(agent)?)));
+        let bodies = people::bodies(worn);
         let codes = self.codes();
         let mut last = f64::NEG_INFINITY;
         let mut grow = |&(time, _): &(f64, u32)| {
@@ -186,11 +188,12 @@ impl UsdaWriter {
             last
         };
         let (times, codes): (Vec<f64>, Vec<f64>) = self.spill.moments.iter().map(|at| (at.0, grow(at))).unzip();
-        self.output.write_all(people::bodies(&here).as_bytes())?;
+        self.output.write_all(bodies.as_bytes())?;
         let (scratch, output) = (beside(&self.output)?, &mut self.output);
         by_agent(&mut self.spill, scratch, |agent, track| {
             let Some(walk) = crowd.walk(agent, track)? else { return Ok(()) };
-            let text = people::person(agent.number, &walk, track, (&codes, &times));
+            let body = crowd.body(agent, walk.person());
+            let text = people::person(agent.number, (&walk, body), track, (&codes, &times));
             output.write_all(indented(&text, "        ").as_bytes())
         })?;
         self.output.write_all(b"    }\n")

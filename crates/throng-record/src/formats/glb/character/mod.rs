@@ -8,7 +8,7 @@ mod damaged_tests;
 mod joints;
 mod names;
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;
 mod vertices;
 
 use super::data::Data;

@@ -1,7 +1,7 @@
 //! Tests of bodies of files: figures of blocks, as several programs write them, against what they were made of.
 
 #[path = "../../../../examples/figure/blocks.rs"]
-pub(in crate::formats::glb) mod blocks;
+pub(crate) mod blocks;
 
 use super::read;
 use base64::Engine;
