@@ -60,9 +60,13 @@ pub fn set(_: &Scene, _: DVec2) -> Result<Option<Arc<SetMesh>>, Error> {
     Ok(None)
 }
 
-/// Reads the bodies of groups. A file that several groups name is read once.
+/// Reads the bodies of groups ([`throng_scene::Group::figure`]), by group. A file that several groups name is read once.
+/// Without the feature `glb`, none is read.
+///
+/// # Errors
+/// A file does not exist, or its body cannot walk ([`people::character`](crate::people::character)).
 #[cfg(feature = "glb")]
-fn characters(scene: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
+pub fn characters(scene: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
     let mut all: Vec<Option<Arc<Character>>> = Vec::new();
     for (at, group) in scene.groups.iter().enumerate() {
         let Some(name) = &group.figure else { continue };
@@ -81,8 +85,12 @@ fn characters(scene: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
     Ok(all)
 }
 
+/// Returns no bodies: without the feature `glb`, none is read.
+///
+/// # Errors
+/// None.
 #[cfg(not(feature = "glb"))]
-fn characters(_: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
+pub fn characters(_: &Scene) -> Result<Vec<Option<Arc<Character>>>, Error> {
     Ok(Vec::new())
 }
 

@@ -364,6 +364,7 @@ impl Engine {
             reel: run.stage.reel(),
             pace,
             people: run.poses(people, hurry),
+            figures: run.figures.clone(),
             arriving: hurry,
             wake: run.wake.moments().into(),
             beside,

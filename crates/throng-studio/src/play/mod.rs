@@ -5,6 +5,7 @@
 //! [`Player`].
 
 mod engine;
+mod figures;
 mod history;
 mod intervened;
 mod live;
@@ -23,6 +24,7 @@ mod threaded;
 mod wake;
 
 pub use engine::{Command, Engine};
+pub use figures::Figures;
 pub use history::StateHistory;
 pub use intervened::{Act, Held};
 pub(crate) use live::guarded;

@@ -1,5 +1,6 @@
 //! The people of a run: they follow the agents step by step, so that views can draw walking bodies.
 
+use super::figures::Figures;
 use glam::{DVec2, Mat4};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -50,18 +51,24 @@ fn stands(body: &Body) -> bool {
 /// The people of a run. Their poses are a function of the states since the last jump in time.
 #[derive(Default)]
 pub(super) struct People {
+    figures: Arc<Figures>,
     followers: Vec<Follower>,
     time: f64,
     poses: PosesBetween,
 }
 
 impl People {
+    /// Returns the people of a run with these bodies.
+    pub fn new(figures: Arc<Figures>) -> Self {
+        Self { figures, ..Self::default() }
+    }
+
     /// Takes the state `period` seconds later, or a state after a jump in time.
     pub fn see(&mut self, frame: &Frame, setting: &Setting, period: f64) {
         let gap = frame.time - self.time;
         let last = self.poses.last().filter(|_| gap > 0.0 && gap < 1.5 * period).cloned();
         let Some(last) = last else {
-            *self = Self::default();
+            *self = Self::new(self.figures.clone());
             return;
         };
         self.enter(frame);
@@ -96,6 +103,7 @@ impl People {
         self.time = frame.time;
         let bodies = if frame.bodies.len() > MANY { &[] } else { frame.bodies.as_slice() };
         let mut known = std::mem::take(&mut self.followers).into_iter().peekable();
+        let figures = &self.figures;
         let follower = |body: &Body| {
             // both lists are sorted by number
             while known.next_if(|follower| follower.number < body.number).is_some() {}
@@ -107,7 +115,7 @@ impl People {
                     follower.next = next;
                     Some(follower)
                 }
-                None => Follower::new(body.number, person(body)?, next),
+                None => Follower::new(body.number, figures.dressed(person(body)?, body.group), next),
             }
         };
         self.followers = bodies.iter().filter(|body| stands(body)).filter_map(follower).collect();
@@ -142,9 +150,9 @@ struct Follower {
 
 impl Follower {
     /// Returns a person that stands where the agent is, `None` if that is no place.
-    fn new(number: u32, person: Person, next: (Sample, DVec2)) -> Option<Self> {
+    fn new(number: u32, (person, skeleton): (Person, Skeleton), next: (Sample, DVec2)) -> Option<Self> {
         let live = Box::new(Live::new(person, next.0).ok()?);
-        Some(Self { number, skeleton: Box::new(Skeleton::new(&person)), live, last: next.0, next, new: true })
+        Some(Self { number, skeleton: Box::new(skeleton), live, last: next.0, next, new: true })
     }
 
     /// Puts the person where the agent is: on its way, or standing.

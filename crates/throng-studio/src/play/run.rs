@@ -1,5 +1,6 @@
 //! A run: its current and previous frames, and its measurements.
 
+use super::figures::Figures;
 use super::intervened::Act;
 use super::live::Live;
 use super::meter::Meter;
@@ -27,6 +28,8 @@ pub(super) struct PlayedRun {
     pub cost: Cost,
     pub series: Arc<Series>,
     pub wake: Wake,
+    /// The bodies of people from files, read once people are wanted.
+    pub figures: Arc<Figures>,
     /// The people, if they are wanted.
     people: Option<People>,
 }
@@ -68,6 +71,7 @@ impl PlayedRun {
             cost: Cost::default(),
             series: Arc::new(Series::new(&stage.observe(), meters)),
             wake: Wake::default(),
+            figures: Arc::default(),
             people: None,
             name,
             scene,
@@ -159,7 +163,11 @@ impl PlayedRun {
             self.people = None;
             return PosesBetween::default();
         }
-        self.people.get_or_insert_default().poses(&self.frame, &self.setting, hurry)
+        if !self.figures.fit(&self.scene) {
+            (self.figures, self.people) = (Arc::new(Figures::read(&self.scene)), None);
+        }
+        let people = self.people.get_or_insert_with(|| People::new(self.figures.clone()));
+        people.poses(&self.frame, &self.setting, hurry)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The published state of a run.
 
+use super::figures::Figures;
 use super::pace::Pace;
 use super::people::PosesBetween;
 use super::reel::Reel;
@@ -58,6 +59,8 @@ pub struct RunMoment {
     pub beside: Option<Arc<RunMoment>>,
     /// The replayed trajectories, if this is a replay.
     pub reel: Option<Arc<Reel>>,
+    /// The bodies of people from files, if people are wanted.
+    pub figures: Arc<Figures>,
     /// The people from [`RunMoment::before`] to [`RunMoment::frame`], if they are wanted.
     pub people: PosesBetween,
     /// Whether the run is on its way to a step, so that this moment is seen only in passing.

@@ -346,7 +346,8 @@ impl ViewOptions {
             draw(&canvas, painter.gl(), &layers, &lighting);
         };
         painter.add(egui::PaintCallback { rect, callback: Arc::new(egui_glow::CallbackFn::new(draw)) });
-        if let Some(Err(says)) = set {
+        let flaw = shown.figures.flaw.clone().filter(|_| settings.draws_people(&shown.scene, plan));
+        if let Some(says) = set.and_then(Result::err).or(flaw) {
             let color = ui.visuals().error_fg_color;
             painter.text(rect.center_bottom(), egui::Align2::CENTER_BOTTOM, says, egui::FontId::default(), color);
         }

@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec2};
 use std::sync::Arc;
 use throng_draw::{Color, Followed, Projector};
-use throng_figure::{Build, Level, Person};
+use throng_figure::{Build, Character, Level, Person};
 use throng_record::Body;
 
 /// The number of bodies: of each build at each level.
@@ -49,6 +49,8 @@ pub struct DrawnPeople {
     pub share: f32,
     /// The people with each body, in the order of [`body`].
     pub bodies: [Vec<DrawnPerson>; BODIES],
+    /// The people with each body of a file.
+    pub figures: Vec<(Arc<Character>, Vec<DrawnPerson>)>,
 }
 
 /// Returns the people that are drawn, in a plan or in a view in space.
@@ -91,6 +93,7 @@ impl DrawnPeople {
         let part = (at as usize).min(parts.checked_sub(1)?);
         let poses = [part, part + 1].map(|part| shown.people[part].clone());
         let mut bodies: [Vec<DrawnPerson>; BODIES] = Default::default();
+        let mut figures: Vec<(Arc<Character>, Vec<DrawnPerson>)> = Vec::new();
         let mut before = 0;
         let mut moving = shown.frame.bodies.iter();
         for (now, ((number, person), look)) in poses[1].people.iter().zip(looks).enumerate() {
@@ -107,15 +110,23 @@ impl DrawnPeople {
             };
             let Some(height) = seen(projector, size, middle, person.height) else { continue };
             let before = if had { before as f32 } else { -1.0 };
-            bodies[body(person.build, Level::for_height((height * unit).into()))]
-                .push(DrawnPerson { slots: [before, now as f32, person.look.into(), 0.0], top });
+            let drawn = DrawnPerson { slots: [before, now as f32, person.look.into(), 0.0], top };
+            let Some(character) = shown.figures.character(agent.group) else {
+                bodies[body(person.build, Level::for_height((height * unit).into()))].push(drawn);
+                continue;
+            };
+            match figures.iter_mut().find(|(known, _)| Arc::ptr_eq(known, character)) {
+                Some((_, people)) => people.push(drawn),
+                None => figures.push((character.clone(), vec![drawn])),
+            }
         }
-        Some(Self { poses, share: at - part as f32, bodies })
+        Some(Self { poses, share: at - part as f32, bodies, figures })
     }
 
     /// Returns the size of the buffers in bytes, with the poses of one moment.
     pub fn bytes(&self) -> usize {
-        let people: usize = self.bodies.iter().map(|people| size_of_val(people.as_slice())).sum();
+        let lists = self.bodies.iter().chain(self.figures.iter().map(|(_, people)| people));
+        let people: usize = lists.map(|people| size_of_val(people.as_slice())).sum();
         people + size_of_val(self.poses[1].joints.as_slice())
     }
 }

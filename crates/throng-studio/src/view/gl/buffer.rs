@@ -56,7 +56,7 @@ impl Buffer {
         gl: &glow::Context,
         corners: &[T],
         fields: &[(&str, Attribute)],
-        triangles: &[u16],
+        triangles: &[u32],
     ) -> Result<(), String> {
         // SAFETY: the bytes are copied during the calls. The array keeps the binding of the triangles.
         unsafe {

@@ -131,7 +131,7 @@ impl Canvas {
                 if self.people.is_none() {
                     self.people = Some(PeopleCanvas::new(gl)?);
                 }
-                self.people.iter_mut().for_each(|canvas| canvas.draw(gl, people, lighting));
+                self.people.iter_mut().try_for_each(|canvas| canvas.draw(gl, people, lighting))?;
             }
         }
         depth(gl, false, true);

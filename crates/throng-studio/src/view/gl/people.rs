@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use eframe::glow::{self, HasContext};
 use glam::Vec3;
 use std::sync::Arc;
-use throng_figure::{Build, JOINTS, LOOKS, Level, Look, Mesh, Region};
+use throng_figure::{Build, Character, JOINTS, LOOKS, Level, Look, Mesh, Region};
 
 /// The number of people in a row of a picture of poses.
 const IN_ROW: usize = 16;
@@ -19,7 +19,22 @@ pub(super) struct PeopleCanvas {
     program: Program,
     /// The vertices of each body with its people, in the order of [`body`].
     bodies: Vec<Buffer>,
+    /// The program for bodies of files, and those that were drawn last.
+    of_figures: Program,
+    figures: Vec<(Arc<Character>, Buffer)>,
     poses: [PoseTexture; 2],
+}
+
+/// A vertex of a body of a file.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct FigureVertex {
+    /// In heights of the person.
+    at: Vec3,
+    normal: Vec3,
+    bones: [f32; 4],
+    weights: [f32; 4],
+    dye: [u8; 4],
 }
 
 /// A vertex of a body at rest.
@@ -39,12 +54,16 @@ impl PeopleCanvas {
             "const int JOINTS = {JOINTS};\nconst int LOOKS = {LOOKS};\nconst int REGIONS = {};\n",
             Region::ALL.len()
         );
-        let vertex = sizes + include_str!("shaders/person.vert");
-        let program = Program::new(gl, &vertex, include_str!("shaders/person.frag"))?;
-        program.set_fours(gl, "palette", palette().as_flattened());
-        for (name, value) in [("poses_before", 0), ("poses_now", 1), ("in_row", IN_ROW as i32)] {
-            program.set_integer(gl, name, value);
-        }
+        let program = |kind: &str| {
+            let vertex = format!("{kind}{sizes}{}", include_str!("shaders/person.vert"));
+            let program = Program::new(gl, &vertex, &format!("{kind}{}", include_str!("shaders/person.frag")))?;
+            for (name, value) in [("poses_before", 0), ("poses_now", 1), ("in_row", IN_ROW as i32)] {
+                program.set_integer(gl, name, value);
+            }
+            Ok::<_, String>(program)
+        };
+        let (plain, of_figures) = (program("")?, program("#define FIGURE\n")?);
+        plain.set_fours(gl, "palette", palette().as_flattened());
         let mut bodies = Vec::with_capacity(BODIES);
         for build in Build::ALL {
             for level in Level::ALL {
@@ -52,13 +71,19 @@ impl PeopleCanvas {
                 bodies.push(vertices(gl, &Mesh::new(build, level))?);
             }
         }
-        Ok(Self { program, bodies, poses: [PoseTexture::new(gl)?, PoseTexture::new(gl)?] })
+        let poses = [PoseTexture::new(gl)?, PoseTexture::new(gl)?];
+        Ok(Self { program: plain, bodies, of_figures, figures: Vec::new(), poses })
     }
 
-    pub fn draw(&mut self, gl: &glow::Context, people: &DrawnPeople, lighting: &Lighting) {
-        if people.bodies.iter().all(Vec::is_empty) {
-            return;
+    /// Draws people.
+    ///
+    /// # Errors
+    /// The graphics processor has no memory left.
+    pub fn draw(&mut self, gl: &glow::Context, people: &DrawnPeople, lighting: &Lighting) -> Result<(), String> {
+        if people.bodies.iter().all(Vec::is_empty) && people.figures.is_empty() {
+            return Ok(());
         }
+        self.hold(gl, &people.figures)?;
         let [before, now] = &people.poses;
         // the poses now were uploaded in the step before, and are those before in the next step
         if self.poses[1].holds(before) || self.poses[0].holds(now) {
@@ -69,7 +94,8 @@ impl PeopleCanvas {
         {
             texture.bind(gl, unit, poses);
         }
-        self.program.light(gl, &Lighting { share: people.share, ..*lighting });
+        let lighting = Lighting { share: people.share, ..*lighting };
+        [&self.program, &self.of_figures].into_iter().for_each(|program| program.light(gl, &lighting));
         // SAFETY: no argument is a pointer.
         unsafe {
             gl.enable(glow::CULL_FACE);
@@ -79,15 +105,36 @@ impl PeopleCanvas {
             buffer.upload::<DrawnPerson>(gl, people);
             self.program.draw(gl, buffer, glow::TRIANGLES);
         }
+        for ((_, buffer), (_, people)) in self.figures.iter_mut().zip(&people.figures) {
+            buffer.upload::<DrawnPerson>(gl, people);
+            self.of_figures.draw(gl, buffer, glow::TRIANGLES);
+        }
         // SAFETY: no argument is a pointer.
         unsafe {
             gl.disable(glow::CULL_FACE);
             gl.active_texture(glow::TEXTURE0);
         }
+        Ok(())
+    }
+
+    /// Holds the bodies of these figures, in their order, and no others.
+    fn hold(&mut self, gl: &glow::Context, drawn: &[(Arc<Character>, Vec<DrawnPerson>)]) -> Result<(), String> {
+        let mut held = std::mem::take(&mut self.figures);
+        for (character, _) in drawn {
+            let known = held.iter().position(|(known, _)| Arc::ptr_eq(known, character));
+            self.figures.push(match known {
+                Some(at) => held.swap_remove(at),
+                None => (character.clone(), figure_vertices(gl, character)?),
+            });
+        }
+        held.iter().for_each(|(_, buffer)| buffer.destroy(gl));
+        Ok(())
     }
 
     pub fn destroy(&self, gl: &glow::Context) {
         self.program.destroy(gl);
+        self.of_figures.destroy(gl);
+        self.figures.iter().for_each(|(_, buffer)| buffer.destroy(gl));
         self.bodies.iter().for_each(|buffer| buffer.destroy(gl));
         self.poses.iter().for_each(|texture| texture.destroy(gl));
     }
@@ -103,6 +150,27 @@ fn palette() -> Vec<[f32; 4]> {
     (0..LOOKS).map(Look::new).flat_map(|look| Region::ALL.map(|region| entry(look, region))).collect()
 }
 
+/// The fields of a [`DrawnPerson`].
+const PERSON: [(&str, Attribute); 2] = [("slots", Attribute::Floats(4)), ("fill", Attribute::Colour)];
+
+/// Uploads the vertices and triangles of a body of a file.
+fn figure_vertices(gl: &glow::Context, character: &Character) -> Result<Buffer, String> {
+    let mesh = character.mesh();
+    let vertex = |(k, &[r, g, b]): (usize, &[u8; 3])| FigureVertex {
+        at: mesh.positions[k],
+        normal: mesh.normals[k],
+        bones: mesh.joints[k].map(f32::from),
+        weights: mesh.weights[k],
+        dye: [r, g, b, 255],
+    };
+    let vertices: Vec<FigureVertex> = character.colours().iter().enumerate().map(vertex).collect();
+    let mut buffer = Buffer::new(gl, &PERSON, Some(0))?;
+    let [three, four] = [3, 4].map(Attribute::Floats);
+    let corners = [("at", three), ("normal", three), ("bones", four), ("weights", four), ("dye", Attribute::Colour)];
+    buffer.hold(gl, &vertices, &corners, mesh.triangles.as_flattened())?;
+    Ok(buffer)
+}
+
 /// Uploads the vertices and triangles of a body.
 fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
     let vertex = |k: usize| {
@@ -111,9 +179,8 @@ fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
         BodyVertex { at: mesh.positions[k], normal: mesh.normals[k], bones }
     };
     let vertices: Vec<BodyVertex> = (0..mesh.positions.len()).map(vertex).collect();
-    let triangles: Vec<u16> = mesh.triangles.iter().flat_map(|&triangle| painted(mesh, triangle)).collect();
-    let fields = [("slots", Attribute::Floats(4)), ("fill", Attribute::Colour)];
-    let mut buffer = Buffer::new(gl, &fields, Some(0))?;
+    let triangles: Vec<u32> = mesh.triangles.iter().flat_map(|&triangle| painted(mesh, triangle)).collect();
+    let mut buffer = Buffer::new(gl, &PERSON, Some(0))?;
     let corners = [("at", Attribute::Floats(3)), ("normal", Attribute::Floats(3)), ("bones", Attribute::Floats(4))];
     buffer.hold(gl, &vertices, &corners, &triangles)?;
     Ok(buffer)
@@ -121,11 +188,11 @@ fn vertices(gl: &glow::Context, mesh: &Mesh) -> Result<Buffer, String> {
 
 /// Returns a triangle with the vertex of its first region last. A triangle has the colour of its last vertex, so regions
 /// meet along rings.
-fn painted(mesh: &Mesh, mut triangle: [u32; 3]) -> [u16; 3] {
+fn painted(mesh: &Mesh, mut triangle: [u32; 3]) -> [u32; 3] {
     let region = |vertex: u32| mesh.regions[vertex as usize];
     let first = (0..3).min_by_key(|&corner| region(triangle[corner])).unwrap_or(2);
     triangle.rotate_left((first + 1) % 3);
-    triangle.map(|vertex| vertex as u16)
+    triangle
 }
 
 /// Poses in the memory of the graphics processor.

@@ -4,7 +4,7 @@ use super::{Buffer, Lighting};
 use eframe::glow::{self, HasContext};
 
 /// The names of the attributes by location. No shader uses two names of one location.
-const ATTRIBUTES: [(u32, &str); 17] = [
+const ATTRIBUTES: [(u32, &str); 19] = [
     (0, "at"),
     (0, "before"),
     (0, "from"),
@@ -22,6 +22,8 @@ const ATTRIBUTES: [(u32, &str); 17] = [
     (8, "normal"),
     (9, "joint"),
     (9, "bones"),
+    (10, "weights"),
+    (11, "dye"),
 ];
 
 /// Returns the location of an attribute.
@@ -154,7 +156,7 @@ impl Program {
             gl.bind_vertex_array(Some(buffer.array));
             match (buffer.corners, &buffer.triangles) {
                 (Some(corners), Some(_)) => {
-                    gl.draw_elements_instanced(mode, corners, glow::UNSIGNED_SHORT, 0, buffer.count);
+                    gl.draw_elements_instanced(mode, corners, glow::UNSIGNED_INT, 0, buffer.count);
                 }
                 (Some(corners), None) => gl.draw_arrays_instanced(mode, 0, corners, buffer.count),
                 (None, _) => gl.draw_arrays(mode, 0, buffer.count),

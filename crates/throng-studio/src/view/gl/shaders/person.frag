@@ -1,4 +1,8 @@
+#ifdef FIGURE
+in vec4 paint;
+#else
 flat in vec4 paint;
+#endif
 // The direction to the sun.
 uniform vec3 sun;
 in vec3 side;
