@@ -116,23 +116,11 @@ impl Walk {
 
     /// Returns the pose at a time, s. Before the first sample and after the last sample it is the pose of that sample.
     pub fn pose(&self, time: f64) -> Pose {
-        let (part, time) = self.part(time);
-        part.pose(&self.person, time)
-    }
-
-    /// Returns the part of a time, and the time within the first and the last sample.
-    fn part(&self, time: f64) -> (&Part, f64) {
         let (start, end) = self.span();
         // NaN is before everything
         let time = if time >= start { time.min(end) } else { start };
-        (&self.parts[self.parts.partition_point(|part| part.start <= time).max(1) - 1], time)
-    }
-
-    /// Returns the direction of the body at a time, rad: that of the samples, as fast as a person turns. Before the first
-    /// sample and after the last sample it is that of the pose.
-    pub fn heading(&self, time: f64) -> f64 {
-        let (part, time) = self.part(time);
-        part.path.motion(part.path.place(time)).heading
+        let part = &self.parts[self.parts.partition_point(|part| part.start <= time).max(1) - 1];
+        part.pose(&self.person, time)
     }
 
     /// Returns the footfalls of a side that lie between the first and the last sample, at least in part.

@@ -22,7 +22,7 @@ mod style;
 #[cfg(any(feature = "glb", feature = "usda"))]
 pub(crate) use body::PersonBody;
 #[cfg(feature = "bvh")]
-pub(crate) use build::fitted;
+pub(crate) use build::{fitted, legs_of};
 #[cfg(feature = "glb")]
 pub use character::character;
 #[cfg(any(feature = "bvh", feature = "glb", feature = "usda"))]

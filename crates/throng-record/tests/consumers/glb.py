@@ -90,9 +90,16 @@ origin = file.nodes[file.scenes[0].nodes[0]].translation or [0, 0, 0]
 view = file.bufferViews[file.asset.extras["throng.times"]]
 times = struct.unpack_from(f"<{view.byteLength // 8}d", blob, view.byteOffset or 0)
 
-moments = {}
+moments, last = {}, {}
 for row in rows:
-    moments.setdefault(float(row["time"]), {})[int(row["number"])] = row
+    number, time, heading = int(row["number"]), float(row["time"]), float(row["heading"])
+    if number in last and file.nodes[agents[number]].mesh is None:
+        # the node of a person turns by half a turn in a second at most
+        before, most = last[number][1], math.pi * (time - last[number][0])
+        turn = (heading - before + math.pi) % (2 * math.pi) - math.pi
+        heading = before + max(-most, min(most, turn))
+    last[number] = time, heading
+    moments.setdefault(time, {})[number] = {**row, "heading": heading}
 assert set(moments) <= set(times), "moments are missing"
 assert {int(row["number"]) for row in rows} == set(agents)
 worst = [0, 0, 0]

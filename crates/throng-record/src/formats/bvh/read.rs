@@ -3,7 +3,7 @@
 use super::UNITS;
 use super::euler::about;
 use crate::formats::FormatFlaw;
-use crate::people::{Figure, Figures, axes, fitted};
+use crate::people::{Figure, Figures, axes, fitted, legs_of};
 use glam::{DQuat, DVec3};
 use throng_figure::{JOINTS, Joint, Person, Placed};
 
@@ -101,10 +101,18 @@ impl<'a> Words<'a> {
         let mut frame = || (0..width).map(|_| self.number()).collect::<Result<Vec<f64>, String>>();
         let frames: Vec<Vec<f64>> = (0..count as usize).map(|_| frame()).collect::<Result<_, _>>()?;
         let offsets = ours.map(|at| axes::exact_body_point(joints[at].offset) / UNITS);
-        let (build, height) = fitted(&offsets);
-        let person = Person::new(0, 0).with_build(build).with_height(height);
+        let (build, height, alike) = fitted(&offsets);
+        let mut person = Person::new(0, 0).with_build(build).with_height(height);
         let last = (frames.len() - 1) as f64 * period;
         let motion = Motion { joints, ours, frames, period };
+        if !alike {
+            // a foot that is flat on the ground has its ankle lowest
+            let low = |joints: [Placed; JOINTS]| {
+                joints[Joint::LeftFoot.index()].position.z.min(joints[Joint::RightFoot.index()].position.z)
+            };
+            let moments = (0..motion.frames.len()).map(|frame| low(motion.joints(frame as f64 * period)));
+            person.legs = legs_of(&offsets, height, moments.fold(f64::INFINITY, f64::min));
+        }
         let figure = Figure::new((0, person, [0.0, last]), move |second| Some(motion.joints(second)));
         Ok(Figures { all: vec![figure], period })
     }

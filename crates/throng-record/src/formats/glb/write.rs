@@ -15,8 +15,9 @@ use crate::{Frame, Output, OutputError, Setting, color};
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 use std::io::{self, Write};
-use throng_figure::Walk;
 
+/// The greatest angular speed of the node of a person, rad/s: half a turn in a second.
+const FASTEST_TURN: f64 = std::f64::consts::PI;
 /// The targets of buffer views: vertex data and indices.
 pub const POINTS: u32 = 34962;
 pub const TRIANGLES: u32 = 34963;
@@ -99,7 +100,7 @@ impl GlbWriter {
                 known.build = Some(walk.person().build.name().to_owned());
                 known.legs = matches!(body, PersonBody::Character(..)).then(|| walk.person().legs.into());
             }
-            let track = turned(track, &walk, &times);
+            let track = turned(track, &times);
             let moved = motion.agent(&mut scene.bin, (at, &mut node), Vec3::ONE, (agent, &track, &visit))?;
             scene.root.nodes.push(node);
             skins.add((&mut scene.root, &mut scene.bin, &mut motion), (at, &walk, body), (&visit, &times), moved)
@@ -242,14 +243,20 @@ impl Scene {
     }
 }
 
-/// Returns the track of a person with the directions of its body. Recorded directions may jump: the hips, which are
-/// beside the node, would swing.
-fn turned(track: &[(u32, SpilledState)], walk: &Walk, times: &[f64]) -> Vec<(u32, SpilledState)> {
-    let turned = |&(moment, state): &(u32, SpilledState)| {
-        let rotation = Quat::from_rotation_z(walk.heading(times[moment as usize]) as f32);
-        (moment, SpilledState { rotation, ..state })
-    };
-    track.iter().map(turned).collect()
+/// Returns the track of a person that turns no faster than a person can. Recorded directions may jump: the hips, which are
+/// beside the node, would swing around it between two frames.
+fn turned(track: &[(u32, SpilledState)], times: &[f64]) -> Vec<(u32, SpilledState)> {
+    let mut track = track.to_vec();
+    for k in 1..track.len() {
+        let [before, now] = [k - 1, k].map(|k| (times[track[k].0 as usize], track[k].1.rotation));
+        let most = FASTEST_TURN * (now.0 - before.0);
+        let [from, to] = [before.1, now.1].map(|rotation| (rotation * Vec3::X).truncate().as_dvec2());
+        let turn = libm::atan2(from.perp_dot(to), from.dot(to));
+        if turn.abs() > most {
+            track[k].1.rotation = Quat::from_rotation_z(most.copysign(turn) as f32) * before.1;
+        }
+    }
+    track
 }
 
 /// Returns the node of an agent, without mesh and motion.
