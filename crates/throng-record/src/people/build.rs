@@ -22,7 +22,7 @@ pub(crate) fn fitted(offsets: &[DVec3; JOINTS]) -> (Build, f64, bool) {
     (build, height, error < ALIKE * ALIKE)
 }
 
-/// Returns the legs of a skeleton with these offsets, for a person of this height (m) whose ankles are not lower than
+/// Returns the legs of a skeleton with these offsets, for a person of this height (m) with ankles that are not lower than
 /// `ankle` (m). Feet are as long as their insteps are.
 pub(crate) fn legs_of(offsets: &[DVec3; JOINTS], height: f64, ankle: f64) -> Legs {
     let of = |joint: Joint| offsets[joint.index()] / height;

@@ -25,7 +25,7 @@ pub(crate) fn walkers() -> Vec<Frame> {
     (0..400).map(frame).collect()
 }
 
-/// People of whom one has a body from a file.
+/// People, one of them with a body from a file.
 #[cfg(feature = "glb")]
 pub(crate) struct Dressed {
     /// The [walkers]; the second is of group 1.
