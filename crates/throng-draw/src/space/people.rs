@@ -6,9 +6,17 @@ use crate::{AgentShape, Color, ColorBy, Shape, Style};
 use glam::{DVec2, Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use throng::parallel;
 use throng_figure::{Character, Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Mesh, linear};
+
+/// A person that follows an agent.
+#[derive(Debug)]
+struct Walker {
+    live: Live,
+    skeleton: Skeleton,
+}
 
 /// The people of a recording, by agent number.
 #[derive(Debug, Default)]
@@ -19,7 +27,7 @@ pub(crate) struct People {
     colored: bool,
     /// The bodies of groups, from files.
     characters: Vec<Option<Arc<Character>>>,
-    figures: BTreeMap<u32, (Live, Skeleton)>,
+    figures: BTreeMap<u32, Box<Walker>>,
     bodies: BTreeMap<(u8, Level), Figure>,
 }
 
@@ -46,24 +54,27 @@ impl People {
     /// Moves people to a moment. Absent agents are dropped.
     pub fn follow(&mut self, frame: &Frame, look: &Look) {
         let mut before = std::mem::take(&mut self.figures);
-        let mut now = BTreeMap::new();
+        let mut now: Vec<(&Body, Option<Box<Walker>>)> = Vec::with_capacity(frame.bodies.len());
         for body in &frame.bodies {
             let known = before.remove(&body.number);
-            if !self.has(body, look, known.is_some()) {
-                continue;
-            }
-            let sample = Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) };
-            let known = known.and_then(|(mut live, skeleton)| {
-                let known = live.sample() == sample || live.step(sample).is_ok();
-                known.then_some((live, skeleton))
-            });
-            if let Some(figure) = known.or_else(|| arrived(body, self.character(body), sample)) {
-                now.insert(body.number, figure);
+            if self.has(body, look, known.is_some()) {
+                now.push((body, known));
             }
         }
-        self.figures = now;
-        for (live, _) in self.figures.values() {
-            let build = live.person().build;
+        let people = &*self;
+        parallel::ranges(&mut now[..], |_, now| {
+            for (body, walker) in now {
+                let sample = Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) };
+                let follows =
+                    |walker: &mut Box<Walker>| walker.live.sample() == sample || walker.live.step(sample).is_ok();
+                if !walker.as_mut().is_some_and(follows) {
+                    *walker = arrived(body, people.character(body), sample).map(Box::new);
+                }
+            }
+        });
+        self.figures = now.into_iter().filter_map(|(body, walker)| Some((body.number, walker?))).collect();
+        for walker in self.figures.values() {
+            let build = walker.live.person().build;
             for level in Level::ALL {
                 self.bodies.entry((build as u8, level)).or_insert_with(|| Figure::new(build, level));
             }
@@ -77,7 +88,7 @@ impl People {
 
     /// Returns the figure of an agent about its position, at a scale in pixels per metre; `None` if it is not a person.
     pub fn mesh(&self, body: &Body, look: &Look, scale: f32) -> Option<Mesh<'static>> {
-        let (live, skeleton) = self.figures.get(&body.number)?;
+        let Walker { live, skeleton } = &**self.figures.get(&body.number)?;
         let person = live.person();
         if let Some(character) = self.character(body) {
             return shaped(character, live, skeleton, body);
@@ -102,7 +113,7 @@ impl People {
 
 /// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
 /// position.
-fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option<(Live, Skeleton)> {
+fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option<Walker> {
     let person = Person::of_agent(body.number, body.radius)?;
     let person = character.map_or(person, |character| character.person(person));
     let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
@@ -111,7 +122,7 @@ fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option
         Some(character) => character.skeleton(person.height),
         None => Skeleton::new(live.person()),
     };
-    Some((live, skeleton))
+    Some(Walker { live, skeleton })
 }
 
 /// Returns the body of a file about the position of an agent.
