@@ -140,7 +140,12 @@ def test_meshes() -> None:
                 assert 0.01 < volume < limit, "a closed body, seen from outside"
     assert figure.colors(3).shape == (len(figure.REGIONS), 3)
     # the fourth look has a rucksack, and trousers
-    assert set(figure.REGIONS) - {figure.REGIONS[region] for region in figure.worn(3)} == {"skirt", "coat", "long hair"}
+    assert set(figure.REGIONS) - {figure.REGIONS[region] for region in figure.worn(3)} == {
+        "skirt",
+        "coat",
+        "long hair",
+        "umbrella",
+    }
     with pytest.raises(ValueError, match="`giant` is no build: give woman, man, child"):
         figure.mesh("giant")
     with pytest.raises(ValueError, match="`finest` is no level"):
