@@ -14,9 +14,9 @@ use throng_figure::slerp;
 const PLACE: f64 = 1e-3;
 /// Greatest error of a rotation about each axis, radians.
 const TURN: f64 = 3.5e-3;
-/// Greatest rotation between two written samples with others between them, radians. Near half a turn the direction of
-/// the interpolation is ambiguous.
-const REACH: f64 = 3.0;
+/// Greatest rotation between two written samples with others between them, radians. Blender interpolates the numbers of a
+/// rotation, not its angle: up to this rotation that makes a difference of 5e-4 rad.
+const REACH: f64 = 0.5;
 
 /// An animation under construction.
 #[derive(Debug)]
