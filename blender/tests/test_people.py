@@ -86,12 +86,20 @@ def _curves():
 
 
 def compare(found: dict[int, dict], expected: dict[int, dict], most: float) -> None:
-    """Compares places at all frames, metres."""
+    """Compares places at all frames, metres.
+
+    The two plan their steps from motions that are rounded differently. Steps begin at moments that are 20 ms apart, so one of the people
+    may take a step a moment earlier, and a foot moves by up to 4 m/s.
+    """
+    earlier = set()
     for frame in FRAMES:
         assert found[frame].keys() == expected[frame].keys(), frame
         for number, places in found[frame].items():
             off = np.linalg.norm(places - expected[frame][number], axis=1).max()
-            assert off < most, (frame, number, off)
+            assert off < most + 0.02 * 4, (frame, number, off)
+            if off >= most:
+                earlier.add(number)
+    assert len(earlier) <= 1, earlier
 
 
 def test_armatures_follow_gltf(scene: bpy.types.Scene, recorded: dict[str, Path], imported: tuple[dict, dict]) -> None:
