@@ -114,14 +114,9 @@ impl People {
 /// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
 /// position.
 fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option<Walker> {
-    let person = Person::of_agent(body.number, body.radius)?;
-    let person = character.map_or(person, |character| character.person(person));
+    let (person, skeleton) = Character::dressed(character, Person::of_agent(body.number, body.radius)?);
     let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
     let live = Live::moving(person, sample, velocity).ok()?;
-    let skeleton = match character {
-        Some(character) => character.skeleton(person.height),
-        None => Skeleton::new(live.person()),
-    };
     Some(Walker { live, skeleton })
 }
 

@@ -80,6 +80,17 @@ impl Character {
         Person { height: self.height, legs: self.legs, width: person.width * wider, ..person }
     }
 
+    /// Returns a person with this body, if there is one, and its skeleton.
+    pub fn dressed(character: Option<&Character>, person: Person) -> (Person, Skeleton) {
+        match character {
+            None => (person, Skeleton::new(&person)),
+            Some(character) => {
+                let person = character.person(person);
+                (person, character.skeleton(person.height))
+            }
+        }
+    }
+
     /// Returns the height from the lowest to the highest vertex, m.
     pub fn height(&self) -> f64 {
         self.height

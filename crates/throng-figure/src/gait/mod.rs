@@ -11,5 +11,5 @@ mod timing;
 pub(crate) use curves::{
     elbow, lateral, pelvis_list, pelvis_tilt, pelvis_yaw, running_vertical, shoulder, thorax_yaw, vertical,
 };
-pub use timing::{Cycle, cycle, cycle_duration, duty, running_cycle, running_duty, step_width};
-pub(crate) use timing::{FASTEST_TURN, RUN_FROM, RUN_TO};
+pub use timing::{Cycle, FASTEST_TURN, cycle, cycle_duration, duty, running_cycle, running_duty, step_width};
+pub(crate) use timing::{RUN_FROM, RUN_TO};

@@ -17,7 +17,7 @@ const ON_THE_SPOT: f64 = 1.4;
 /// The angle by which the body turns in a step, at most, rad.
 const TURN_OF_STEP: f64 = 0.75;
 /// The greatest angular speed of a person, rad/s: half a turn in a second.
-pub(crate) const FASTEST_TURN: f64 = std::f64::consts::PI;
+pub const FASTEST_TURN: f64 = std::f64::consts::PI;
 
 /// The duration of a cycle of two steps and the share of it in which a foot is on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]

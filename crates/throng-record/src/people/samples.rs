@@ -63,6 +63,14 @@ impl Dressed {
         Self { frames, setting, body, walk }
     }
 
+    /// Returns the bytes of a file with the people. The ending of the name selects the format.
+    pub(crate) fn written(&self, name: &str) -> Vec<u8> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        write(&path, &self.setting, &Choice::default(), &self.frames).unwrap();
+        std::fs::read(path).unwrap()
+    }
+
     /// Checks that the person with the body of the file is where its walk is, up to `error` metres, with its legs. `begin`
     /// is the time of the first frame in seconds of the figures.
     pub(crate) fn assert_walks(&self, figure: &Figure, begin: f64, error: f64) {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use throng_figure::{Character, Person, Skeleton};
+use throng_figure::Character;
 #[cfg(not(target_arch = "wasm32"))]
 use throng_record::moment;
 use throng_scene::Scene;
@@ -21,7 +21,8 @@ pub struct Figures {
 impl Figures {
     /// Reads the bodies of a scene.
     pub fn read(scene: &Scene) -> Self {
-        let of = files(scene);
+        let names = scene.groups.iter().map(|group| group.figure.clone()).collect();
+        let of: (Vec<_>, _) = (names, scene.origin.folder.clone());
         if of.0.iter().all(Option::is_none) {
             return Self { of, ..Self::default() };
         }
@@ -35,33 +36,20 @@ impl Figures {
 
     /// Whether the groups of a scene name the same files.
     pub fn fit(&self, scene: &Scene) -> bool {
-        self.of == files(scene)
+        let (names, folder) = &self.of;
+        *folder == scene.origin.folder && names.iter().eq(scene.groups.iter().map(|group| &group.figure))
     }
 
     /// Returns the body that people of a group have from a file.
     pub fn character(&self, group: u32) -> Option<&Arc<Character>> {
         self.characters.get(group as usize)?.as_ref()
     }
-
-    /// Returns a person of a group with the legs of its body, and the skeleton.
-    pub fn dressed(&self, person: Person, group: u32) -> (Person, Skeleton) {
-        match self.character(group) {
-            None => (person, Skeleton::new(&person)),
-            Some(character) => {
-                let person = character.person(person);
-                (person, character.skeleton(person.height))
-            }
-        }
-    }
-}
-
-fn files(scene: &Scene) -> (Vec<Option<String>>, PathBuf) {
-    (scene.groups.iter().map(|group| group.figure.clone()).collect(), scene.origin.folder.clone())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use throng_figure::Person;
 
     #[test]
     fn figures_that_cannot_be_read_leave_throngs_people() {
@@ -73,6 +61,6 @@ mod tests {
         let missing = Figures::read(&scene);
         assert!(missing.fit(&scene) && missing.flaw.as_ref().unwrap().contains("missing.glb"), "{missing:?}");
         let person = Person::new(0, 3);
-        assert_eq!(missing.dressed(person, 0).0, person);
+        assert_eq!(Character::dressed(missing.character(0).map(Arc::as_ref), person).0, person);
     }
 }

@@ -5,7 +5,7 @@ use glam::{DVec2, Mat4};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use throng::parallel;
-use throng_figure::{JOINTS, Live, Person, Sample, Skeleton};
+use throng_figure::{Character, JOINTS, Live, Person, Sample, Skeleton};
 use throng_record::{Body, Frame, Setting};
 
 /// The longest time between poses, seconds. Views interpolate between poses.
@@ -115,7 +115,11 @@ impl People {
                     follower.next = next;
                     Some(follower)
                 }
-                None => Follower::new(body.number, figures.dressed(person(body)?, body.group), next),
+                None => Follower::new(
+                    body.number,
+                    Character::dressed(figures.character(body.group).map(Arc::as_ref), person(body)?),
+                    next,
+                ),
             }
         };
         self.followers = bodies.iter().filter(|body| stands(body)).filter_map(follower).collect();

@@ -110,10 +110,7 @@ fn joints_are_no_agents() {
 #[test]
 fn bodies_from_files_are_written_and_walk() {
     let dressed = samples::Dressed::new();
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("run.glb");
-    samples::write(&path, &dressed.setting, &Choice::default(), &dressed.frames).unwrap();
-    let bytes = std::fs::read(&path).unwrap();
+    let bytes = dressed.written("run.glb");
     let found = figures::read(&bytes).unwrap();
     let figure = found.all.iter().find(|figure| figure.number == 1).unwrap();
     let (body, person) = (&dressed.body, dressed.walk.person());

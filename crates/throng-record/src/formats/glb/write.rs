@@ -15,9 +15,8 @@ use crate::{Frame, Output, OutputError, Setting, color};
 use glam::{Quat, Vec3};
 use serde_json::{Value, json};
 use std::io::{self, Write};
+use throng_figure::gait::FASTEST_TURN;
 
-/// The greatest angular speed of the node of a person, rad/s: half a turn in a second.
-const FASTEST_TURN: f64 = std::f64::consts::PI;
 /// The targets of buffer views: vertex data and indices.
 pub const POINTS: u32 = 34962;
 pub const TRIANGLES: u32 = 34963;

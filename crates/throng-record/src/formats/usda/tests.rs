@@ -153,10 +153,7 @@ fn joints_of_a_file_are_those_of_the_walk() {
 #[test]
 fn bodies_from_files_are_written_and_walk() {
     let dressed = samples::Dressed::new();
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("run.usda");
-    samples::write(&path, &dressed.setting, &Choice::default(), &dressed.frames).unwrap();
-    let text = std::fs::read_to_string(path).unwrap();
+    let text = String::from_utf8(dressed.written("run.usda")).unwrap();
     assert_eq!(text.matches("def SkelRoot \"figure_1\"").count(), 1);
     assert_eq!(text.matches("prepend references = </World/People/Bodies/figure_1_0>").count(), 1);
     let found = figures::read(text.as_bytes()).unwrap();
