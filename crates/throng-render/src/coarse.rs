@@ -28,8 +28,8 @@ impl Coarse {
     fn about(&self, [column, row]: [usize; 2]) -> [usize; 4] {
         let columns = [column / STRIDE, column.div_ceil(STRIDE).min(self.fronts.width - 1)];
         let rows = [row / STRIDE, row.div_ceil(STRIDE).min(self.height - 1)];
-        let [[a, b], [c, d]] = rows.map(|row| columns.map(|column| row * self.fronts.width + column));
-        [a, b, c, d]
+        let [upper, lower] = [rows[0] * self.fronts.width, rows[1] * self.fronts.width];
+        [upper + columns[0], upper + columns[1], lower + columns[0], lower + columns[1]]
     }
 
     /// Returns the value that all chosen pixels about a pixel have, if they see the same surface.

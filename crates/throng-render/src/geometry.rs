@@ -1,8 +1,11 @@
 //! The triangles of a scene, placed before the viewpoint.
 
+use crate::material::Patterns;
 use crate::raster::{Cover, Plane, area};
+use crate::simd::{Floats, LANES, Vec3s, mask};
 use crate::{Area, Body, Material, Mesh, Scene, View, parallel};
-use glam::{IVec2, Vec2, Vec3};
+use fearless_simd::prelude::*;
+use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 
 /// No triangle: the sky. And the ground.
@@ -34,13 +37,27 @@ pub(crate) struct Surface<'a> {
     pub triangles: &'a [[u32; 3]],
 }
 
-/// What is seen at a place of a triangle.
-pub(crate) struct Hit {
-    /// The normal towards the viewpoint, and that of the triangle, of any length.
-    pub normal: Vec3,
-    pub face: Vec3,
-    pub color: Vec3,
-    pub material: Material,
+/// What some pixels see, one in each element.
+pub(crate) struct Hits<S: Simd> {
+    /// The normals towards the viewpoint, and those of the triangles, of any length.
+    pub normal: Vec3s<S>,
+    pub face: Vec3s<S>,
+    /// The colours without patterns.
+    pub color: Vec3s<S>,
+    pub patterns: Patterns,
+}
+
+/// The corners of the triangles that some pixels see, one triangle in each element.
+struct Corners<S: Simd> {
+    places: [Vec3s<S>; 3],
+    normals: [Vec3s<S>; 3],
+    /// The colours of the corners; the colours of the materials.
+    colors: [Vec3s<S>; 3],
+    material: Vec3s<S>,
+    /// The elements that see the ground, those with colours of corners, and those with two seen sides.
+    ground: S::mask32s,
+    colored: S::mask32s,
+    thin: S::mask32s,
 }
 
 impl<'a> Geometry<'a> {
@@ -81,24 +98,74 @@ impl<'a> Geometry<'a> {
         &self.surfaces[self.owner(id) as usize]
     }
 
-    /// Returns what is seen of a triangle in a direction.
-    pub fn hit(&self, id: u32, ray: Vec3) -> Hit {
-        let surface = self.surface(id);
-        let corners = surface.triangles[(id - surface.first) as usize].map(|corner| corner as usize);
-        let [a, b, c] = corners.map(|corner| surface.places[corner]);
+    /// Returns what pixels see of triangles and of the `ground` in the directions `rays`. The sky counts as ground.
+    #[inline(always)]
+    pub fn hits<S: Simd>(&self, simd: S, ids: &[u32; LANES], rays: Vec3s<S>, ground: &Material) -> Hits<S> {
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let zero = splat(0.0);
+        let (corners, patterns) = self.corners(simd, ids, ground);
+        let up = Vec3s::splat(simd, Vec3::Z);
+        if corners.ground.all_true() {
+            return Hits { normal: up, face: up, color: corners.material, patterns };
+        }
+        let [a, b, c] = corners.places;
         // The shares of the corners: the volumes between the direction and the edges.
-        let shares = [b.cross(c).dot(ray), c.cross(a).dot(ray), a.cross(b).dot(ray)];
-        let sum = shares[0] + shares[1] + shares[2];
-        let least = if sum < 0.0 { shares.map(|share| (-share).max(0.0)) } else { shares.map(|share| share.max(0.0)) };
-        let whole = 1.0 / (least[0] + least[1] + least[2]).max(f32::MIN_POSITIVE);
+        let shares = [b.cross(c).dot(rays), c.cross(a).dot(rays), a.cross(b).dot(rays)];
+        let turned = (shares[0] + shares[1] + shares[2]).simd_lt(zero);
+        let least = shares.map(|share| turned.select(-share, share).max(zero));
+        let whole = splat(1.0) / (least[0] + least[1] + least[2]).max(splat(f32::MIN_POSITIVE));
         let least = least.map(|share| share * whole);
-        let mix = |of: &[Vec3]| of[corners[0]] * least[0] + of[corners[1]] * least[1] + of[corners[2]] * least[2];
+        let mix = |of: [Vec3s<S>; 3]| of[0] * least[0] + of[1] * least[1] + of[2] * least[2];
         let face = (b - a).cross(c - a);
-        let normal = mix(&surface.normals).normalize_or(face.normalize_or(Vec3::Z));
-        let face = if face.dot(ray) > 0.0 { -face } else { face };
-        let normal = if surface.thin && normal.dot(ray) > 0.0 { -normal } else { normal };
-        let color = if surface.colors.is_empty() { Vec3::ONE } else { mix(surface.colors) };
-        Hit { normal, face, color, material: surface.material }
+        let normal = mix(corners.normals).normalize_or(simd, face.normalize_or(simd, up));
+        let face = Vec3s::select(face.dot(rays).simd_gt(zero), face.negated(), face);
+        let away = corners.thin & normal.dot(rays).simd_gt(zero);
+        let normal = Vec3s::select(away, normal.negated(), normal);
+        let own = mix(corners.colors).times(corners.material);
+        Hits {
+            normal: Vec3s::select(corners.ground, up, normal),
+            face: Vec3s::select(corners.ground, up, face),
+            color: Vec3s::select(corners.colored, own, corners.material),
+            patterns,
+        }
+    }
+
+    /// Returns the corners of triangles, and the patterns of their surfaces.
+    #[inline(always)]
+    fn corners<S: Simd>(&self, simd: S, ids: &[u32; LANES], ground: &Material) -> (Corners<S>, Patterns) {
+        let mut patterns = Patterns::NONE;
+        let mut vectors: [[Floats; 3]; 10] = [[[0.0; LANES]; 3]; 10];
+        let [mut grounds, mut colored, mut thin] = [[false; LANES]; 3];
+        for (k, &id) in ids[..S::f32s::LEN].iter().enumerate() {
+            let mut set = |vector: usize, value: Vec3| {
+                let to = &mut vectors[vector];
+                (to[0][k], to[1][k], to[2][k]) = (value.x, value.y, value.z);
+            };
+            let material = if id >= GROUND {
+                grounds[k] = true;
+                ground
+            } else {
+                let surface = self.surface(id);
+                let corners = surface.triangles[(id - surface.first) as usize];
+                for (at, corner) in corners.into_iter().enumerate() {
+                    set(at, surface.places[corner as usize]);
+                    set(3 + at, surface.normals[corner as usize]);
+                    if let Some(color) = surface.colors.get(corner as usize) {
+                        set(6 + at, *color);
+                        colored[k] = true;
+                    }
+                }
+                thin[k] = surface.thin;
+                &surface.material
+            };
+            set(9, material.color);
+            patterns.set(k, material.pattern);
+        }
+        let [a, b, c, d, e, f, g, h, i, material] = vectors.map(|vector| Vec3s::load(simd, &vector));
+        let [ground, colored, thin] = [grounds, colored, thin].map(|flags| mask(simd, &flags));
+        let corners =
+            Corners { places: [a, b, c], normals: [d, e, f], colors: [g, h, i], material, ground, colored, thin };
+        (corners, patterns)
     }
 }
 
@@ -137,13 +204,12 @@ impl<'a> Surface<'a> {
         let outside: Vec<u8> = turned.iter().map(|&place| guard.outside(place)).collect();
         let mut covers = Vec::new();
         for (index, corners) in self.triangles.iter().enumerate() {
-            let corners = corners.map(|corner| corner as usize);
-            let [a, b, c] = corners.map(|corner| outside[corner]);
+            let [i, j, k] = [corners[0] as usize, corners[1] as usize, corners[2] as usize];
+            let (a, b, c) = (outside[i], outside[j], outside[k]);
             if a & b & c != 0 {
                 continue;
             }
-            let whole = corners.map(|corner| turned[corner]);
-            let [from, to, other] = whole;
+            let whole @ [from, to, other] = [turned[i], turned[j], turned[k]];
             let normal = (to - from).cross(other - from);
             // The axes right, up, forward are a mirror image of those of the world.
             let facing = normal.dot(from);
@@ -157,10 +223,12 @@ impl<'a> Surface<'a> {
                 continue;
             }
             let limits = if flat { [0.0, f32::INFINITY] } else { limits(&ring) };
-            let pixels: Vec<IVec2> = ring.iter().map(|&place| view.corner(place)).collect();
             let id = self.first + index as u32;
-            for k in 1..pixels.len() - 1 {
-                let corners = [pixels[0], pixels[k], pixels[k + 1]];
+            let pixel = |k: usize| view.corner(ring[k]);
+            let (first, mut last) = (pixel(0), pixel(1));
+            for k in 2..ring.len() {
+                let corners = [first, last, pixel(k)];
+                last = corners[2];
                 // What is turned away by rounding is turned away.
                 if self.thin || area(corners) < 0 {
                     covers.extend(Cover::new(corners, near, limits, id));

@@ -28,6 +28,7 @@ mod render;
 mod scene;
 mod shade;
 mod shadow;
+mod simd;
 mod tone;
 mod view;
 

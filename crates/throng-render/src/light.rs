@@ -1,6 +1,8 @@
 //! Sun, sky and haze.
 
 use crate::linear;
+use crate::simd::Vec3s;
+use fearless_simd::prelude::*;
 use glam::Vec3;
 
 /// The light of the sun.
@@ -41,10 +43,12 @@ pub struct Sky {
 }
 
 impl Sky {
-    /// Returns the colour of the sky in a direction of length 1.
-    pub(crate) fn color(&self, direction: Vec3) -> Vec3 {
-        let height = direction.z.clamp(0.0, 1.0);
-        self.horizon.lerp(self.zenith, 1.0 - (1.0 - height) * (1.0 - height))
+    /// Returns the colours of the sky in directions of length 1.
+    #[inline(always)]
+    pub(crate) fn color<S: Simd>(&self, simd: S, directions: Vec3s<S>) -> Vec3s<S> {
+        let [zero, one] = [0.0, 1.0].map(|value| S::f32s::splat(simd, value));
+        let flat = one - directions.z.max(zero).min(one);
+        Vec3s::splat(simd, self.horizon).lerp(simd, Vec3s::splat(simd, self.zenith), one - flat * flat)
     }
 }
 
@@ -57,10 +61,13 @@ pub struct Haze {
 
 impl Haze {
     /// Returns the share of its colour that a surface keeps.
-    pub(crate) fn clear(&self, distance: f32) -> f32 {
-        let x = distance / self.distance.max(1e-3);
+    #[inline(always)]
+    pub(crate) fn clear<S: Simd>(&self, simd: S, distance: S::f32s) -> S::f32s {
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let one = splat(1.0);
+        let x = distance / splat(self.distance.max(1e-3));
         // the exponential by its series: cheap, and the same bits on all machines
-        1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0))))
+        one / (one + x * (one + x * (splat(0.5) + x * splat(1.0 / 6.0))))
     }
 }
 

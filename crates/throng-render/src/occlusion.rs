@@ -24,11 +24,11 @@ const TILE: usize = 8;
 pub(crate) fn open(fronts: &Fronts, coarse: &Coarse, view: &View) -> Vec<f32> {
     let near = Near::new(coarse, view);
     let width = coarse.fronts.width;
-    let peaks = near.peaks();
+    let rooms = near.rooms();
     let mut raw = vec![1.0; coarse.fronts.all.len()];
     parallel::chunks(&mut raw, width, |row, open| {
-        let peaks = &peaks[row / TILE * width.div_ceil(TILE)..];
-        open.iter_mut().enumerate().for_each(|(column, open)| *open = near.open([column, row], peaks[column / TILE]));
+        let rooms = &rooms[row / TILE * width.div_ceil(TILE)..];
+        open.iter_mut().enumerate().for_each(|(column, open)| *open = near.open([column, row], &rooms[column / TILE]));
     });
     let some = blurred(&raw, &coarse.fronts);
     let mut open = vec![1.0; fronts.all.len()];
@@ -39,6 +39,36 @@ pub(crate) fn open(fronts: &Fronts, coarse: &Coarse, view: &View) -> Vec<f32> {
         }
     });
     open
+}
+
+/// A box about places.
+#[derive(Clone, Copy)]
+struct Room {
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Room {
+    const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+
+    fn add(&mut self, place: Vec3) {
+        *self = Self { low: self.low.min(place), high: self.high.max(place) };
+    }
+
+    fn with(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// Whether places of two rooms can be near enough to hide the sky from one another.
+    fn is_near(&self, other: &Self) -> bool {
+        let apart = (self.low - other.high).max(other.low - self.high).max(Vec3::ZERO);
+        apart.length_squared() < REACH * REACH
+    }
+
+    /// Returns how far the room is above a surface, at most.
+    fn above(&self, place: Vec3, normal: Vec3) -> f32 {
+        (Vec3::select(normal.cmpgt(Vec3::ZERO), self.high, self.low) - place).dot(normal)
+    }
 }
 
 /// The chosen pixels, and what is near them.
@@ -70,35 +100,36 @@ impl<'a> Near<'a> {
         (REACH / self.view.pixel_width(depth)).min(FARTHEST)
     }
 
-    /// Returns the greatest height of what is compared with the pixels of each tile, relative to the viewpoint.
-    fn peaks(&self) -> Vec<f32> {
+    /// Returns the room of all that may hide the sky from the pixels of each tile.
+    fn rooms(&self) -> Vec<Room> {
         let width = self.coarse.fronts.width.div_ceil(TILE);
         let height = self.coarse.height.div_ceil(TILE);
         let own = parallel::map(width * height, |tile| {
-            let (mut peak, mut radius) = (f32::NEG_INFINITY, 0.0f32);
+            let (mut room, mut radius) = (Room::EMPTY, 0.0f32);
             for row in tile / width * TILE..((tile / width + 1) * TILE).min(self.coarse.height) {
                 for column in tile % width * TILE..((tile % width + 1) * TILE).min(self.coarse.fronts.width) {
                     let cell = row * self.coarse.fronts.width + column;
                     let near = self.coarse.fronts.all[cell].near;
                     if near > 0.0 {
-                        peak = peak.max(self.places[cell].z);
+                        room.add(self.places[cell]);
                         radius = radius.max(self.radius(1.0 / near));
                     }
                 }
             }
-            (peak, radius)
+            (room, radius)
         });
         let span = |at: usize, reach: usize, most: usize| at.saturating_sub(reach)..(at + reach + 1).min(most);
         parallel::map(width * height, |tile| {
-            let reach = (own[tile].1 / (STRIDE * TILE) as f32) as usize + 1;
+            let (room, radius) = own[tile];
+            let reach = (radius / (STRIDE * TILE) as f32) as usize + 1;
             let columns = span(tile % width, reach, width);
             let tiles = span(tile / width, reach, height).flat_map(|row| columns.clone().map(move |k| row * width + k));
-            tiles.fold(f32::NEG_INFINITY, |peak, tile| peak.max(own[tile].0))
+            tiles.map(|tile| own[tile].0).filter(|other| room.is_near(other)).fold(room, Room::with)
         })
     }
 
-    /// Returns the share of the sky that a chosen pixel sees. `peak` is the greatest height of what is near.
-    fn open(&self, at: [usize; 2], peak: f32) -> f32 {
+    /// Returns the share of the sky that a chosen pixel sees. `room` holds all that may hide it.
+    fn open(&self, at: [usize; 2], room: &Room) -> f32 {
         let (width, height) = (self.coarse.fronts.width, self.coarse.height);
         let cell = at[1] * width + at[0];
         let (front, place) = (self.coarse.fronts.all[cell], self.places[cell]);
@@ -110,8 +141,8 @@ impl<'a> Near<'a> {
         if radius < 1.0 {
             return 1.0;
         }
-        // The height is that of a pixel of the same plane within the errors of rounding.
-        if front.normal == Vec3::Z && peak <= place.z + self.view.pixel_width(depth) * LEAST {
+        // Other pixels are at least the width of a pixel away.
+        if room.above(place, front.normal) <= self.view.pixel_width(depth) * LEAST {
             return 1.0;
         }
         let reach = (radius * self.view.pixel_width(depth)).min(REACH);

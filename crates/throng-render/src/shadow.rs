@@ -7,14 +7,17 @@ use crate::coarse::{Coarse, STRIDE};
 use crate::front::{Front, Fronts, blurred, turn};
 use crate::geometry::{Geometry, Surface};
 use crate::raster::{BAND, Bands, Cover, Grid, Plane, SAMPLES, cover_depth, place_in_bands};
-use crate::view::SUB;
+use crate::simd::{Floats, LANES};
+use crate::view::{SUB, rounded};
 use crate::{Sun, View, parallel};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
 use glam::{Vec2, Vec3, Vec4};
 
 /// The number of points of the map along a side.
 const SIDE: usize = 2048;
 /// The side of a tile of the map, points, and the number of tiles along a side.
-const TILE: usize = BAND;
+const TILE: usize = SAMPLES;
 const TILES: usize = SIDE / TILE;
 /// The finest distance of points, metres.
 const FINEST: f32 = 0.004;
@@ -53,13 +56,16 @@ pub(crate) struct Shadows {
     heights: Vec<Vec4>,
     /// The greatest height that a search from each tile of the map finds.
     peaks: Vec<f32>,
-    /// The points of a disc that are compared.
-    disc: [Vec2; SEARCHES + SOFTENERS],
+    /// The points of a disc that are compared to find casters, its middle as well, and to soften the shadow.
+    searched: [Floats; 2],
+    softened: [Floats; 2],
+    /// The SIMD instructions.
+    level: Level,
 }
 
 impl Shadows {
     /// Creates the map of all surfaces that are not clear and not on the ground; `None` without any.
-    pub fn new(geometry: &Geometry<'_>, sun: &Sun) -> Option<Self> {
+    pub fn new(geometry: &Geometry<'_>, sun: &Sun, level: Level) -> Option<Self> {
         let towards = sun.direction();
         let (along, across) = towards.any_orthonormal_pair();
         let axes = [along, across, towards];
@@ -87,7 +93,9 @@ impl Shadows {
             search: (size * 6.0 / point).min(REACH / point).max(2.0),
             peaks: Vec::new(),
             heights: vec![Vec4::NEG_INFINITY; Grid::map(SIDE).cells()],
-            disc: disc(),
+            searched: disc(SEARCHES),
+            softened: disc(SOFTENERS),
+            level,
         };
         let covers = parallel::map(casters.len(), |index| shadows.covers(casters[index]));
         let grid = Grid::map(SIDE);
@@ -107,8 +115,8 @@ impl Shadows {
     fn covers(&self, surface: &Surface<'_>) -> Vec<Cover> {
         let places: Vec<(Vec2, f32)> = surface.places.iter().map(|&place| self.at(place)).collect();
         let triangle = |corners: &[u32; 3]| {
-            let corners = corners.map(|corner| places[corner as usize]);
-            let [(a, p), (b, q), (c, r)] = corners;
+            let &[a, b, c] = corners;
+            let [(a, p), (b, q), (c, r)] = [places[a as usize], places[b as usize], places[c as usize]];
             let turn = (b - a).perp_dot(c - a);
             if !turn.is_finite() || (turn > 0.0 && !surface.thin) {
                 return None;
@@ -118,21 +126,11 @@ impl Shadows {
             if !near.at.is_finite() || !step.is_finite() {
                 return None;
             }
-            let pixel = |place: Vec2| (place * SUB as f32).round().as_ivec2();
+            let pixel = |place: Vec2| rounded(place * SUB as f32);
             let cover = Cover::new([pixel(a), pixel(b), pixel(c)], near, [p.min(q).min(r), p.max(q).max(r)], 0)?;
             (!cover.between(SUB)).then_some(cover)
         };
         surface.triangles.iter().filter_map(triangle).collect()
-    }
-
-    /// Returns the height of what is at a point; nothing beyond the map.
-    fn height(&self, at: Vec2) -> f32 {
-        // From -1 to 0, numbers become 0: the edge of the map is empty.
-        let (x, y) = (at.x as i32 as u32 as usize, at.y as i32 as u32 as usize);
-        if x >= SIDE || y >= SIDE {
-            return f32::NEG_INFINITY;
-        }
-        self.heights[place_in_bands(SIDE / SAMPLES, [x / SAMPLES, y])][x % SAMPLES]
     }
 
     /// Returns the share of the sun that each pixel sees, 0 to 1.
@@ -180,9 +178,9 @@ impl Shadows {
     /// Returns the share of the sun that a place sees. `spread`, a direction, differs between neighbouring pixels, so
     /// that what is compared differs too.
     fn light(&self, &Spot { at, height, least }: &Spot, spread: Vec2) -> f32 {
+        let casters: [f32; SEARCHES + 1] = self.heights(&self.searched, at, spread * self.search);
         let (mut sum, mut found) = (0.0, 0.0);
-        for point in self.disc[..SEARCHES].iter().chain([&Vec2::ZERO]) {
-            let caster = self.height(at + spread.rotate(*point) * self.search);
+        for caster in casters {
             if caster > least {
                 sum += caster - height;
                 found += 1.0;
@@ -192,8 +190,18 @@ impl Shadows {
             return 1.0;
         }
         let soft = (sum / found * self.size / self.point).clamp(0.8, self.search);
-        let lit = self.disc[SEARCHES..].iter().filter(|point| self.height(at + spread.rotate(**point) * soft) <= least);
-        lit.count() as f32 / SOFTENERS as f32
+        let heights: [f32; SOFTENERS] = self.heights(&self.softened, at, spread * soft);
+        heights.iter().filter(|height| **height <= least).count() as f32 / SOFTENERS as f32
+    }
+
+    /// Returns the heights of what is at the points of a disc about a point; nothing beyond the map. The disc is turned
+    /// and scaled by `spread`.
+    fn heights<const N: usize>(&self, disc: &[Floats; 2], at: Vec2, spread: Vec2) -> [f32; N] {
+        let places = dispatch!(self.level, simd => places(simd, disc, at, spread));
+        std::array::from_fn(|k| {
+            let place = places[k] as usize;
+            self.heights.get(place / SAMPLES).map_or(f32::NEG_INFINITY, |cell| cell[place % SAMPLES])
+        })
     }
 
     /// Returns the greatest height of what is near a point.
@@ -204,26 +212,69 @@ impl Shadows {
 
     /// Returns the greatest height within the search of each tile of the map and of what is beyond its edge.
     fn peaks(&self) -> Vec<f32> {
-        let cells = TILE * TILE / SAMPLES;
-        let own = parallel::map(TILES * TILES, |tile| {
-            let cells = &self.heights[tile * cells..][..cells];
-            cells.iter().fold(Vec4::NEG_INFINITY, |peak, cell| peak.max(*cell)).max_element()
+        let mut peaks = vec![f32::NEG_INFINITY; TILES * TILES];
+        let reach = (self.search / TILE as f32).ceil() as usize;
+        parallel::chunks(&mut peaks, TILES, |row, peaks| {
+            for (column, peak) in peaks.iter_mut().enumerate() {
+                let cells = &self.heights[place_in_bands(SIDE / SAMPLES, [column, row * TILE])..][..TILE];
+                *peak = cells.iter().fold(Vec4::NEG_INFINITY, |peak, cell| peak.max(*cell)).max_element();
+            }
+            widen(peaks, reach, 1);
         });
-        let near = (self.search / TILE as f32).ceil() as usize;
-        let span = |at: usize| at.saturating_sub(near)..(at + near + 1).min(TILES);
-        let most = |(row, column): (usize, usize)| {
-            let tiles = span(row).flat_map(|row| span(column).map(move |column| row * TILES + column));
-            tiles.fold(f32::NEG_INFINITY, |peak, tile| peak.max(own[tile]))
-        };
-        (0..TILES * TILES).map(|tile| most((tile / TILES, tile % TILES))).collect()
+        widen(&mut peaks, reach, TILES);
+        peaks
     }
 }
 
-/// Returns two sets of points that are spread evenly over a disc of radius 1 (Vogel, 1979).
-fn disc() -> [Vec2; SEARCHES + SOFTENERS] {
-    let point = |k: usize, count: usize| {
-        let (sine, cosine) = libm::sincosf(k as f32 * GOLDEN);
-        Vec2::new(cosine, sine) * libm::sqrtf((k as f32 + 0.5) / count as f32)
+/// Replaces each value by the greatest of those up to `reach` values away along a row; for values in rows of `stride`,
+/// along a column.
+fn widen(values: &mut [f32], reach: usize, stride: usize) {
+    // The greatest of the values from each one on, of ever more values.
+    let greatest = |values: &mut [f32], apart: usize| {
+        for k in 0..values.len().saturating_sub(apart) {
+            values[k] = values[k].max(values[k + apart]);
+        }
     };
-    std::array::from_fn(|k| if k < SEARCHES { point(k, SEARCHES) } else { point(k - SEARCHES, SOFTENERS) })
+    let mut padded = vec![f32::NEG_INFINITY; values.len() + 2 * reach * stride];
+    padded[reach * stride..][..values.len()].copy_from_slice(values);
+    let (mut count, whole) = (1, 2 * reach + 1);
+    while count < whole {
+        let more = count.min(whole - count);
+        greatest(&mut padded, more * stride);
+        count += more;
+    }
+    values.copy_from_slice(&padded[..values.len()]);
+}
+
+/// Returns the places of points in the order of [`place_in_bands`], four to a cell; `u32::MAX` beyond the map.
+#[inline(always)]
+fn places<S: Simd>(simd: S, disc: &[Floats; 2], at: Vec2, spread: Vec2) -> [u32; LANES] {
+    let splat = |value: f32| S::f32s::splat(simd, value);
+    let whole = |value: u32| S::u32s::splat(simd, value);
+    let mut places = [0; LANES];
+    for first in (0..LANES).step_by(S::f32s::LEN) {
+        let part = first..first + S::f32s::LEN;
+        let [x, y] = [0, 1].map(|axis| S::f32s::from_slice(simd, &disc[axis][part.clone()]));
+        let turned = [x * splat(spread.x) - y * splat(spread.y), x * splat(spread.y) + y * splat(spread.x)];
+        // From -1 to 0, numbers become 0: the edge of the map is empty.
+        let x: S::u32s = (splat(at.x) + turned[0]).to_int::<S::i32s>().bitcast();
+        let y: S::u32s = (splat(at.y) + turned[1]).to_int::<S::i32s>().bitcast();
+        let inside = x.simd_lt(whole(SIDE as u32)) & y.simd_lt(whole(SIDE as u32));
+        let cell = ((y >> BAND.ilog2()) * whole((SIDE / SAMPLES) as u32) + (x >> SAMPLES.ilog2())) * whole(BAND as u32)
+            + (y & whole(BAND as u32 - 1));
+        let place = cell * whole(SAMPLES as u32) + (x & whole(SAMPLES as u32 - 1));
+        inside.select(place, whole(u32::MAX)).store_slice(&mut places[part]);
+    }
+    places
+}
+
+/// Returns points that are spread evenly over a disc of radius 1 (Vogel, 1979). The rest is in its middle.
+fn disc(count: usize) -> [Floats; 2] {
+    let mut disc = [[0.0; LANES]; 2];
+    for k in 0..count {
+        let (sine, cosine) = libm::sincosf(k as f32 * GOLDEN);
+        let far = libm::sqrtf((k as f32 + 0.5) / count as f32);
+        (disc[0][k], disc[1][k]) = (cosine * far, sine * far);
+    }
+    disc
 }

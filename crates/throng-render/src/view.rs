@@ -1,5 +1,7 @@
 //! The projection from points in space to pixels.
 
+use crate::simd::{Vec2s, Vec3s};
+use fearless_simd::prelude::*;
 use glam::{DVec3, IVec2, Vec2, Vec3};
 
 /// Subdivisions of a pixel: corners of triangles lie on a grid of this fineness.
@@ -56,7 +58,7 @@ impl View {
     pub(crate) fn corner(&self, turned: Vec3) -> IVec2 {
         let scale = self.focal / turned.z;
         let pixel = self.centre + Vec2::new(turned.x, -turned.y) * scale;
-        (pixel * SUB as f32).round().as_ivec2()
+        rounded(pixel * SUB as f32)
     }
 
     /// Returns the direction of a pixel, with a length of 1 along the direction of the view.
@@ -65,8 +67,25 @@ impl View {
         self.forward + self.right * at.x - self.up * at.y
     }
 
+    /// As [`View::ray`], for many pixels.
+    #[inline(always)]
+    pub(crate) fn rays<S: Simd>(&self, simd: S, pixels: Vec2s<S>) -> Vec3s<S> {
+        let splat = |value: f32| S::f32s::splat(simd, value);
+        let [forward, right, up] = [self.forward, self.right, self.up].map(|axis| Vec3s::splat(simd, axis));
+        let scale = splat(1.0 / self.focal);
+        let (x, y) = ((pixels.x - splat(self.centre.x)) * scale, (pixels.y - splat(self.centre.y)) * scale);
+        forward + right * x - up * y
+    }
+
     /// Returns the width of a pixel at a depth, metres.
     pub(crate) fn pixel_width(&self, depth: f32) -> f32 {
         depth * (1.0 / self.focal)
     }
+}
+
+/// Returns the nearest whole numbers, of two the one farther from zero: as `Vec2::round`, without a function call.
+pub(crate) fn rounded(place: Vec2) -> IVec2 {
+    // The greatest number below a half: numbers just below a half do not become one.
+    const HALF: f32 = 0.499_999_97;
+    (place + Vec2::splat(HALF).copysign(place)).as_ivec2()
 }
