@@ -14,10 +14,12 @@ uniform vec3 offsets[JOINTS];
 uniform vec3 rests[JOINTS];
 uniform vec3 looks[COLOURS];
 in vec4 skinIndex, skinWeight;
-in float _region;
 in vec3 poses;  // the pose before, the pose after, the share of the way
 in vec2 person; // the height, the look
+#ifdef REGIONS
+in float _region;
 out vec3 vLook;
+#endif
 
 ivec2 texel(int at) { return ivec2(at % ${WIDTH}, at / ${WIDTH}); }
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
@@ -32,17 +34,25 @@ vec3 placed(int joint) {
   return at;
 }
 `;
-// at most two joints move a vertex
 const NORMAL = `
-ivec2 movers = ivec2(skinIndex.xy);
-vec4 first = turned(movers.x), second = turned(movers.y);
-vec3 objectNormal = normalize(rotated(first, normal) * skinWeight.x + rotated(second, normal) * skinWeight.y);
-vLook = looks[int(person.y) * REGIONS + int(_region)];
+ivec4 movers = ivec4(skinIndex);
+vec4 moves[4];
+vec3 objectNormal = vec3(0.0);
+for (int k = 0; k < 4; k++) {
+  moves[k] = turned(movers[k]);
+  objectNormal += rotated(moves[k], normal) * skinWeight[k];
+}
+objectNormal = normalize(objectNormal);
 `;
 const PLACE = `
-vec3 transformed = (placed(movers.x) + rotated(first, position - rests[movers.x]) * person.x) * skinWeight.x;
+vec3 transformed = vec3(0.0);
+for (int k = 0; k < 4; k++)
+  if (skinWeight[k] > 0.0)
+    transformed += (placed(movers[k]) + rotated(moves[k], position - rests[movers[k]]) * person.x) * skinWeight[k];
+#ifdef REGIONS
+vLook = looks[int(person.y) * REGIONS + int(_region)];
 if (vLook.r < 0.0) transformed = placed(0);
-else if (skinWeight.y > 0.0) transformed += (placed(movers.y) + rotated(second, position - rests[movers.y]) * person.x) * skinWeight.y;
+#endif
 `;
 
 /** The baked people of a file. Put the crowd into the node `World`. */
@@ -80,16 +90,17 @@ export class BakedCrowd extends THREE.Group {
     // a colour below 0 stands for a region that a look does not wear
     const looks = baked.looks.flat().map((rgb) => new THREE.Vector3(...(rgb ?? [-1, -1, -1])));
     const regions = baked.looks[0].length;
-    this.parts = baked.bodies.map(({ offsets }, body) => {
-      const own = offsets.map((offset) => new THREE.Vector3(...offset)), rests = [];
-      own.forEach((offset, k) => rests.push(baked.parents[k] < 0 ? offset : rests[baked.parents[k]].clone().add(offset)));
-      const material = new THREE.MeshStandardMaterial({ roughness: 0.85 });
-      material.defines = { JOINTS: own.length, COLOURS: looks.length, REGIONS: regions };
+    this.parts = baked.bodies.map(({ offsets, figure }, body) => {
+      const own = offsets.map((offset) => new THREE.Vector3(...offset)), rests = figure?.rests.map((rest) => new THREE.Vector3(...rest)) ?? [];
+      if (!figure) own.forEach((offset, k) => rests.push(baked.parents[k] < 0 ? offset : rests[baked.parents[k]].clone().add(offset)));
+      // bodies of files have colours of their own and no looks
+      const material = new THREE.MeshStandardMaterial({ roughness: 0.85, vertexColors: !!figure });
+      material.defines = { JOINTS: own.length, COLOURS: looks.length, ...(figure ? {} : { REGIONS: regions }) };
       material.onBeforeCompile = (shader) => {
         const known = { turns: ofTurns, hips: ofHips, parents: baked.parents, offsets: own, rests, looks };
         for (const [name, value] of Object.entries(known)) shader.uniforms[name] = { value };
         shader.vertexShader = VERTEX + shader.vertexShader.replace('#include <beginnormal_vertex>', NORMAL).replace('#include <begin_vertex>', PLACE);
-        shader.fragmentShader = 'in vec3 vLook;\n' + shader.fragmentShader
+        if (!figure) shader.fragmentShader = 'in vec3 vLook;\n' + shader.fragmentShader
           .replace('#include <color_fragment>', 'diffuseColor.rgb *= vLook;');
       };
       const most = baked.people.filter((person) => person.body === body).length;
@@ -138,10 +149,11 @@ export class BakedCrowd extends THREE.Group {
       const poses = this.poses(person, frame);
       if (!poses) continue;
       const [x, y, z] = this.hips.subarray(3 * poses[0], 3 * poses[0] + 3);
-      const level = this.levels.findIndex((far) => Math.hypot(x - eye.x, y - eye.y, z - eye.z) <= far);
-      const { poses: moving, person: fixed } = this.parts[person.body][level].attributes, at = counts[person.body][level]++;
+      const body = this.parts[person.body], far = Math.hypot(x - eye.x, y - eye.y, z - eye.z);
+      const level = Math.min(this.levels.findIndex((most) => far <= most), body.length - 1);
+      const { poses: moving, person: fixed } = body[level].attributes, at = counts[person.body][level]++;
       moving.setXYZ(at, ...poses);
-      fixed.setXY(at, person.height, person.look);
+      fixed.setXY(at, person.height, person.look ?? 0);
       there += 1;
     }
     this.parts.forEach((levels, body) => levels.forEach((geometry, level) => {

@@ -43,6 +43,7 @@ var _start := 0
 var _times: PackedFloat64Array
 var _hips: PackedFloat32Array
 var _people: Array[Person]
+var _tallest := 0.0
 ## The parts of each body: one for each level of detail.
 var _bodies: Array[Array]
 var _states: ImageTexture
@@ -109,7 +110,8 @@ func open(path: String) -> bool:
 	var baked: Dictionary = extras["throng.baked"]
 	var texels := int(_json.bufferViews[int(baked.hips)].byteLength) / 12
 	if baked.parents.size() > JOINTS or texels > POSES:
-		return _fails(path, "has more than %d joints or %d poses" % [JOINTS, POSES])
+		push_error("%s has more than %d joints or %d poses" % [path, JOINTS, POSES])
+		return false
 	_read(baked, int(extras["throng.times"]))
 	_glb.close()
 	return true
@@ -145,8 +147,8 @@ func update(at: float, eye: Vector3) -> int:
 			part.material.set_shader_parameter("first", states.size() / 4)
 			part.node.multimesh.visible_instance_count = count
 			part.node.visible = count > 0
-			# no part of a person is farther from the hips than the height, with a margin for umbrellas
-			part.node.custom_aabb = part.bounds.grow(3.0)
+			# no part of a body is as far from its hips
+			part.node.custom_aabb = part.bounds.grow(1.5 * _tallest)
 			states.append_array(part.states)
 	there = states.size() / 4
 	var size := _states.get_size()
@@ -206,6 +208,7 @@ func _read(baked: Dictionary, times: int) -> void:
 		person.body = int(one.body)
 		person.look = -1 if one.get("look") == null else int(one.look)
 		person.height = one.height
+		_tallest = maxf(_tallest, person.height)
 		for visit: Array in one.visits:
 			person.visits.push_back(PackedInt64Array(visit))
 		_people.push_back(person)
@@ -222,11 +225,17 @@ func _read(baked: Dictionary, times: int) -> void:
 	for body: Dictionary in baked.bodies:
 		var offsets := PackedVector3Array()
 		var rests := PackedVector3Array()
+		# bodies of files are modelled in a pose of their own
+		var figure: Variant = body.get("figure")
 		for joint: int in baked.parents.size():
 			var offset: Array = body.offsets[joint]
 			offsets.push_back(Vector3(offset[0], offset[1], offset[2]))
 			var parent := int(baked.parents[joint])
-			rests.push_back(offsets[joint] if parent < 0 else rests[parent] + offsets[joint])
+			if figure != null:
+				var rest: Array = figure.rests[joint]
+				rests.push_back(Vector3(rest[0], rest[1], rest[2]))
+			else:
+				rests.push_back(offsets[joint] if parent < 0 else rests[parent] + offsets[joint])
 		var most := _people.filter(func(person: Person) -> bool: return person.body == _bodies.size()).size()
 		var parts := []
 		for level: float in body.levels:
@@ -285,8 +294,9 @@ func _texture(view: int, format: Image.Format, size: int) -> Texture2DArray:
 
 func _mesh(at: int) -> ArrayMesh:
 	var made := ArrayMesh.new()
-	var floats := Mesh.ARRAY_CUSTOM_RGBA_FLOAT
-	var flags := floats << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT | floats << Mesh.ARRAY_FORMAT_CUSTOM1_SHIFT | floats << Mesh.ARRAY_FORMAT_CUSTOM2_SHIFT
+	var flags := 0
+	for shift: int in [Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT, Mesh.ARRAY_FORMAT_CUSTOM1_SHIFT, Mesh.ARRAY_FORMAT_CUSTOM2_SHIFT]:
+		flags |= Mesh.ARRAY_CUSTOM_RGBA_FLOAT << shift
 	for primitive: Dictionary in _json.meshes[at].primitives:
 		var attributes: Dictionary = primitive.attributes
 		var arrays := []

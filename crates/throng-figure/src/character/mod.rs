@@ -96,6 +96,11 @@ impl Character {
         self.height
     }
 
+    /// Returns the lengths of the legs and feet, in heights.
+    pub fn legs(&self) -> Legs {
+        self.legs
+    }
+
     /// Returns the skeleton for this height, m.
     pub fn skeleton(&self, height: f64) -> Skeleton {
         self.skeleton.times(height)

@@ -7,11 +7,18 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
 use std::path::Path;
-use throng_figure::slerp;
+use throng_figure::{Person, slerp};
 
 /// The longest time between two moments that suffices for people to walk, and between moments that are added, seconds.
 const COARSE: f64 = 0.0401;
 const FINE: f64 = 0.02;
+/// The longest way of a person from one moment to the next that suffices, and between moments that are added, metres:
+/// between moments, the rotations of a file lower the feet of those that hurry.
+const COARSE_WAY: f64 = 0.08;
+const FINE_WAY: f64 = 0.06;
+/// The share of the ways that may be longer, and the speed above which a way is a jump, m/s.
+const HURRIED: f64 = 1e-3;
+const JUMP: f64 = 15.0;
 /// The longest time in which moments are added, seconds.
 const GAP: f64 = 2.0;
 
@@ -168,15 +175,17 @@ impl Spill {
 
 impl Spill {
     /// Adds moments, so that people have poses often enough for their feet to stay where they are: at least 50 a second
-    /// where there were fewer than 25. Agents that are there before and after are interpolated. Gaps of more than two
-    /// seconds stay.
+    /// where there were fewer than 25, and one every 6 cm where those that hurry had fewer than one every 8 cm. Agents that are
+    /// there before and after are interpolated. Gaps of more than two seconds stay.
     ///
     /// # Errors
     /// A system error, such as a full disk.
     pub(crate) fn refine(&mut self, output: &Output) -> io::Result<()> {
+        let hurry = self.hurry()?;
+        let (coarse, fine) = (COARSE.min(COARSE_WAY / hurry), FINE.min(FINE_WAY / hurry));
         let parts = |from: f64, to: f64| {
             let time = to - from;
-            if time > COARSE && time <= GAP { (time / FINE - 1e-6).ceil() as u32 } else { 1 }
+            if time > coarse && time <= GAP { (time / fine - 1e-6).ceil() as u32 } else { 1 }
         };
         if !self.moments.windows(2).any(|two| parts(two[0].0, two[1].0) > 1) {
             return Ok(());
@@ -210,6 +219,33 @@ impl Spill {
         moments.iter().for_each(|&(time, _)| self.rate.push(time));
         (self.file, self.moments) = (file, moments);
         Ok(())
+    }
+
+    /// Returns the speed that nearly no person exceeds, m/s.
+    fn hurry(&mut self) -> io::Result<f64> {
+        const STEPS: f64 = 100.0;
+        let is_person = |agent: &SpilledAgent| Person::of_agent(agent.number, agent.radius).is_some();
+        let people: Vec<bool> = self.agents.iter().map(is_person).collect();
+        let mut counts = [0u64; (JUMP * STEPS) as usize];
+        let (mut before, mut last) = (0.0, BTreeMap::new());
+        self.replay(|_, time, rows| {
+            for (agent, state) in rows.iter().filter(|(agent, _)| people[*agent as usize]) {
+                let Some(place) = last.insert(*agent, state.place).filter(|_| time > before) else { continue };
+                let speed = f64::from(state.place.distance(place)) / (time - before);
+                if let Some(count) = counts.get_mut((speed * STEPS) as usize) {
+                    *count += 1;
+                }
+            }
+            before = time;
+            Ok(())
+        })?;
+        let allowed = (counts.iter().sum::<u64>() as f64 * HURRIED) as u64;
+        let mut faster = 0;
+        let exceeded = counts.iter().rposition(|count| {
+            faster += count;
+            faster > allowed
+        });
+        Ok(exceeded.map_or(0.0, |step| (step + 1) as f64 / STEPS))
     }
 }
 
@@ -259,5 +295,30 @@ mod tests {
             })
             .unwrap();
         assert_eq!(seen, [[0, 1].repeat(6), [0, 2].repeat(2)].concat());
+    }
+
+    /// People that hurry have a moment every 6 cm; one that jumps does not change the moments of all.
+    #[test]
+    fn moments_are_added_where_people_hurry() {
+        for (speed, want) in [(1.9, 1), (2.1, 2), (3.2, 3), (0.0, 1)] {
+            let folder = tempfile::tempdir().unwrap();
+            let output = Output::create(folder.path().join("run.glb")).unwrap();
+            let mut spill = Spill::new(&output, &Setting::default()).unwrap();
+            for moment in 0..1001u32 {
+                let time = 0.04 * f64::from(moment);
+                // agent 1 jumps once by 0.5 m; agent 2 is no person, and races
+                let jump = if moment > 500 { 0.5 } else { 0.0 };
+                let places = [speed * time, 0.1 * time + jump, 9.0 * time];
+                let body = |(number, x): (u32, f64)| {
+                    let mut body = Body::walking(number, DVec2::new(x, f64::from(number)));
+                    body.radius = if number == 2 { 2.0 } else { 0.25 };
+                    body
+                };
+                let bodies = (0..).zip(places).map(body).collect();
+                spill.push(&Frame { time, bodies, ..Frame::default() }).unwrap();
+            }
+            spill.refine(&output).unwrap();
+            assert_eq!(spill.moments.len(), 1000 * want + 1, "{speed} m/s");
+        }
     }
 }

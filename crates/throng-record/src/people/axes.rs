@@ -60,9 +60,9 @@ pub(crate) fn exact_own(place: DVec3) -> DVec3 {
     DVec3::new(place.y, place.z, place.x)
 }
 
-/// Converts a point in a body's own space in glTF to the scene, in double precision.
-#[cfg(feature = "bvh")]
-pub(crate) fn exact_body_point(point: DVec3) -> DVec3 {
+/// Converts a point in a body's own space in glTF to the body's axes in the scene, in double precision.
+#[cfg(any(feature = "bvh", feature = "glb"))]
+pub(crate) fn own_place(point: DVec3) -> DVec3 {
     DVec3::new(point.z, point.x, point.y)
 }
 

@@ -1,6 +1,6 @@
 //! A property of all agents, stored once while it is the same for all.
 
-use super::{Cycles, GroupId, JourneyId, ScriptId};
+use super::{Cycles, GroupId, JourneyId, Rounding, ScriptId};
 use crate::motion::{Attitude, Basis, Vehicle};
 use crate::simd::from_side_by_side;
 use fearless_simd::prelude::*;
@@ -33,6 +33,7 @@ value! {
     f32: |value| value.to_bits(),
     f64: |value| value.to_bits(),
     Vec2: |value| [value.x.to_bits(), value.y.to_bits()],
+    Rounding: |value| value.0.to_array().map(f32::to_bits),
     GroupId: |value| value,
     JourneyId: |value| value,
     Option<ScriptId>: |value| value,

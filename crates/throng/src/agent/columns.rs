@@ -1,7 +1,9 @@
 //! The state of the agents: a column for each property, a row for each agent.
 
 use super::row::RowColumn;
-use super::{Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, ScriptId, Status};
+use super::{
+    Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, Rounding, ScriptId, Status,
+};
 use crate::motion::{Attitude, Holonomic, Motor, TwoWheels, Vehicle};
 use crate::navigate::RouteProgress;
 use glam::{DVec2, Vec2, Vec3};
@@ -90,6 +92,8 @@ columns! {
     number: Vec<u32>,
     /// Centre, metres from the world's origin.
     position: Vec<Vec2>,
+    /// What rounding has taken from the position, metres: see [`Rounding`](super::Rounding).
+    rounding: Column<Rounding>,
     /// Height of the centre above the ground, metres; 0 for agents that walk.
     altitude: Column<f32>,
     /// Velocity along the ground: the motion in the last sub-step, before positions were rounded.
@@ -199,6 +203,7 @@ impl Columns {
         self.slot.push(slot);
         self.number.push(number);
         self.position.push((agent.position.truncate() - origin).as_vec2());
+        self.rounding.push(Rounding::NONE);
         self.altitude.push(agent.position.z as f32);
         self.velocity.push(agent.velocity);
         self.vertical_velocity.push(0.0);

@@ -1,11 +1,11 @@
 //! Ghosts: copies of the rows of other worlds, of which other agents read a part.
 
-use super::{Columns, GroupId, Hindrance, JourneyId, ProgressMark, ScriptId, Status};
+use super::{Columns, GroupId, Hindrance, JourneyId, ProgressMark, Rounding, ScriptId, Status};
 use crate::navigate::{RouteProgress, Turn};
 use glam::{Vec2, Vec3};
 
 /// The words of a ghost.
-pub(crate) type GhostWords = [u32; 30];
+pub(crate) type GhostWords = [u32; 32];
 
 /// What a word has for no script.
 const NO_SCRIPT: u32 = u32::MAX;
@@ -26,6 +26,7 @@ impl Columns {
     /// Returns what other agents read of an agent, as words.
     pub(crate) fn ghost(&self, row: usize) -> GhostWords {
         let (position, velocity, core) = (self.position[row], self.velocity[row], self.core[row]);
+        let Rounding(rounding) = self.rounding[row];
         let ProgressMark { queue_ticks, hindrance, .. } = self.progress_mark[row];
         let RouteProgress { leg, turn, stalled, .. } = self.travel[row];
         let commanded = self.commanded[row].unwrap_or_default();
@@ -63,6 +64,8 @@ impl Columns {
             status_and_turn | hindrance << 8 | queue_ticks << 16,
             is_commanded,
             stalled.to_bits(),
+            rounding.x.to_bits(),
+            rounding.y.to_bits(),
         ]
     }
 
@@ -73,6 +76,7 @@ impl Columns {
             slot,
             number,
             position,
+            rounding,
             altitude,
             velocity,
             vertical_velocity,
@@ -114,6 +118,7 @@ impl Columns {
             let float = |index: usize| f32::from_bits(words[index]);
             number.push(words[0]);
             position.push(Vec2::new(float(1), float(2)));
+            rounding.push(Rounding(Vec2::new(float(30), float(31))));
             altitude.push(float(3));
             velocity.push(Vec2::new(float(4), float(5)));
             vertical_velocity.push(float(6));

@@ -14,6 +14,7 @@ mod guidance;
 mod hindrance;
 mod id;
 mod memory;
+mod rounding;
 mod row;
 mod statistics;
 
@@ -28,6 +29,7 @@ pub use guidance::Guidance;
 pub use hindrance::{Hindered, Hindrance, ProgressMark};
 pub use id::{AgentId, GoalId, GroupId, JourneyId, ObstacleId, ScriptId};
 pub use memory::Memory;
+pub use rounding::Rounding;
 pub use statistics::TripStatistics;
 
 use crate::motion::Motor;

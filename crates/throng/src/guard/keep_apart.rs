@@ -4,7 +4,7 @@ use super::certify::{led, unguarded, within_reach};
 use super::contacts::Centers;
 use super::spread::Spreading;
 use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
-use crate::agent::Column;
+use crate::agent::{Column, Rounding};
 use crate::intend::{Facing, Velocities};
 use crate::motion::{turn, wrap};
 use crate::parallel::WORD;
@@ -21,6 +21,7 @@ pub(crate) struct KeepApart {
     guarded: Column<bool>,
     contacts: Contacts,
     solids: Solids,
+    any_far: bool,
     guard: Guard,
 }
 
@@ -36,6 +37,8 @@ pub(crate) struct Guarded<'a> {
     /// The agents and walls that each agent may touch.
     pub contacts: &'a Contacts,
     pub solids: &'a Solids,
+    /// Whether any agent may be where positions are rounded too much.
+    pub any_far: bool,
     guard: &'a Guard,
 }
 
@@ -68,6 +71,7 @@ impl KeepApart {
         elsewhere: &mut dyn Spreading,
     ) -> Guarded<'_> {
         if !sleep.all_asleep() {
+            self.any_far = Rounding::is_far(seen.grid.extent());
             let wishes = Wishes { state, facing, chosen, seconds, now };
             let (changed, pushed) = self.find(wishes, seen, sleep, elsewhere);
             state.tally.guard_changed += changed as u64;
@@ -93,7 +97,7 @@ impl KeepApart {
         let mut solids = std::mem::take(&mut self.solids);
         solids.find(&self.bodies(state, sleep), &agents.group);
         self.solids = solids;
-        let Self { targets, reach, guarded, contacts, solids, guard } = self;
+        let Self { targets, reach, guarded, contacts, solids, guard, .. } = self;
         let bodies = bodies(state, (reach, guarded, solids), sleep);
         let wished =
             |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
@@ -120,8 +124,8 @@ impl KeepApart {
 
     /// Returns the result of the last sub-step.
     fn result(&self) -> Guarded<'_> {
-        let Self { targets, reach, guarded, contacts, solids, guard } = self;
-        Guarded { targets, reach, guarded, contacts, solids, guard }
+        let Self { targets, reach, guarded, contacts, solids, any_far, guard } = self;
+        Guarded { targets, reach, guarded, contacts, solids, any_far: *any_far, guard }
     }
 
     /// Returns the solids of all groups.
@@ -202,7 +206,7 @@ fn bodies<'a>(
 fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) -> BodyPose {
     let agents = &state.agents;
     BodyPose {
-        position: agents.position[row] + chosen.ground[row] * seconds,
+        position: agents.position[row] + (chosen.ground[row] * seconds + agents.rounding[row].0),
         altitude: agents.altitude[row] + chosen.vertical_velocity(row) * seconds,
         heading: agents.heading[row],
     }

@@ -2,7 +2,7 @@
 
 use super::flight_simd::fly_many;
 use super::wrap::Wrap;
-use crate::agent::{Column, ColumnValue, Columns, SEEN, Status};
+use crate::agent::{Column, ColumnValue, Columns, Rounding, SEEN, Status};
 use crate::guard::{BodyPose, Guarded};
 use crate::intend::{Facing, Intended, Velocities};
 use crate::motion::{Attitude, Motion, Vehicle, angle, turn, wrap};
@@ -67,6 +67,7 @@ fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
 /// Moves all agents on the scalar path.
 fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, safe: Guarded<'_>, seconds: f32) {
     let (any_vehicle, all_discs) = (state.any_vehicle(), state.agents.all_discs());
+    let rounds = rounds(&state.agents, safe);
     let agents = &mut state.agents;
     let (core, max_turn_rate, status) = (&agents.core, &agents.max_turn_rate, &agents.status);
     let (vehicle, script) = (&agents.vehicle, &agents.script);
@@ -78,12 +79,13 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
                 rows_if(chosen.is_in_space(), &mut agents.vertical_velocity),
             ),
             (rows_if(any_vehicle, &mut agents.attitude), rows_if(!all_discs, &mut agents.spin)),
+            rows_if(rounds, &mut agents.rounding),
         ),
         (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
     );
     let (facing, looks) = (intended.facing(), intended.looks);
     let planned = &*intended.planned;
-    parallel::ranges(moving, |rows, (place, ((altitude, vertical_velocity), (attitude, spin)), trip)| {
+    parallel::ranges(moving, |rows, (place, ((altitude, vertical_velocity), (attitude, spin), rounding), trip)| {
         let (position, velocities, headings) = place;
         let (turned, course_turned, walked) = trip;
         for (at, row) in rows.enumerate() {
@@ -92,7 +94,11 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             let before = velocities[at].extend(height(&vertical_velocity));
             let target = safe.targets[row];
             let place = target.place();
-            let mut velocity = velocity(from, place, chosen.at(row), seconds);
+            let rounded = rounding.all.get(at).copied().unwrap_or_default();
+            let (mut velocity, left) = velocity(from, place, chosen.at(row), (seconds, rounded));
+            if let Some(rounding) = rounding.all.get_mut(at) {
+                *rounding = left.filter(|_| vehicle[row].is_none()).unwrap_or_default();
+            }
             let heading = if let Some(vehicle) = vehicle[row].filter(|_| script[row].is_none()) {
                 let motion = attitude.all[at].motion(from, before);
                 let (moved, mut now) = if facing.is_as_planned(row, velocity) {
@@ -212,9 +218,24 @@ pub(super) fn diverted(
     (moved.velocity, moved.into())
 }
 
-/// Returns the velocity of a motion. A motion that the guard did not change keeps its chosen velocity exactly, because
-/// it may be far below the resolution of positions.
-pub(crate) fn velocity(from: Vec3, to: Vec3, chosen: Vec3, seconds: f32) -> Vec3 {
-    let unchanged = to.distance(from + chosen * seconds) <= to.abs().max_element() * f32::EPSILON;
-    if unchanged { chosen } else { (to - from) / seconds }
+/// Whether the rounding of positions may be more than nothing, before or after a motion.
+pub(super) fn rounds(agents: &Columns, safe: Guarded<'_>) -> bool {
+    safe.any_far || agents.rounding.uniform() != Some(Rounding::NONE)
+}
+
+/// Returns the velocity of a motion, and its rounding. A motion that the guard did not change keeps its chosen velocity
+/// exactly, because it may be far below the resolution of positions; other motions have no rounding.
+pub(crate) fn velocity(
+    from: Vec3,
+    to: Vec3,
+    chosen: Vec3,
+    (seconds, rounding): (f32, Rounding),
+) -> (Vec3, Option<Rounding>) {
+    let way = chosen * seconds + rounding.0.extend(-0.0);
+    let unchanged = to.distance(from + way) <= to.abs().max_element() * f32::EPSILON;
+    if unchanged {
+        (chosen, Some(Rounding::of(to.truncate(), way.truncate(), (to - from).truncate())))
+    } else {
+        ((to - from) / seconds, None)
+    }
 }

@@ -2,12 +2,12 @@
 //! same as those of the [scalar path](super::movement), which turns agents with a limit on turning and bodies that are
 //! not discs.
 
-use super::movement::{Move, turn_walker};
-use crate::agent::{Column, Columns, SEEN, Status};
+use super::movement::{Move, rounds, rows_if, turn_walker};
+use crate::agent::{Column, Columns, Rounding, SEEN, Status};
 use crate::guard::{BodyPose, Guarded, Solids};
 use crate::intend::{Intended, Velocities};
 use crate::motion::{Turning, angles};
-use crate::parallel;
+use crate::parallel::{self, RowLists};
 use crate::simd::{LANES, Vec2s, from_side_by_side, ones, set};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
@@ -17,8 +17,11 @@ use glam::Vec2;
 use std::ops::Range;
 
 /// The columns that motion changes, for some rows, as they are divided among threads.
-type MovedColumns<'a> =
-    ((&'a mut [Vec2], &'a mut [Vec2], &'a mut [f32]), (&'a mut [f64], &'a mut [f64], &'a mut [f64]));
+type MovedColumns<'a> = (
+    (&'a mut [Vec2], &'a mut [Vec2], &'a mut [f32]),
+    (&'a mut [f64], &'a mut [f64], &'a mut [f64]),
+    RowLists<'a, Rounding>,
+);
 
 /// The columns that motion changes, for some rows.
 struct Moving<'a> {
@@ -26,6 +29,8 @@ struct Moving<'a> {
     velocity: &'a mut [Vec2],
     heading: &'a mut [f32],
     trip: Trips<'a>,
+    /// The rounding of the positions; empty if there is none.
+    rounding: &'a mut [Rounding],
 }
 
 impl State {
@@ -60,6 +65,7 @@ impl Move {
         seconds: f32,
     ) {
         let is_guarded = state.is_guarded();
+        let rounds = rounds(&state.agents, safe);
         let agents = &mut state.agents;
         self.note_turners(agents);
         let (targets, reach, chosen_velocities, status) = (safe.targets, safe.reach, &chosen.ground, &agents.status);
@@ -67,12 +73,14 @@ impl Move {
         let moving = (
             (&mut agents.position[..], &mut agents.velocity[..], &mut agents.heading[..]),
             (&mut agents.turned[..], &mut agents.course_turned[..], &mut agents.walked[..]),
+            rows_if(rounds, &mut agents.rounding),
         );
         let turning = Turning::of(seconds);
         let move_part =
-            |rows: Range<usize>, ((position, velocity, heading), (turned, course_turned, walked)): MovedColumns<'_>| {
+            |rows: Range<usize>, (place, (turned, course_turned, walked), rounding): MovedColumns<'_>| {
+                let (position, velocity, heading) = place;
                 let trip = Trips { turned, course_turned, walked };
-                let mut moving = Moving { position, velocity, heading, trip };
+                let mut moving = Moving { position, velocity, heading, trip, rounding: rounding.all };
                 let targets = if is_guarded {
                     Targets::Certain(&targets[rows.clone()])
                 } else {
@@ -115,7 +123,13 @@ fn move_all<S: Simd>(
         let (from, before) = (vectors(moving.position), vectors(moving.velocity));
         let chosen = vectors(chosen_velocities);
         let heading = from_side_by_side(simd, &moving.heading[rows.clone()]);
-        let wished = from + chosen * splat(seconds);
+        let mut way = chosen * splat(seconds);
+        if !moving.rounding.is_empty() {
+            let mut rounding = [Vec2::ZERO; LANES];
+            rounding.iter_mut().zip(&moving.rounding[rows.clone()]).for_each(|(to, from)| *to = from.0);
+            way = way + Vec2s::from_side_by_side(simd, &rounding[..rows.len()]);
+        }
+        let wished = from + way;
         let to = match targets {
             Targets::Certain(targets) => {
                 let mut to = [[0.0; LANES]; 2];
@@ -150,11 +164,27 @@ fn move_all<S: Simd>(
         let seen = |v: Vec2s<S>| v.dot(v).sqrt().simd_ge(splat(SEEN));
         let course = angles(simd, Vec2s { x: before.dot(velocity), y: before.perp_dot(velocity) }).abs();
         let course = (seen(before) & seen(velocity)).select(course, splat(0.0));
+        if !moving.rounding.is_empty() {
+            round::<S>(&mut moving.rounding[rows.clone()], unchanged, [to, way, motion]);
+        }
         to.put_side_by_side(&mut moving.position[rows.clone()]);
         velocity.put_side_by_side(&mut moving.velocity[rows.clone()]);
         moving.heading[rows.clone()].copy_from_slice(&facing.as_slice()[..rows.len()]);
         let way = motion.dot(motion).sqrt();
         moving.trip.add(simd, &status[rows.clone()], rows, ((facing - heading).abs(), course, way));
+    }
+}
+
+/// Sets the rounding of positions after motions to `to` that should have covered `way` and covered `motion`, as
+/// `velocity` on the scalar path.
+#[inline(always)]
+fn round<S: Simd>(rounding: &mut [Rounding], unchanged: S::mask32s, vectors: [Vec2s<S>; 3]) {
+    let mut all = [[Vec2::ZERO; LANES]; 3];
+    vectors.iter().zip(&mut all).for_each(|(vectors, all)| vectors.put_side_by_side(&mut all[..S::f32s::LEN]));
+    let ([to, way, motion], unchanged) = (all, unchanged.to_bitmask());
+    for (lane, rounding) in rounding.iter_mut().enumerate() {
+        let is_unchanged = unchanged >> lane & 1 != 0;
+        *rounding = if is_unchanged { Rounding::of(to[lane], way[lane], motion[lane]) } else { Rounding::NONE };
     }
 }
 

@@ -150,6 +150,11 @@ impl Grid {
         &self.blocks
     }
 
+    /// Returns the greatest coordinate of a point.
+    pub(crate) fn extent(&self) -> f32 {
+        self.extent
+    }
+
     /// Whether there are no points.
     pub fn is_empty(&self) -> bool {
         self.numbers.is_empty()

@@ -15,7 +15,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 /// First bytes of every saved state: its kind and the version of its layout. The hash of the rest follows, 8 bytes.
-const MAGIC: &[u8] = b"throng state 18\n";
+const MAGIC: &[u8] = b"throng state 19\n";
 
 /// Everything that changes while a world runs.
 #[derive(Serialize, Deserialize)]

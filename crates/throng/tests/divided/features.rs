@@ -73,6 +73,23 @@ fn a_crowd_gathers_on_a_border() {
     assert_same(world, &[-0.3, 0.0], 300);
 }
 
+/// Far from the origin positions are rounded, and what rounding takes goes from world to world. Agents cross the coordinate
+/// from which it counts.
+#[test]
+fn a_crowd_crosses_a_border_far_from_the_origin() {
+    for center in [DVec2::new(4096.0, -300.0), DVec2::new(-15_000.0, 19_000.0)] {
+        let (mut world, group) = plain(0.1);
+        let mut draw = Draw::new(8);
+        for _ in 0..60 {
+            let at = draw.point(DVec2::splat(-9.0), DVec2::splat(9.0));
+            world.add_agent(Agent::at(center + at).goal(center - at).speed(0.4).group(group)).unwrap();
+        }
+        let x = center.x as f32;
+        let work = assert_same(world, &[x - 1.5, x, x + 2.5], 300);
+        assert!(work.migrants > 100, "{} migrants", work.migrants);
+    }
+}
+
 /// Clamping spreads through a crush on both sides of a border for more rounds than a batch has.
 #[test]
 fn a_crush_leaves_through_a_door_on_a_border() {

@@ -100,7 +100,7 @@ impl<'a> Words<'a> {
         }
         let mut frame = || (0..width).map(|_| self.number()).collect::<Result<Vec<f64>, String>>();
         let frames: Vec<Vec<f64>> = (0..count as usize).map(|_| frame()).collect::<Result<_, _>>()?;
-        let offsets = ours.map(|at| axes::exact_body_point(joints[at].offset) / UNITS);
+        let offsets = ours.map(|at| axes::own_place(joints[at].offset) / UNITS);
         let (build, height, alike) = fitted(&offsets);
         let mut person = Person::new(0, 0).with_build(build).with_height(height);
         let last = (frames.len() - 1) as f64 * period;

@@ -5,22 +5,22 @@
 //! w), from the axes of the body (left, up, ahead) to those of the file. Rotations are not relative to the joint above:
 //! the joint `j` is where `hips` is, plus `rotation(parent) * offset * height` along the way from the hips to `j`. A
 //! vertex is moved by its joints: `place(j) + rotation(j) * (position - rest(j)) * height`, where `rest` is the sum of
-//! the offsets along the same way.
+//! the offsets along the same way, or what [`BakedFigure::rests`] says.
 
 use super::bin::Bin;
-use super::json::Root;
-use super::people::vertices;
+use super::json::{BodyLegs, Root};
+use super::people::{linear, vertices};
 use super::write::{POINTS, TRIANGLES};
 use crate::Output;
 use crate::color::light;
 use crate::formats::spill::beside;
-use crate::people::axes;
+use crate::people::{PersonBody, axes};
 use glam::{DQuat, Quat};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
-use throng_figure::{Build, JOINTS, Joint, LOOKS, Level, Look, Mesh, Region, Skeleton, Walk};
+use throng_figure::{JOINTS, Joint, LOOKS, Level, Look, Mesh, Region, Skeleton, Walk};
 
 /// The key of the description, in `asset.extras`.
 pub const BAKED: &str = "throng.baked";
@@ -50,12 +50,26 @@ pub struct Baked {
 /// A body of a height of 1 m.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct BakedBody {
-    /// `woman`, `man` or `child`.
+    /// `woman`, `man` or `child`; `figure 1` and so on for bodies of files.
     pub build: String,
-    /// The position of each joint against the joint above it; of the hips, against the ground.
+    /// What only a body of a file has.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub figure: Option<BakedFigure>,
+    /// The position of each joint against the joint above it, in the axes of that joint; of the hips, against the ground.
     pub offsets: Vec<[f32; 3]>,
-    /// The meshes, the finest first.
+    /// The meshes, the finest first. A body of a file has one mesh, with colours of its vertices.
     pub levels: Vec<usize>,
+}
+
+/// A body of a file, for a height of 1 m. It is modelled in any pose; rotations turn it from there.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct BakedFigure {
+    /// The lengths of the legs.
+    pub legs: BodyLegs,
+    /// Where the joints are in the mesh.
+    pub rests: Vec<[f32; 3]>,
+    /// The turn of each joint from the pose of the mesh to that of throng's bodies: x, y, z, w.
+    pub turns: Vec<[f32; 4]>,
 }
 
 /// A person.
@@ -63,9 +77,11 @@ pub struct BakedBody {
 pub struct BakedPerson {
     /// The number of the agent.
     pub number: u32,
-    /// The body and the look, by number.
+    /// The number of the body.
     pub body: usize,
-    pub look: u8,
+    /// The number of the look; none for a body of a file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub look: Option<u8>,
     /// Metres.
     pub height: f64,
     /// When the person is there: the first frame, the number of frames, and the first pose of each visit. Frames count
@@ -74,15 +90,15 @@ pub struct BakedPerson {
 }
 
 /// The buffer of poses under construction.
-pub struct Poses {
+pub struct Poses<'a> {
     hips: BufWriter<File>,
     turns: BufWriter<File>,
     count: u64,
-    bodies: Vec<Build>,
+    bodies: Vec<PersonBody<'a>>,
     people: Vec<BakedPerson>,
 }
 
-impl Poses {
+impl<'a> Poses<'a> {
     /// Starts an empty buffer.
     ///
     /// # Errors
@@ -96,13 +112,19 @@ impl Poses {
     ///
     /// # Errors
     /// A system error, such as a full disk.
-    pub fn add(&mut self, number: u32, walk: &Walk, moments: &[usize], times: &[f64]) -> io::Result<()> {
+    pub fn add(
+        &mut self,
+        (number, walk, own): (u32, &Walk, PersonBody<'a>),
+        moments: &[usize],
+        times: &[f64],
+    ) -> io::Result<()> {
         let person = walk.person();
-        let body = self.bodies.iter().position(|build| *build == person.build).unwrap_or_else(|| {
-            self.bodies.push(person.build);
+        let body = self.bodies.iter().position(|known| known.key().0 == own.key().0).unwrap_or_else(|| {
+            self.bodies.push(own);
             self.bodies.len() - 1
         });
-        let skeleton = Skeleton::new(person);
+        let skeleton = own.skeleton(person.height);
+        let turns = turns(&skeleton);
         let mut visits = Vec::new();
         for visit in moments.chunk_by(|a, b| a + 1 == *b) {
             visits.push([visit[0] as u64, visit.len() as u64, self.count]);
@@ -110,14 +132,17 @@ impl Poses {
                 let pose = walk.pose(times[moment]);
                 let hips = axes::point(pose.hips.as_vec3()).to_array();
                 self.hips.write_all(hips.map(f32::to_le_bytes).as_flattened())?;
-                for joint in skeleton.world(&pose) {
-                    self.turns.write_all(shorts(joint.rotation).as_flattened())?;
+                for (joint, turn) in skeleton.world(&pose).into_iter().zip(turns) {
+                    self.turns.write_all(shorts(joint.rotation * turn).as_flattened())?;
                 }
                 self.count += 1;
             }
         }
-        let (look, height) = (person.look, person.height);
-        self.people.push(BakedPerson { number, body, look, height, visits });
+        let look = match own {
+            PersonBody::Build(_, look) => Some(look),
+            PersonBody::Character(..) => None,
+        };
+        self.people.push(BakedPerson { number, body, look, height: person.height, visits });
         Ok(())
     }
 
@@ -129,7 +154,7 @@ impl Poses {
         if self.people.is_empty() {
             return Ok(());
         }
-        let bodies = self.bodies.into_iter().map(|build| body(root, bin, build)).collect::<io::Result<_>>()?;
+        let bodies = self.bodies.into_iter().map(|body| described(root, bin, body)).collect::<io::Result<_>>()?;
         let colours =
             |look| Region::ALL.map(|region| Look::new(look).colour(region).map(|rgb| rgb.map(light))).to_vec();
         let baked = Baked {
@@ -146,23 +171,57 @@ impl Poses {
     }
 }
 
-/// Adds the meshes of a build: all levels.
-fn body(root: &mut Root, bin: &mut Bin, build: Build) -> io::Result<BakedBody> {
-    let mut levels = Vec::new();
-    for level in Level::ALL {
-        let mesh = Mesh::new(build, level);
-        let mut attributes = vertices(bin, &mesh)?;
-        bin.view(Some(POINTS))?;
-        let regions: Vec<f32> = mesh.regions.iter().map(|&region| f32::from(region as u8)).collect();
-        attributes["_REGION"] = bin.scalars(&regions)?.into();
-        bin.view(Some(TRIANGLES))?;
-        let primitive = json!({ "attributes": attributes, "indices": bin.triangles(&mesh.triangles)? });
-        levels.push(root.meshes.len());
-        root.meshes.push(json!({ "name": format!("{} {level:?}", build.name()), "primitives": [primitive] }));
-    }
-    let skeleton = Skeleton::scaled(build, 1.0);
-    let offsets = Joint::ALL.map(|joint| axes::own(skeleton.offset(joint).as_vec3()).to_array()).to_vec();
-    Ok(BakedBody { build: build.name().to_owned(), offsets, levels })
+/// Adds the meshes of a body: all levels of throng's, and that of a file with its colours.
+fn described(root: &mut Root, bin: &mut Bin, body: PersonBody<'_>) -> io::Result<BakedBody> {
+    let name = body.name().into_owned();
+    let skeleton = body.skeleton(1.0);
+    let turns = turns(&skeleton);
+    let (levels, figure) = match body {
+        PersonBody::Build(build, _) => {
+            let level = |level: Level| {
+                let mesh = Mesh::new(build, level);
+                let mut attributes = vertices(bin, &mesh)?;
+                bin.view(Some(POINTS))?;
+                let regions: Vec<f32> = mesh.regions.iter().map(|&region| f32::from(region as u8)).collect();
+                attributes["_REGION"] = bin.scalars(&regions)?.into();
+                add_mesh(root, bin, (format!("{name} {level:?}"), &mesh, attributes))
+            };
+            (Level::ALL.into_iter().map(level).collect::<io::Result<_>>()?, None)
+        }
+        PersonBody::Character(_, character) => {
+            let mut attributes = vertices(bin, character.mesh())?;
+            bin.view(Some(POINTS))?;
+            let colours: Vec<[u8; 4]> = character.colours().iter().copied().map(linear).collect();
+            attributes["COLOR_0"] = bin.fours(&colours, true)?.into();
+            let mesh = add_mesh(root, bin, (name.clone(), character.mesh(), attributes))?;
+            let rests = skeleton.bind_matrices().map(|bind| axes::own(bind.w_axis.truncate().as_vec3()).to_array());
+            let turns = turns.map(|turn| axes::own_turn(turn).as_quat().to_array());
+            let legs = character.legs().into();
+            (vec![mesh], Some(BakedFigure { legs, rests: rests.to_vec(), turns: turns.to_vec() }))
+        }
+    };
+    let offset = |joint: Joint| {
+        let above = joint.parent().map_or(DQuat::IDENTITY, |parent| turns[parent.index()]);
+        axes::own((above.conjugate() * skeleton.offset(joint)).as_vec3()).to_array()
+    };
+    Ok(BakedBody { build: name, figure, offsets: Joint::ALL.map(offset).to_vec(), levels })
+}
+
+/// Returns the turn of each joint from the pose in which the body is modelled to that of throng's bodies.
+fn turns(skeleton: &Skeleton) -> [DQuat; JOINTS] {
+    skeleton.bind_matrices().map(|bind| DQuat::from_mat4(&bind).conjugate())
+}
+
+/// Adds a mesh with these attributes. Returns its number.
+fn add_mesh(
+    root: &mut Root,
+    bin: &mut Bin,
+    (name, mesh, attributes): (String, &Mesh, serde_json::Value),
+) -> io::Result<usize> {
+    bin.view(Some(TRIANGLES))?;
+    let primitive = json!({ "attributes": attributes, "indices": bin.triangles(&mesh.triangles)? });
+    root.meshes.push(json!({ "name": name, "primitives": [primitive] }));
+    Ok(root.meshes.len() - 1)
 }
 
 /// Adds a file as a view. Returns the view.

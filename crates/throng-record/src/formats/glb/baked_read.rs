@@ -3,8 +3,8 @@
 use super::baked::{BAKED, Baked, BakedPerson, HIPS, TURNS};
 use super::data::Data;
 use crate::people::{Figure, Figures, axes};
-use glam::{DQuat, DVec3};
-use throng_figure::{Build, JOINTS, Joint, Person, Placed, Skeleton, slerp};
+use glam::{DQuat, DVec3, Quat, Vec3};
+use throng_figure::{Build, JOINTS, Joint, Person, Placed, slerp};
 
 /// Reads the people of a file with the key [`BAKED`]; `times` are those of its frames.
 ///
@@ -18,19 +18,32 @@ pub fn figures(data: &Data, times: &[f64], period: f64) -> Result<Figures, Strin
     }
     let poses = [data.view(baked.hips)?.0, data.view(baked.rotations)?.0];
     let figure = |person: &BakedPerson| -> Result<Figure, String> {
-        let build = baked.bodies.get(person.body).and_then(|body| Build::named(&body.build));
-        let build = build.ok_or_else(|| format!("{BAKED} names no body of agent {}", person.number))?;
+        let missing = || format!("{BAKED} names no body of agent {}", person.number);
+        let body = baked.bodies.get(person.body).ok_or_else(missing)?;
+        let known = Person::new(0, u64::from(person.number));
+        let (known, turns) = match &body.figure {
+            None => {
+                (known.with_build(Build::named(&body.build).ok_or_else(missing)?), &[[0.0, 0.0, 0.0, 1.0]; JOINTS][..])
+            }
+            Some(figure) => (Person { legs: (&figure.legs).into(), ..known }, &figure.turns[..]),
+        };
+        let known = known.with_height(person.height);
+        let others = |_| format!("body {} of {BAKED} has other joints", person.body);
+        let offsets = <[[f32; 3]; JOINTS]>::try_from(&body.offsets[..]).map_err(others)?;
+        let offsets = offsets.map(|offset| axes::own_place(Vec3::from(offset).as_dvec3()) * person.height);
+        let turns = <[[f32; 4]; JOINTS]>::try_from(turns).map_err(others)?;
+        let turns = turns.map(|[x, y, z, w]| Quat::from_xyzw(z, x, y, w).as_dquat());
         let visit = |visit: &[u64; 3]| Visit::of(visit, times, poses);
         let visits: Option<Vec<Visit>> = person.visits.iter().map(visit).collect();
         let visits = visits.filter(|visits| !visits.is_empty());
         let visits = visits.ok_or_else(|| format!("{BAKED} names missing poses of agent {}", person.number))?;
         let last = &visits[visits.len() - 1].seconds;
         let seconds = [visits[0].seconds[0], last[last.len() - 1]];
-        let known = Person::new(0, u64::from(person.number)).with_build(build).with_height(person.height);
-        let skeleton = Skeleton::scaled(build, person.height);
         Ok(Figure::new((person.number, known, seconds), move |second| {
             let visit = visits.iter().rfind(|visit| visit.seconds[0] <= second)?;
-            visit.joints(second, &skeleton)
+            let joints = visit.joints(second, &offsets)?;
+            let own = |joint: usize| joints[joint].rotation * turns[joint].conjugate();
+            Some(std::array::from_fn(|joint| Placed { rotation: own(joint), ..joints[joint] }))
         }))
     };
     Ok(Figures { all: baked.people.iter().map(figure).collect::<Result<_, _>>()?, period })
@@ -58,7 +71,7 @@ impl Visit {
     }
 
     /// Returns where the joints are at a second; `None` after the last frame.
-    fn joints(&self, second: f64, skeleton: &Skeleton) -> Option<[Placed; JOINTS]> {
+    fn joints(&self, second: f64, offsets: &[DVec3; JOINTS]) -> Option<[Placed; JOINTS]> {
         let after = self.seconds.partition_point(|&at| at <= second);
         // the seconds of readers are singles
         if after == self.seconds.len() && second > self.seconds[after - 1] + 1e-3 {
@@ -73,7 +86,7 @@ impl Visit {
         for joint in &Joint::ALL[1..] {
             let above = placed[joint.parent().map_or(0, Joint::index)];
             placed[joint.index()] = Placed {
-                position: above.position + above.rotation * skeleton.offset(*joint),
+                position: above.position + above.rotation * offsets[joint.index()],
                 rotation: turned(joint.index()),
             };
         }

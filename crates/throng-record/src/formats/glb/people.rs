@@ -175,7 +175,7 @@ fn bones(mesh: &Mesh) -> impl Iterator<Item = ([u8; 4], [u8; 4])> + '_ {
 }
 
 /// Returns a colour of sRGB as glTF has colours of vertices: linear, with an alpha.
-fn linear(color: [u8; 3]) -> [u8; 4] {
+pub(super) fn linear(color: [u8; 3]) -> [u8; 4] {
     let [r, g, b] = color.map(|part| (light(part) * 255.0).round() as u8);
     [r, g, b, 255]
 }

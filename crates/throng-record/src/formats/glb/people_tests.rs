@@ -1,14 +1,12 @@
 //! Tests of people: skins and baked poses are compared with the planned poses.
 
-use super::character::tests::blocks::Blocks;
 use super::people::carries_feet;
-use super::{FORMAT, character, figures};
+use super::{FORMAT, figures};
 use crate::formats::Reading;
 use crate::people::FigureStyle;
 use crate::people::samples::{self, assert_feet_stand, hard, planned, seldom, walkers};
 use crate::{Choice, Frame, Setting};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 use throng_figure::Joint;
 
 /// Returns the bytes of a file with people of a style.
@@ -127,17 +125,31 @@ fn bodies_from_files_are_written_and_walk() {
     assert_eq!(data.root.skins.len(), 3);
 }
 
-/// Formats without bodies of files keep throng's people, with their own legs.
+/// Baked poses of a person with a body from a file are those of the walk on its legs, and its mesh is in the file once.
 #[test]
-fn other_formats_and_styles_keep_throngs_people() {
-    let body = Arc::new(character::read(&Blocks::default().glb()).unwrap());
-    let with = Setting { characters: vec![Some(body)], ..Setting::default() };
+fn baked_bodies_from_files_walk() {
+    let dressed = samples::Dressed::new();
     let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.glb");
     let choice = Choice { figures: FigureStyle::Baked, ..Choice::default() };
-    let written = |setting: &Setting| {
-        let path = folder.path().join("run.glb");
-        samples::write(&path, setting, &choice, &walkers()).unwrap();
-        std::fs::read(path).unwrap()
-    };
-    assert_eq!(written(&with), written(&Setting::default()));
+    samples::write(&path, &dressed.setting, &choice, &dressed.frames).unwrap();
+    let bytes = std::fs::read(path).unwrap();
+    let found = figures::read(&bytes).unwrap();
+    assert_eq!(found.all.len(), 3);
+    assert_feet_stand(&found);
+    let figure = found.all.iter().find(|figure| figure.number == 1).unwrap();
+    let person = dressed.walk.person();
+    assert!((figure.person.height - dressed.body.height()).abs() < 1e-6);
+    assert!((figure.person.leg() - person.leg()).abs() < 1e-6);
+    dressed.assert_walks(figure, 0.0, 2e-4);
+    let data = super::data::Data::open(&bytes).unwrap();
+    let known = &data.root.asset.extras[super::baked::BAKED];
+    let (body, look) = (&known["people"][1]["body"], known["people"][1].get("look"));
+    let body = &known["bodies"][body.as_u64().unwrap() as usize];
+    assert_eq!((&body["build"], look), (&"figure 1".into(), None));
+    let mesh = &data.root.meshes[body["levels"][0].as_u64().unwrap() as usize];
+    let attributes = &mesh["primitives"][0]["attributes"];
+    let positions = data.numbers::<3>(attributes["POSITION"].as_u64().unwrap() as usize).unwrap();
+    assert_eq!((positions.len(), body["levels"].as_array().unwrap().len()), (dressed.body.mesh().positions.len(), 1));
+    assert!(attributes["COLOR_0"].is_u64() && attributes["_REGION"].is_null());
 }

@@ -72,8 +72,7 @@ impl GlbWriter {
         let agents_of = &self.spill.agents;
         let mut skins = Skins::default();
         let baked = people.style == FigureStyle::Baked;
-        // baked poses are of throng's bodies
-        let people = if baked { people } else { people.with_characters(&self.setting) };
+        let people = people.with_characters(&self.setting);
         let plain = baked || agents_of.iter().any(|agent| !people.has(agent));
         let meshes = if plain { scene.bodies(&self.setting, agents_of)? } else { 0 };
         let (mut motion, flies) = (GlbMotion::new(&seconds), self.setting.in_space);
@@ -85,7 +84,8 @@ impl GlbWriter {
             scene.root.nodes[agents].children.push(at);
             let walk = people.walk(agent, track)?;
             if let Some(walk) = walk.as_ref().filter(|_| baked) {
-                poses.add(agent.number, walk, &visit.moments, &times)?;
+                let body = people.body(agent, walk.person());
+                poses.add((agent.number, walk, body), &visit.moments, &times)?;
             }
             let Some(walk) = walk.filter(|_| !baked) else {
                 node.mesh = Some(meshes + agent.group as usize);

@@ -13,6 +13,7 @@ mod determinism;
 mod doors;
 mod entry;
 mod explain;
+mod far;
 mod filling;
 mod flocks;
 mod governed;
