@@ -16,6 +16,7 @@ mod status;
 mod tune;
 
 pub use agents::{AgentRef, Agents};
+pub(crate) use build::FARTHEST;
 pub use events::{Event, EventKind};
 pub use explain::{ConsideredAgent, Explanation};
 pub(crate) use state::State;

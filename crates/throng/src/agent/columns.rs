@@ -1,9 +1,7 @@
 //! The state of the agents: a column for each property, a row for each agent.
 
 use super::row::RowColumn;
-use super::{
-    Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, Rounding, ScriptId, Status,
-};
+use super::{Agent, Column, ColumnValue, Cycles, GroupId, JourneyId, Memory, ProgressMark, Rounding, ScriptId, Status};
 use crate::motion::{Attitude, Holonomic, Motor, TwoWheels, Vehicle};
 use crate::navigate::RouteProgress;
 use glam::{DVec2, Vec2, Vec3};

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 
-/// The greatest coordinate, metres, up to which positions are fine enough: their steps are at most 0.5 mm.
+/// The greatest coordinate, metres, up to which positions are fine enough: their steps are at most 0.25 mm.
 const FINE: f32 = 4096.0;
 
 /// What rounding has taken from the position of an agent, metres: at most a step of the position. It is added to the next
@@ -24,12 +24,19 @@ impl Rounding {
         if Self::is_far(to.abs().max_element()) { Self(way - motion) } else { Self::NONE }
     }
 
+    /// Returns how much farther than its speed allows an agent at `from` may move by rounding, metres.
+    #[inline]
+    pub(crate) fn farther(from: Vec2) -> f32 {
+        let largest = from.abs().max_element();
+        if Self::is_far(largest) { largest * f32::EPSILON } else { 0.0 }
+    }
+
     /// Returns what is added to the next motion, metres.
     pub fn rest(&self) -> Vec2 {
         self.0
     }
 
-    /// Whether positions with this greatest coordinate are rounded too much.
+    /// Whether positions with this greatest coordinate are rounded too much: their steps are at least 0.5 mm.
     pub(crate) fn is_far(coordinate: f32) -> bool {
         coordinate >= FINE
     }

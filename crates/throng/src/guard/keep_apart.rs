@@ -7,11 +7,12 @@ use super::{BodyPose, Contacts, Guard, GuardedBodies, RowContacts, Solids};
 use crate::agent::{Column, Rounding};
 use crate::intend::{Facing, Velocities};
 use crate::motion::{turn, wrap};
-use crate::parallel::WORD;
+use crate::parallel::{self, WORD};
 use crate::perceive::{AvoidsAll, Perceived, SubStep};
 use crate::sleep::SleepBlocks;
 use crate::world::State;
 use glam::Vec3;
+use std::ops::Range;
 
 /// 4. Guard: finds targets at which no two guarded bodies overlap.
 #[derive(Clone, Debug, Default)]
@@ -93,6 +94,13 @@ impl KeepApart {
         let Wishes { state, chosen, seconds, .. } = wishes;
         let State { agents, local_groups: groups, walls, .. } = state;
         self.reach.map_from(&agents.max_speed, |speed| speed * seconds);
+        if self.any_far {
+            let farther = |rows: Range<usize>, all: &mut [f32]| {
+                let from = &agents.position[rows];
+                all.iter_mut().zip(from).for_each(|(reach, from)| *reach += Rounding::farther(*from));
+            };
+            parallel::ranges(self.reach.rows_mut(), farther);
+        }
         self.guarded.map_from(&agents.group, |group| groups[group.index()].guard);
         let mut solids = std::mem::take(&mut self.solids);
         solids.find(&self.bodies(state, sleep), &agents.group);

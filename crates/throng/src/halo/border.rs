@@ -2,12 +2,12 @@
 
 use super::packet::{BROKEN, push_words, read, words, write};
 use super::{Agreement, Halo};
-use crate::agent::{Columns, GhostWords, GoalId, Row, Status};
+use crate::agent::{Columns, GhostWords, GoalId, Rounding, Row, Status};
 use crate::guard::{Clamping, Spreading};
 use crate::intend::{STANDOFF_REACH, Velocities, set};
 use crate::navigate::{Arrivals, NavFlags, NeighbourData, Turn, Unreachable};
 use crate::parallel::WORD;
-use crate::world::State;
+use crate::world::{FARTHEST, State};
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -132,7 +132,8 @@ impl Border {
     fn set_depth(&mut self, all: &Agreement, seconds: f32, part: f32) {
         // between centres, while agents see the distance of cores
         let sees = all.range + 2.0 * all.core;
-        let contact = 2.002 * (all.bound + all.speed * part);
+        // an agent moves by its speed, and by the rounding of positions
+        let contact = 2.002 * (all.bound + all.speed * part + Rounding::farther(Vec2::splat(FARTHEST as f32)));
         let rounds = (sees / contact) as usize;
         self.rounds = rounds.saturating_sub(CONTACTS).clamp(LEAST_ROUNDS, MOST_ROUNDS);
         let guards = (self.rounds + CONTACTS) as f32 * contact;

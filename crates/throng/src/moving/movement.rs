@@ -56,10 +56,13 @@ impl Move {
 
 /// Whether an agent that does not walk has the same state after this sub-step as before, if nothing moves it.
 fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
-    let at = agents.position[row];
+    let (at, rounding) = (agents.position[row], agents.rounding[row]);
+    let way = chosen * seconds + rounding.0;
+    let to = at + way;
     chosen.same(agents.velocity[row])
         // a motion below the resolution of positions is no motion
-        && (at + chosen * seconds).same(at)
+        && to.same(at)
+        && Rounding::of(to, way, to - at).same(rounding)
         && chosen.length() < SEEN
         && agents.travel[row].is_settled()
 }

@@ -76,20 +76,19 @@ impl Move {
             rows_if(rounds, &mut agents.rounding),
         );
         let turning = Turning::of(seconds);
-        let move_part =
-            |rows: Range<usize>, (place, (turned, course_turned, walked), rounding): MovedColumns<'_>| {
-                let (position, velocity, heading) = place;
-                let trip = Trips { turned, course_turned, walked };
-                let mut moving = Moving { position, velocity, heading, trip, rounding: rounding.all };
-                let targets = if is_guarded {
-                    Targets::Certain(&targets[rows.clone()])
-                } else {
-                    let led = if solids.are_near() { &targets[rows.clone()] } else { &[] };
-                    Targets::Wished { reach, first: rows.start, solids, led }
-                };
-                let (chosen_velocities, status) = (&chosen_velocities[rows.clone()], &status[rows]);
-                dispatch!(level, simd => move_all(simd, &mut moving, (targets, chosen_velocities, status), turning, seconds));
+        let move_part = |rows: Range<usize>, (place, (turned, course_turned, walked), rounding): MovedColumns<'_>| {
+            let (position, velocity, heading) = place;
+            let trip = Trips { turned, course_turned, walked };
+            let mut moving = Moving { position, velocity, heading, trip, rounding: rounding.all };
+            let targets = if is_guarded {
+                Targets::Certain(&targets[rows.clone()])
+            } else {
+                let led = if solids.are_near() { &targets[rows.clone()] } else { &[] };
+                Targets::Wished { reach, first: rows.start, solids, led }
             };
+            let (chosen_velocities, status) = (&chosen_velocities[rows.clone()], &status[rows]);
+            dispatch!(level, simd => move_all(simd, &mut moving, (targets, chosen_velocities, status), turning, seconds));
+        };
         parallel::ranges(moving, |rows, all| sleep.each(rows, all, move_part));
         for &(row, before, turned) in &self.turners {
             agents.turned[row] = turned;

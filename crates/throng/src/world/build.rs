@@ -16,7 +16,7 @@ use crate::{Error, Position, world::schedule::Schedule};
 use glam::{DVec2, DVec3, Vec2};
 
 /// Distance from the origin, metres, within which a world keeps its guarantees: beyond it `f32` is too coarse.
-const FARTHEST: f64 = 20_000.0;
+pub(crate) const FARTHEST: f64 = 20_000.0;
 
 impl World {
     /// Returns an empty world with one [default](Group::default) group and one [journey](JourneyId::STAY) without

@@ -154,7 +154,9 @@ fn explanation(state: &State, step: &Pipeline, row: usize, seconds: f32) -> Expl
         reasons,
         chosen: unlimited,
         limited: chosen.ground[row],
-        guarded: velocity(state.place_in_space(row), certain, chosen.at(row), (seconds, agents.rounding[row])).0.truncate(),
+        guarded: velocity(state.place_in_space(row), certain, chosen.at(row), (seconds, agents.rounding[row]))
+            .0
+            .truncate(),
         neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
         edges: sight.edges,
         discs: sight.discs,

@@ -36,12 +36,11 @@ fn agents_keep_their_speed() {
 fn crossing(center: DVec2, seed: u64) -> World {
     let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
     let mut draw = Draw::new(seed);
-    for _ in 0..70 {
-        let at = draw.point(DVec2::splat(-6.0), DVec2::splat(6.0));
+    for k in 0..64 {
+        let near = draw.point(DVec2::splat(-0.35), DVec2::splat(0.35));
+        let at = (DVec2::new(f64::from(k % 8), f64::from(k / 8)) - 3.5) * 1.2 + near;
         let speed = draw.between(0.05, 1.5) as f32;
-        let agent = Agent::at(center + at).goal(center - 2.0 * at).radius(0.2).speed(speed);
-        // places of others are refused
-        let _ = world.add_agent(agent);
+        world.add_agent(Agent::at(center + at).goal(center - 2.0 * at).radius(0.2).speed(speed)).unwrap();
     }
     world
 }
