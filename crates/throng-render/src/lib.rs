@@ -8,15 +8,16 @@
 //! The steps, in the order of the code in [`Picture::render`]:
 //!
 //! 1. Triangles are placed before the viewpoint, cut, and sorted into bands of rows (`geometry`).
-//! 2. Bands are covered in parallel: each sample keeps the nearest triangle (`raster`).
+//! 2. Bands are covered in parallel: each sample keeps the nearest triangle (`raster`, `samples`).
 //! 3. A map from the sun gives shadows (`shadow`); neighbouring pixels give ambient occlusion (`occlusion`).
-//! 4. Each pixel is coloured once for each triangle that it sees (`shade`).
-//! 5. Lines and glass are laid over (`lines`).
+//! 4. Each pixel is coloured once for each triangle that it sees, several pixels at once (`shade`, `simd`).
+//! 5. Lines and glass are laid over (`layers`, `lines`).
 //! 6. A curve maps light to bytes (`tone`).
 
 mod coarse;
 mod front;
 mod geometry;
+mod layers;
 mod light;
 mod lines;
 mod material;
@@ -25,6 +26,7 @@ mod occlusion;
 mod parallel;
 mod raster;
 mod render;
+mod samples;
 mod scene;
 mod shade;
 mod shadow;
