@@ -56,15 +56,13 @@ impl Move {
 
 /// Whether an agent that does not walk has the same state after this sub-step as before, if nothing moves it.
 fn is_still(agents: &Columns, chosen: Vec2, row: usize, seconds: f32) -> bool {
-    let (at, rounding) = (agents.position[row], agents.rounding[row]);
-    let way = chosen * seconds + rounding.0;
-    let to = at + way;
-    chosen.same(agents.velocity[row])
-        // a motion below the resolution of positions is no motion
-        && to.same(at)
-        && Rounding::of(to, way, to - at).same(rounding)
-        && chosen.length() < SEEN
-        && agents.travel[row].is_settled()
+    // a motion below the resolution of positions is no motion, unless rounding keeps it
+    let stays = || {
+        let (at, rounding) = (agents.position[row], agents.rounding[row]);
+        let way = chosen * seconds + rounding.0;
+        (at + way).same(at) && Rounding::of(at, way, Vec2::ZERO).same(rounding)
+    };
+    chosen.same(agents.velocity[row]) && stays() && chosen.length() < SEEN && agents.travel[row].is_settled()
 }
 
 /// Moves all agents on the scalar path.
@@ -97,11 +95,18 @@ fn move_each(state: &mut State, intended: &Intended<'_>, chosen: &Velocities, sa
             let before = velocities[at].extend(height(&vertical_velocity));
             let target = safe.targets[row];
             let place = target.place();
-            let rounded = rounding.all.get(at).copied().unwrap_or_default();
-            let (mut velocity, left) = velocity(from, place, chosen.at(row), (seconds, rounded));
-            if let Some(rounding) = rounding.all.get_mut(at) {
-                *rounding = left.filter(|_| vehicle[row].is_none()).unwrap_or_default();
-            }
+            let wish = chosen.at(row);
+            let mut velocity = match rounding.all.get_mut(at) {
+                None => velocity(from, place, (wish, wish * seconds), seconds).0,
+                Some(rounding) => {
+                    let way = wish * seconds + rounding.0.extend(-0.0);
+                    let (velocity, unchanged) = velocity(from, place, (wish, way), seconds);
+                    let rounds = unchanged && vehicle[row].is_none();
+                    let round = || Rounding::of(place.truncate(), way.truncate(), (place - from).truncate());
+                    *rounding = if rounds { round() } else { Rounding::NONE };
+                    velocity
+                }
+            };
             let heading = if let Some(vehicle) = vehicle[row].filter(|_| script[row].is_none()) {
                 let motion = attitude.all[at].motion(from, before);
                 let (moved, mut now) = if facing.is_as_planned(row, velocity) {
@@ -226,19 +231,9 @@ pub(super) fn rounds(agents: &Columns, safe: Guarded<'_>) -> bool {
     safe.any_far || agents.rounding.uniform() != Some(Rounding::NONE)
 }
 
-/// Returns the velocity of a motion, and its rounding. A motion that the guard did not change keeps its chosen velocity
-/// exactly, because it may be far below the resolution of positions; other motions have no rounding.
-pub(crate) fn velocity(
-    from: Vec3,
-    to: Vec3,
-    chosen: Vec3,
-    (seconds, rounding): (f32, Rounding),
-) -> (Vec3, Option<Rounding>) {
-    let way = chosen * seconds + rounding.0.extend(-0.0);
+/// Returns the velocity of a motion, and whether it covers the `way` of its chosen velocity. Such a motion keeps its chosen
+/// velocity exactly, because it may be far below the resolution of positions.
+pub(crate) fn velocity(from: Vec3, to: Vec3, (chosen, way): (Vec3, Vec3), seconds: f32) -> (Vec3, bool) {
     let unchanged = to.distance(from + way) <= to.abs().max_element() * f32::EPSILON;
-    if unchanged {
-        (chosen, Some(Rounding::of(to.truncate(), way.truncate(), (to - from).truncate())))
-    } else {
-        ((to - from) / seconds, None)
-    }
+    (if unchanged { chosen } else { (to - from) / seconds }, unchanged)
 }

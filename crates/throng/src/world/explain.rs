@@ -137,6 +137,8 @@ fn explanation(state: &State, step: &Pipeline, row: usize, seconds: f32) -> Expl
         ConsideredAgent { number, radius, velocity, seen }
     };
     let certain = step.guard.certain_place(state, chosen, &step.sleep, row, seconds);
+    let wish = chosen.at(row);
+    let way = wish * seconds + agents.rounding[row].0.extend(-0.0);
     Explanation {
         number: agents.number[row],
         time: state.time(),
@@ -154,9 +156,7 @@ fn explanation(state: &State, step: &Pipeline, row: usize, seconds: f32) -> Expl
         reasons,
         chosen: unlimited,
         limited: chosen.ground[row],
-        guarded: velocity(state.place_in_space(row), certain, chosen.at(row), (seconds, agents.rounding[row]))
-            .0
-            .truncate(),
+        guarded: velocity(state.place_in_space(row), certain, (wish, way), seconds).0.truncate(),
         neighbours: sight.rows.iter().zip(&sight.neighbours).map(see).collect(),
         edges: sight.edges,
         discs: sight.discs,

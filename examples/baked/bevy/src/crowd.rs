@@ -3,7 +3,7 @@
 //! The poses stay on the graphics processor. For each person a picture needs two numbers of poses and the share of the
 //! way between them. People of the same body and level of detail are instances of one mesh.
 
-use crate::glb::{Baked, Glb, Primitive};
+use crate::glb::{self, Baked, Glb, Primitive};
 use bevy::asset::{RenderAssetUsages, load_internal_asset, uuid_handle};
 use bevy::camera::primitives::Aabb;
 use bevy::camera::visibility::NoAutoAabb;
@@ -131,7 +131,8 @@ impl BakedCrowd {
         if regions == 0 || looks.iter().any(|look| look.len() != regions) {
             return Err("its looks differ in their number of regions".to_owned());
         }
-        if bodies.iter().any(|body| body.offsets.len() != joints || body.levels.is_empty()) {
+        let rests = |body: &glb::Body| body.figure.as_ref().map_or(joints, |figure| figure.rests.len());
+        if bodies.iter().any(|body| [body.offsets.len(), rests(body)] != [joints; 2] || body.levels.is_empty()) {
             return Err("a body has too few joints or no mesh".to_owned());
         }
         for person in people {
@@ -152,10 +153,12 @@ impl BakedCrowd {
     fn body<R: Read + Seek>(&self, glb: &mut Glb<R>, number: usize) -> Result<Body, String> {
         let body = &self.file.bodies[number];
         let (mut rests, mut chains): (Vec<Vec3>, Vec<f32>) = (Vec::new(), Vec::new());
-        for (&offset, &parent) in body.offsets.iter().zip(&self.file.parents) {
+        for (joint, (&offset, &parent)) in body.offsets.iter().zip(&self.file.parents).enumerate() {
             let offset = Vec3::from(offset);
             let above = usize::try_from(parent).ok();
-            rests.push(above.map_or(offset, |above| rests[above] + offset));
+            // a body of a file is modelled in a pose of its own
+            let own = body.figure.as_ref().map(|figure| Vec3::from(figure.rests[joint]));
+            rests.push(own.unwrap_or_else(|| above.map_or(offset, |above| rests[above] + offset)));
             chains.push(above.map_or(0.0, |above| chains[above] + offset.length()));
         }
         let (mut levels, mut reach) = (Vec::new(), 0.0_f32);

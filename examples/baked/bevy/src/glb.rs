@@ -54,8 +54,16 @@ pub struct Baked {
 #[derive(Debug, Deserialize)]
 pub struct Body {
     pub offsets: Vec<[f32; 3]>,
+    /// What only a body of a file has.
+    pub figure: Option<Figure>,
     /// The meshes, the finest first.
     pub levels: Vec<usize>,
+}
+
+/// A body of a file: where its joints are in the mesh.
+#[derive(Debug, Deserialize)]
+pub struct Figure {
+    pub rests: Vec<[f32; 3]>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -50,7 +50,11 @@ fn person() -> (Value, Vec<u8>) {
     view(vec![255, 0, 0, 0, 51, 204, 0, 0, 255, 0, 0, 0]);
     view(floats(&[0.0, 0.0, 1.0]));
     view(vec![0, 0, 1, 0, 2, 0]);
-    let accessor = |view: usize, of: u32, count: usize, kind: &str| json!({ "bufferView": view, "componentType": of, "count": count, "type": kind });
+    let accessor = |view: usize, of: u32, count: usize, kind: &str| {
+        let mut all = json!({ "bufferView": view, "componentType": of, "type": kind });
+        all["count"] = count.into();
+        all
+    };
     let mut weights = accessor(6, 5121, 3, "VEC4");
     weights["normalized"] = true.into();
     let attributes = json!({ "POSITION": 0, "NORMAL": 1, "JOINTS_0": 2, "WEIGHTS_0": 3, "_REGION": 4 });
