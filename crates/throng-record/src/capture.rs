@@ -27,6 +27,7 @@ impl Setting {
             flows: Flow::all(world),
             groups: world.groups().iter().map(|group| group.name.clone()).collect(),
             characters: Vec::new(),
+            walks: None,
             set: None,
             goals: world.goals().to_vec(),
             in_space: world.in_space(),

@@ -1,5 +1,6 @@
 //! A frame of a world, and the setting that is constant over a recording.
 
+use crate::people::Walks;
 use crate::{Flow, SetMesh};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::borrow::Cow;
@@ -32,6 +33,8 @@ pub struct Setting {
     pub groups: Vec<String>,
     /// The bodies that people of a group have, by group; groups beyond the end and `None`: throng's own.
     pub characters: Vec<Option<Arc<Character>>>,
+    /// How people walk, if all of their ways are known.
+    pub walks: Option<Arc<Walks>>,
     /// The set to look at, metres from [`Setting::origin`].
     pub set: Option<Arc<SetMesh>>,
     /// The goals; [`Body::goal`] indexes them.

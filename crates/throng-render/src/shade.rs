@@ -29,7 +29,7 @@ impl Seen {
         (self.at[0][element], self.at[1][element]) = (at.x, at.y);
     }
 
-    /// Returns the places in the picture, one by one.
+    /// Returns the places in the picture as vectors of the plane.
     pub fn each_place(&self) -> [Vec2; LANES] {
         std::array::from_fn(|k| Vec2::new(self.at[0][k], self.at[1][k]))
     }

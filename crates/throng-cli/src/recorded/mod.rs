@@ -12,8 +12,10 @@ use crate::tracks::limit;
 use args::{ConvertArgs, RenderArgs};
 use recording::Recording;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use throng_draw::record::Plan;
-use throng_draw::{Still, Style, WorldBox};
+use throng_draw::{Projection, Still, Style, WorldBox};
+use throng_record::people::Walks;
 use throng_record::{Choice, Format};
 
 /// Converts trajectories to other files.
@@ -52,13 +54,16 @@ pub fn convert(args: &ConvertArgs, out: &mut Out) -> Result<(), Failure> {
 /// # Errors
 /// The trajectories cannot be read, a file cannot be written, or a chosen agent or group does not exist.
 pub fn render(args: &RenderArgs, out: &mut Out) -> Result<(), Failure> {
-    let recording = Recording::open(&args.recorded, args.quiet)?;
+    let mut recording = Recording::open(&args.recorded, args.quiet)?;
     if !args.quiet {
         note(&recording.notes);
     }
     let choice = args.choice.choice();
     let [min, max] = recording.bounds();
     let mut style = args.film.style(&recording.scene, [min, max])?;
+    if style.projection(&recording.moments.setting) == Projection::Perspective && style.people {
+        recording.moments.setting.walks = Walks::of(&recording.moments).map(Arc::new);
+    }
     // The view holds all positions of the recording from the first picture on.
     style.view.get_or_insert(WorldBox { min, max });
     let plan = Plan {

@@ -51,8 +51,8 @@ impl FilmCamera {
 }
 
 impl Style {
-    /// Returns the projection of pictures of a place.
-    pub(crate) fn projection(&self, setting: &Setting) -> Projection {
+    /// Returns the projection of pictures of a place: perspective if agents fly, unless the style says otherwise.
+    pub fn projection(&self, setting: &Setting) -> Projection {
         let usual = if setting.in_space { Projection::Perspective } else { Projection::Plan };
         self.projection.unwrap_or(usual)
     }

@@ -7,15 +7,28 @@ use glam::{DVec2, Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use throng::parallel;
-use throng_figure::{Character, Level, Live, Look as Clothes, Mesh as Figure, Person, Region, Sample, Skeleton};
+use throng_figure::{
+    Build, Character, JOINTS, Level, Live, Look as Clothes, Mesh as Figure, Person, Placed, Pose, Region, Sample,
+    Skeleton, Walk,
+};
+use throng_record::people::Walks;
 use throng_record::{Body, Frame, Setting};
 use throng_render::{Mesh, linear};
 
 /// A person that follows an agent.
 #[derive(Debug)]
 struct Walker {
-    live: Live,
+    steps: Steps,
     skeleton: Skeleton,
+}
+
+/// How a person finds its steps.
+#[derive(Debug)]
+enum Steps {
+    /// From what has been.
+    Live(Box<Live>),
+    /// From its whole way, which [`Setting::walks`] knows: the time.
+    Planned(f64),
 }
 
 /// The people of a recording, by agent number.
@@ -27,6 +40,8 @@ pub(crate) struct People {
     colored: bool,
     /// The bodies of groups, from files.
     characters: Vec<Option<Arc<Character>>>,
+    /// The walks that are known.
+    walks: Option<Arc<Walks>>,
     figures: BTreeMap<u32, Box<Walker>>,
     bodies: BTreeMap<(u8, Level), Figure>,
 }
@@ -39,7 +54,8 @@ impl People {
         let one = setting.groups.len() < 2 && first.bodies.iter().all(|body| body.group == group);
         let named = style.groups.iter().any(Option::is_some);
         let colored = !one || named || style.color_by != ColorBy::Group;
-        Self { wanted: style.people, colored, characters: setting.characters.clone(), ..Self::default() }
+        let (characters, walks) = (setting.characters.clone(), setting.walks.clone());
+        Self { wanted: style.people, colored, characters, walks, ..Self::default() }
     }
 
     /// Whether an agent is a person: a disc of the size of people that is on the ground when it appears, or an agent with
@@ -65,19 +81,53 @@ impl People {
         parallel::ranges(&mut now[..], |_, now| {
             for (body, walker) in now {
                 let sample = Sample { time: frame.time, position: body.position, heading: f64::from(body.heading) };
-                let follows =
-                    |walker: &mut Box<Walker>| walker.live.sample() == sample || walker.live.step(sample).is_ok();
-                if !walker.as_mut().is_some_and(follows) {
-                    *walker = arrived(body, people.character(body), sample).map(Box::new);
+                if !walker.as_mut().is_some_and(|walker| walker.steps.follow(sample)) {
+                    *walker = people.arrived(body, sample).map(Box::new);
                 }
             }
         });
         self.figures = now.into_iter().filter_map(|(body, walker)| Some((body.number, walker?))).collect();
-        for walker in self.figures.values() {
-            let build = walker.live.person().build;
+        let person =
+            |(number, walker): (&u32, &Box<Walker>)| self.person(*number, &walker.steps).map(|person| person.build);
+        let builds: BTreeMap<u8, Build> =
+            self.figures.iter().filter_map(person).map(|build| (build as u8, build)).collect();
+        for (key, build) in builds {
             for level in Level::ALL {
-                self.bodies.entry((build as u8, level)).or_insert_with(|| Figure::new(build, level));
+                self.bodies.entry((key, level)).or_insert_with(|| Figure::new(build, level));
             }
+        }
+    }
+
+    /// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
+    /// position.
+    fn arrived(&self, body: &Body, sample: Sample) -> Option<Walker> {
+        let character = self.character(body);
+        if let Some(walk) = self.walk(body.number) {
+            let skeleton = Character::dressed(character, *walk.person()).1;
+            return Some(Walker { steps: Steps::Planned(sample.time), skeleton });
+        }
+        let (person, skeleton) = Character::dressed(character, Person::of_agent(body.number, body.radius)?);
+        let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
+        let live = Live::moving(person, sample, velocity).ok()?;
+        Some(Walker { steps: Steps::Live(Box::new(live)), skeleton })
+    }
+
+    /// Returns the walk of an agent, if it is known.
+    fn walk(&self, number: u32) -> Option<&Walk> {
+        self.walks.as_ref()?.get(number)
+    }
+
+    fn person<'a>(&'a self, number: u32, steps: &'a Steps) -> Option<&'a Person> {
+        match steps {
+            Steps::Live(live) => Some(live.person()),
+            Steps::Planned(_) => Some(self.walk(number)?.person()),
+        }
+    }
+
+    fn pose(&self, number: u32, steps: &Steps) -> Option<Pose> {
+        match steps {
+            Steps::Live(live) => Some(live.pose()),
+            Steps::Planned(time) => Some(self.walk(number)?.pose(*time)),
         }
     }
 
@@ -88,14 +138,14 @@ impl People {
 
     /// Returns the figure of an agent about its position, at a scale in pixels per metre; `None` if it is not a person.
     pub fn mesh(&self, body: &Body, look: &Look, scale: f32) -> Option<Mesh<'static>> {
-        let Walker { live, skeleton } = &**self.figures.get(&body.number)?;
-        let person = live.person();
+        let Walker { steps, skeleton } = &**self.figures.get(&body.number)?;
+        let person = self.person(body.number, steps)?;
+        let joints = skeleton.world(&self.pose(body.number, steps)?);
         if let Some(character) = self.character(body) {
-            return shaped(character, live, skeleton, body);
+            return shaped(character, (person, skeleton, &joints), body);
         }
         let level = Level::for_height(f64::from(scale) * person.height);
         let figure = self.bodies.get(&(person.build as u8, level))?;
-        let joints = skeleton.world(&live.pose());
         let (positions, normals) = figure.skinned(skeleton, person.height, &joints, body.center());
         let clothes = Clothes::new(person.look);
         let coat = look.coat(body).fill;
@@ -111,19 +161,27 @@ impl People {
     }
 }
 
-/// Returns the person of an agent that appears, in the middle of its way; `None` if it is no person, or without a finite
-/// position.
-fn arrived(body: &Body, character: Option<&Character>, sample: Sample) -> Option<Walker> {
-    let (person, skeleton) = Character::dressed(character, Person::of_agent(body.number, body.radius)?);
-    let velocity = if body.velocity.is_finite() { body.velocity.as_dvec2() } else { DVec2::ZERO };
-    let live = Live::moving(person, sample, velocity).ok()?;
-    Some(Walker { live, skeleton })
+impl Steps {
+    /// Goes on to a sample. Returns false if the steps must begin anew.
+    fn follow(&mut self, sample: Sample) -> bool {
+        match self {
+            Self::Live(live) => live.sample() == sample || live.step(sample).is_ok(),
+            Self::Planned(time) => {
+                *time = sample.time;
+                true
+            }
+        }
+    }
 }
 
 /// Returns the body of a file about the position of an agent.
-fn shaped(character: &Character, live: &Live, skeleton: &Skeleton, body: &Body) -> Option<Mesh<'static>> {
-    let (mesh, joints) = (character.mesh(), skeleton.world(&live.pose()));
-    let (positions, normals) = mesh.skinned(skeleton, live.person().height, &joints, body.center());
+fn shaped(
+    character: &Character,
+    (person, skeleton, joints): (&Person, &Skeleton, &[Placed; JOINTS]),
+    body: &Body,
+) -> Option<Mesh<'static>> {
+    let mesh = character.mesh();
+    let (positions, normals) = mesh.skinned(skeleton, person.height, joints, body.center());
     let light = |[r, g, b]: &[u8; 3]| linear(u32::from_be_bytes([0, *r, *g, *b]));
     let colors: Vec<Vec3> = character.colours().iter().map(light).collect();
     Mesh::new(positions, normals, colors, mesh.triangles.clone()).ok()

@@ -3,8 +3,9 @@
 use glam::{DVec2, DVec3, Vec2};
 use std::sync::Arc;
 use throng_draw::{Color, Image, Motion, Painter, Projection, Style, Viewpoint, palette};
-use throng_figure::{Build, Character, Level, Mesh, RestBody, Skeleton};
-use throng_record::{Body, Frame, Setting};
+use throng_figure::{Build, Character, Joint, Level, Mesh, RestBody, Skeleton};
+use throng_record::people::Walks;
+use throng_record::{Body, Frame, Moments, Sample, Setting, Trajectories};
 
 fn style() -> Style {
     let viewpoint = Viewpoint {
@@ -109,6 +110,64 @@ fn groups_with_bodies_of_files_are_drawn_with_them() {
     };
     let share = |left: bool| of(left).filter(|&at| green(at)).count() as f64 / of(left).count() as f64;
     assert!(share(true) > 0.9 && share(false) < 0.5, "{} {}", share(true), share(false));
+}
+
+/// A person that walks on and turns by a right angle within one moment: only with its whole way known, its steps prepare the
+/// turn. Pictures then show the planned joints, whatever was drawn before.
+#[test]
+fn people_with_known_ways_walk_as_planned() {
+    let place = |time: f64| DVec2::new((1.3 * time).min(1.3) - 0.7, (1.3 * (time - 1.0)).max(0.0) - 0.7);
+    let spot = |moment: u32| {
+        let time = 0.04 * f64::from(moment);
+        let heading = if time < 1.0 { 0.0 } else { std::f32::consts::FRAC_PI_2 };
+        let known = body(7, 0, place(time));
+        let Body { number, group, radius, status, .. } = known;
+        Sample {
+            number,
+            group,
+            time,
+            place: place(time).extend(0.0),
+            velocity: glam::Vec3::ZERO,
+            heading,
+            radius,
+            status,
+        }
+    };
+    let spots = (0..51).map(spot).collect();
+    let character = Arc::new(green_giant(1.75));
+    let setting = Setting { characters: vec![Some(character.clone())], ..setting() };
+    let mut moments = Moments::of(Trajectories { setting, spots, ..Trajectories::default() });
+    let frames = |moments: &Moments| -> Vec<Frame> {
+        let capture = |moment: usize| {
+            let mut frame = Frame::default();
+            moments.capture(moment, &mut frame);
+            frame
+        };
+        (0..moments.count()).map(capture).collect()
+    };
+    let frames = frames(&moments);
+    let walks = Arc::new(Walks::of(&moments).unwrap());
+    let live = Painter::new(&moments.setting, &style(), &frames[0]).unwrap();
+    moments.setting.walks = Some(walks.clone());
+    let planned = Painter::new(&moments.setting, &style(), &frames[0]).unwrap();
+    let [mut live, mut planned] = [live, planned];
+    let (walk, mut differ) = (walks.get(7).unwrap(), 0);
+    let skeleton = character.skeleton(walk.person().height);
+    for frame in &frames {
+        let (image, extrapolated) = (planned.paint(frame).clone(), live.paint(frame).clone());
+        let mut anew = Painter::new(&moments.setting, &style(), frame).unwrap();
+        assert!(changed(&image, anew.paint(frame)).is_empty(), "at {} s", frame.time);
+        let empty = anew.paint(&Frame { time: frame.time, ..Frame::default() }).clone();
+        let cells = changed(&image, &empty);
+        for joint in [Joint::Head, Joint::LeftFoot, Joint::RightFoot, Joint::LeftLeg, Joint::RightLeg] {
+            let at = skeleton.world(&walk.pose(frame.time))[joint.index()].position;
+            let at = planned.pixel(at).unwrap();
+            let near = |&(x, y): &(u32, u32)| (Vec2::new(x as f32, y as f32) - at).length() < 4.0;
+            assert!(cells.iter().any(near), "{joint:?} at {} s", frame.time);
+        }
+        differ += usize::from(changed(&image, &extrapolated).len() > 20);
+    }
+    assert!(differ > 5, "only {differ} pictures differ from those of people that know only what has been");
 }
 
 #[test]

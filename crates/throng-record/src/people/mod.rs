@@ -18,6 +18,7 @@ mod figure;
 #[cfg(test)]
 pub(crate) mod samples;
 mod style;
+mod walks;
 
 #[cfg(any(feature = "glb", feature = "usda"))]
 pub(crate) use body::PersonBody;
@@ -29,3 +30,4 @@ pub use character::character;
 pub(crate) use choose::People;
 pub use figure::{Figure, Figures};
 pub use style::{FigureStyle, MOST_SKINS};
+pub use walks::Walks;

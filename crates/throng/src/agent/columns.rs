@@ -181,6 +181,11 @@ impl Columns {
         self.altitude.values().iter().any(|&altitude| altitude != 0.0)
     }
 
+    /// Whether rounding may have taken anything from any position.
+    pub(crate) fn are_rounded(&self) -> bool {
+        !self.rounding.uniform().is_some_and(|rounding| rounding.same(Rounding::NONE))
+    }
+
     /// Whether all agents are discs.
     pub fn all_discs(&self) -> bool {
         self.core.values().iter().all(|&core| core == Vec2::ZERO)

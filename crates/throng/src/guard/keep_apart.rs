@@ -107,8 +107,8 @@ impl KeepApart {
         self.solids = solids;
         let Self { targets, reach, guarded, contacts, solids, guard, .. } = self;
         let bodies = bodies(state, (reach, guarded, solids), sleep);
-        let wished =
-            |row: usize| BodyPose { heading: wishes.heading(row), ..chosen_place(state, chosen, row, seconds) };
+        let are_rounded = agents.are_rounded();
+        let wished = |row: usize| chosen_place(state, chosen, (row, wishes.heading(row)), (seconds, are_rounded));
         if state.is_guarded() {
             let meets = |row, other| agents.meet(row, other);
             let sorted = state.any_looks_at_all() && seen.discs_only && agents.any_flies();
@@ -153,7 +153,9 @@ impl KeepApart {
         let target = if state.is_guarded() || self.solids.is_near(row) {
             self.targets[row]
         } else {
-            within_reach(row, &self.bodies(state, sleep), chosen_place(state, chosen, row, seconds))
+            let heading = state.agents.heading[row];
+            let wished = chosen_place(state, chosen, (row, heading), (seconds, state.agents.are_rounded()));
+            within_reach(row, &self.bodies(state, sleep), wished)
         };
         target.place()
     }
@@ -210,13 +212,22 @@ fn bodies<'a>(
     }
 }
 
-/// Returns the pose that the chosen velocity leads to at the end of the sub-step, with the present heading.
-fn chosen_place(state: &State, chosen: &Velocities, row: usize, seconds: f32) -> BodyPose {
+/// Returns the pose that the chosen velocity leads to at the end of the sub-step, with a heading.
+fn chosen_place(
+    state: &State,
+    chosen: &Velocities,
+    (row, heading): (usize, f32),
+    (seconds, are_rounded): (f32, bool),
+) -> BodyPose {
     let agents = &state.agents;
+    let mut way = chosen.ground[row] * seconds;
+    if are_rounded {
+        way += agents.rounding[row].0;
+    }
     BodyPose {
-        position: agents.position[row] + (chosen.ground[row] * seconds + agents.rounding[row].0),
+        position: agents.position[row] + way,
         altitude: agents.altitude[row] + chosen.vertical_velocity(row) * seconds,
-        heading: agents.heading[row],
+        heading,
     }
 }
 

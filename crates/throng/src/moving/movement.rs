@@ -228,7 +228,7 @@ pub(super) fn diverted(
 
 /// Whether the rounding of positions may be more than nothing, before or after a motion.
 pub(super) fn rounds(agents: &Columns, safe: Guarded<'_>) -> bool {
-    safe.any_far || agents.rounding.uniform() != Some(Rounding::NONE)
+    safe.any_far || agents.are_rounded()
 }
 
 /// Returns the velocity of a motion, and whether it covers the `way` of its chosen velocity. Such a motion keeps its chosen
