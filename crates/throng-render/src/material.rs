@@ -244,7 +244,7 @@ fn whole<S: Simd>(value: S::f32s) -> S::u32s {
 #[inline(always)]
 fn hash<S: Simd>(simd: S, [x, y]: [S::u32s; 2], z: u32) -> S::f32s {
     let splat = |value: u32| S::u32s::splat(simd, value);
-    let mut bits = x * splat(FACTORS[0]) ^ y * splat(FACTORS[1]) ^ splat(z.wrapping_mul(FACTORS[2]));
+    let mut bits = (x * splat(FACTORS[0])) ^ (y * splat(FACTORS[1])) ^ splat(z.wrapping_mul(FACTORS[2]));
     bits = (bits ^ (bits >> 15)) * splat(0x2c1b_3c6d);
     bits = (bits ^ (bits >> 13)) * splat(0x297a_2d39);
     let short: S::i32s = ((bits ^ (bits >> 16)) >> 8).bitcast();

@@ -148,7 +148,13 @@ mod tests {
         let body = |k: usize| {
             let turn = Mat3::from_rotation_z(0.4 * k as f32);
             let place = DVec3::new(2.5 * k as f64 - 5.0, 0.7 * k as f64, 0.0);
-            Body { mesh: if k % 2 == 0 { &ball } else { &wall }, place, turn, material: materials[k % 5], thin: k == 7 }
+            Body {
+                mesh: if k.is_multiple_of(2) { &ball } else { &wall },
+                place,
+                turn,
+                material: materials[k % 5],
+                thin: k == 7,
+            }
         };
         let end = |k: u32| LineEnd { at: DVec3::new(f64::from(k) - 5.0, -1.0, 0.1), width: 5.0, opacity: 0.7 };
         let lawn = square(2.0).map(|corner| corner.as_dvec2() - DVec2::Y).to_vec();

@@ -271,10 +271,11 @@ fn places<S: Simd>(simd: S, disc: &[Floats; 2], at: Vec2, spread: Vec2) -> [u32;
 /// Returns points that are spread evenly over a disc of radius 1 (Vogel, 1979). The rest is in its middle.
 fn disc(count: usize) -> [Floats; 2] {
     let mut disc = [[0.0; LANES]; 2];
-    for k in 0..count {
+    let [x, y] = &mut disc;
+    for (k, (x, y)) in x.iter_mut().zip(y).enumerate().take(count) {
         let (sine, cosine) = libm::sincosf(k as f32 * GOLDEN);
         let far = libm::sqrtf((k as f32 + 0.5) / count as f32);
-        (disc[0][k], disc[1][k]) = (cosine * far, sine * far);
+        (*x, *y) = (cosine * far, sine * far);
     }
     disc
 }

@@ -87,10 +87,8 @@ impl People {
             }
         });
         self.figures = now.into_iter().filter_map(|(body, walker)| Some((body.number, walker?))).collect();
-        let person =
-            |(number, walker): (&u32, &Box<Walker>)| self.person(*number, &walker.steps).map(|person| person.build);
-        let builds: BTreeMap<u8, Build> =
-            self.figures.iter().filter_map(person).map(|build| (build as u8, build)).collect();
+        let people = self.figures.iter().filter_map(|(number, walker)| self.person(*number, &walker.steps));
+        let builds: BTreeMap<u8, Build> = people.map(|person| (person.build as u8, person.build)).collect();
         for (key, build) in builds {
             for level in Level::ALL {
                 self.bodies.entry((key, level)).or_insert_with(|| Figure::new(build, level));

@@ -16,7 +16,7 @@ pub struct Walks(BTreeMap<u32, Walk>);
 impl Walks {
     /// Plans the walks of all people of a recording: of agents that are of the size of people and on the ground when they
     /// appear. Agents with positions that are not finite have none. Returns `None` if the recording is too long: all of its
-    /// people together are there for more than ten hours.
+    /// agents together are there for more than ten hours.
     ///
     /// ```
     /// # let folder = tempfile::tempdir()?;
@@ -30,35 +30,45 @@ impl Walks {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(moments: &Moments) -> Option<Self> {
-        let mut tracks: BTreeMap<u32, (Option<Person>, Vec<Sample>)> = BTreeMap::new();
+        let mut spans: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+        for spot in moments.spots() {
+            spans.entry(spot.number).or_insert([spot.time; 2])[1] = spot.time;
+        }
+        if spans.values().map(|[first, last]| last - first).sum::<f64>() > LONGEST {
+            return None;
+        }
+        let mut tracks: BTreeMap<u32, Track> = BTreeMap::new();
         for spot in moments.spots() {
             let stands = spot.place.z == 0.0;
             let person = || person(&moments.setting, spot.group, spot.number, spot.radius).filter(|_| stands);
-            let (person, track) = tracks.entry(spot.number).or_insert_with(|| (person(), Vec::new()));
-            if person.is_some() {
+            let track = tracks.entry(spot.number).or_insert_with(|| Track { person: person(), ..Track::default() });
+            if track.person.is_some() {
                 let heading = f64::from(spot.heading);
-                track.push(Sample { time: spot.time, position: spot.place.truncate(), heading });
+                track.samples.push(Sample { time: spot.time, position: spot.place.truncate(), heading });
             }
         }
-        let lasts =
-            |track: &Vec<Sample>| track.last().zip(track.first()).map_or(0.0, |(last, first)| last.time - first.time);
-        if tracks.values().map(|(_, track)| lasts(track)).sum::<f64>() > LONGEST {
-            return None;
-        }
-        let mut planned: Vec<(u32, Option<Person>, Vec<Sample>, Option<Walk>)> =
-            tracks.into_iter().map(|(number, (person, track))| (number, person, track, None)).collect();
-        parallel::ranges(&mut planned[..], |_, planned| {
-            for (_, person, track, walk) in planned {
-                *walk = person.as_ref().and_then(|person| Walk::recorded(person, track).ok());
+        let mut tracks: Vec<(u32, Track)> = tracks.into_iter().collect();
+        parallel::ranges(&mut tracks[..], |_, tracks| {
+            for (_, Track { person, samples, walk }) in tracks {
+                *walk = person.as_ref().and_then(|person| Walk::recorded(person, samples).ok());
             }
         });
-        Some(Self(planned.into_iter().filter_map(|(number, _, _, walk)| Some((number, walk?))).collect()))
+        Some(Self(tracks.into_iter().filter_map(|(number, track)| Some((number, track.walk?))).collect()))
     }
 
     /// Returns the walk of an agent; `None` if it is no person.
     pub fn get(&self, number: u32) -> Option<&Walk> {
         self.0.get(&number)
     }
+}
+
+/// The way of an agent.
+#[derive(Default)]
+struct Track {
+    /// The person that it is.
+    person: Option<Person>,
+    samples: Vec<Sample>,
+    walk: Option<Walk>,
 }
 
 /// Walks are the same if they are the same object: to compare the poses would take as long as to plan them.
