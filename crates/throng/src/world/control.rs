@@ -2,7 +2,7 @@
 
 use super::build::{check_altitude, direction};
 use super::{State, World};
-use crate::agent::{AgentId, JourneyId, ProgressMark, Status};
+use crate::agent::{AgentId, JourneyId, ProgressMark, Rounding, Status};
 use crate::halo::Alone;
 use crate::navigate::{Goal, Journey, PathRequest, Stop};
 use crate::{Error, Position};
@@ -122,6 +122,7 @@ impl World {
             return Err(Error::NoRoom { at: there.position.truncate(), radius: there.radius, why });
         }
         self.state.agents.position[row] = (there.position.truncate() - self.state.settings.origin).as_vec2();
+        self.state.agents.rounding.set(row, Rounding::NONE);
         self.state.agents.altitude.set(row, there.position.z as f32);
         self.state.revive(row);
         self.step.wake();

@@ -6,7 +6,7 @@ use crate::world::oracle::assert_free;
 use glam::DVec2;
 use throng::agent::Rounding;
 use throng::perceive::SimdLevel;
-use throng::{Agent, SubSteps, World};
+use throng::{Agent, Group, SubSteps, World};
 
 /// Steps of positions there: 2 mm.
 const FAR: DVec2 = DVec2::new(17_321.5, -18_907.25);
@@ -33,14 +33,15 @@ fn agents_keep_their_speed() {
 }
 
 /// A crowd that crosses about a place.
-fn crossing(center: DVec2, seed: u64) -> World {
+fn crossing(center: DVec2, seed: u64, guard: bool) -> World {
     let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
+    let group = world.add_group(Group { guard, ..Group::default() }).unwrap();
     let mut draw = Draw::new(seed);
     for k in 0..64 {
         let near = draw.point(DVec2::splat(-0.35), DVec2::splat(0.35));
         let at = (DVec2::new(f64::from(k % 8), f64::from(k / 8)) - 3.5) * 1.2 + near;
         let speed = draw.between(0.05, 1.5) as f32;
-        world.add_agent(Agent::at(center + at).goal(center - 2.0 * at).radius(0.2).speed(speed)).unwrap();
+        world.add_agent(Agent::at(center + at).goal(center - 2.0 * at).radius(0.2).speed(speed).group(group)).unwrap();
     }
     world
 }
@@ -56,13 +57,18 @@ fn bits(world: &World) -> Vec<[u32; 6]> {
 
 #[test]
 fn crowds_do_not_overlap_and_have_the_same_bits() {
-    for seed in 0..6 {
+    for seed in 0..8 {
         // in some, agents cross the coordinate from which rounding counts
         let center = if seed % 2 == 0 { FAR } else { DVec2::new(-4096.0, 4090.0) };
+        let guard = seed < 6;
         let after = |level: SimdLevel| {
-            let mut world = crossing(center, seed);
+            let mut world = crossing(center, seed, guard);
             world.set_simd_level(level);
-            run_for(&mut world, 6.0, assert_free);
+            run_for(&mut world, 6.0, |world| {
+                if guard {
+                    assert_free(world)
+                }
+            });
             world
         };
         let mut plain = after(SimdLevel::Plain);
@@ -71,7 +77,7 @@ fn crowds_do_not_overlap_and_have_the_same_bits() {
         for level in SimdLevel::ALL {
             assert!(bits(&after(level)) == bits(&plain), "{level:?}, seed {seed}");
         }
-        let mut loaded = crossing(center, seed);
+        let mut loaded = crossing(center, seed, guard);
         loaded.load(&plain.save()).unwrap();
         for _ in 0..20 {
             plain.step();
@@ -84,7 +90,7 @@ fn crowds_do_not_overlap_and_have_the_same_bits() {
 /// Near the origin there is no rounding, and no memory for it.
 #[test]
 fn positions_near_the_origin_are_not_rounded() {
-    let mut world = crossing(DVec2::new(4000.0, -4000.0), 9);
+    let mut world = crossing(DVec2::new(4000.0, -4000.0), 9, true);
     run_for(&mut world, 3.0, |_| ());
     assert_eq!(world.relative_columns().rounding.uniform(), Some(Rounding::NONE));
 }
