@@ -30,7 +30,7 @@ pub use path::Sample;
 pub use person::{Build, Person, Side};
 pub use pose::{JOINTS, Joint, Legs, Placed, Pose, Skeleton};
 pub use steps::Plant;
-pub use walk::Walk;
+pub use walk::{FASTEST, Walk};
 
 /// The code of `docs/characters.md`, compiled and run.
 #[cfg(doctest)]

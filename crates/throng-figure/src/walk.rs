@@ -10,7 +10,7 @@ use crate::steps::{FootPose, Planner, Plant, STRETCH, Step, Swing, allowed_roll,
 use glam::{DVec2, DVec3};
 
 /// A trajectory is cut where it is faster than this, m/s: the person is then elsewhere at once.
-pub(crate) const FASTEST: f64 = 15.0;
+pub const FASTEST: f64 = 15.0;
 /// The longest trajectory, s, and the largest number of a sample.
 const LONGEST: f64 = 14_400.0;
 const LARGEST: f64 = 1e9;

@@ -2,7 +2,7 @@
 
 use crate::material::Patterns;
 use crate::raster::{Cover, Plane, area};
-use crate::simd::{Floats, LANES, Vec3s, mask};
+use crate::simd::{Floats, LANES, Vec3s, mask, set3};
 use crate::{Area, Body, Material, Mesh, Scene, View, parallel};
 use fearless_simd::prelude::*;
 use glam::{Vec2, Vec3};
@@ -137,10 +137,7 @@ impl<'a> Geometry<'a> {
         let mut vectors: [[Floats; 3]; 10] = [[[0.0; LANES]; 3]; 10];
         let [mut grounds, mut colored, mut thin] = [[false; LANES]; 3];
         for (k, &id) in ids[..S::f32s::LEN].iter().enumerate() {
-            let mut set = |vector: usize, value: Vec3| {
-                let to = &mut vectors[vector];
-                (to[0][k], to[1][k], to[2][k]) = (value.x, value.y, value.z);
-            };
+            let mut set = |vector: usize, value: Vec3| set3(&mut vectors[vector], k, value);
             let material = if id >= GROUND {
                 grounds[k] = true;
                 ground

@@ -26,7 +26,8 @@ pub(crate) fn above(
     let clear = Bands::new(grid, clear.iter().flatten());
     parallel::chunks(colors, width * BAND, |band, colors| {
         let first = band * BAND * width;
-        let mut layers = Layers { samples, grid, first, all: vec![Layer::default(); colors.len()], colors };
+        let all = vec![Layer::default(); colors.len()];
+        let mut layers = Layers { samples, grid, first, all, colors, parts: Vec::new() };
         dispatch!(shader.level, simd => {
             for line in lines.of(band) {
                 let stroke = &strokes.all[line.id as usize];
@@ -58,6 +59,8 @@ struct Layers<'a> {
     first: usize,
     all: Vec<Layer>,
     colors: &'a mut [Vec3],
+    /// The pixels of a triangle, the shares of them that it covers anew, and their nearness.
+    parts: Vec<(usize, f32, f32)>,
 }
 
 impl Layers<'_> {
@@ -72,17 +75,17 @@ impl Layers<'_> {
         color: impl Fn(&Seen) -> (Vec3s<S>, S::f32s),
     ) {
         let width = self.grid.size[0];
-        let mut parts: Vec<(usize, f32, f32)> = Vec::new();
+        self.parts.clear();
         cover.scan(self.grid, rows_of(band), |row, column, bits, near| {
             let cell = row * width + column;
             let own = cell - self.first;
             let bits = near.cmpge(self.samples.near[cell]).bitmask() & bits;
             let share = self.all[own].share(of, bits, self.colors[own]);
             if share > 0.0 {
-                parts.push((cell, share, near.max_element().max(HORIZON)));
+                self.parts.push((cell, share, near.max_element().max(HORIZON)));
             }
         });
-        for parts in parts.chunks(S::f32s::LEN) {
+        for parts in self.parts.chunks(S::f32s::LEN) {
             let mut seen = Seen::SKY;
             for (k, &(cell, _, near)) in parts.iter().enumerate() {
                 seen.set(k, cover.id, near, middle(cell % width, cell / width));

@@ -5,7 +5,7 @@ use crate::front::{Front, Fronts};
 use crate::geometry::{GROUND, Geometry, SKY, ground};
 use crate::raster::{Bands, Grid, SAMPLES, cover};
 use crate::shade::{Lit, Seen, Shader, Surfaces};
-use crate::simd::{LANES, Vec3s, load, mask};
+use crate::simd::{LANES, Vec3s, load, mask, set3};
 use crate::{Scene, parallel};
 use fearless_simd::dispatch;
 use fearless_simd::prelude::*;
@@ -139,15 +139,12 @@ impl Samples {
                 let id = if front.near > 0.0 { GROUND } else { SKY };
                 seen.set(k, id, front.near, middle(column, row));
                 cells[k] = row * width + column;
-                for (to, value) in normals.iter_mut().zip(front.normal.to_array()) {
-                    to[k] = value;
-                }
-                for (to, value) in own.iter_mut().zip(colors[column].to_array()) {
-                    to[k] = value;
-                }
+                set3(&mut normals, k, front.normal);
+                set3(&mut own, k, colors[column]);
             }
             let surfaces = Surfaces { normal: Vec3s::load(simd, &normals), color: Vec3s::load(simd, &own) };
-            let lit = lit(simd, shader, &seen, surfaces, lights.at(simd, &cells)).each();
+            let rays = shader.view.rays(simd, seen.places(simd));
+            let lit = lit(simd, shader, (&seen, rays), surfaces, lights.at(simd, &cells)).each();
             colors[columns.clone()].copy_from_slice(&lit[..columns.len()]);
         }
     }
@@ -193,8 +190,9 @@ impl Samples {
                     cells[k] = neighbour(fronts, [column, row], near);
                 }
             }
-            let surfaces = shader.surfaces(simd, &seen, shader.view.rays(simd, seen.places(simd)));
-            let lit = lit(simd, shader, &seen, surfaces, lights.at(simd, &cells));
+            let rays = shader.view.rays(simd, seen.places(simd));
+            let surfaces = shader.surfaces(simd, &seen, rays);
+            let lit = lit(simd, shader, (&seen, rays), surfaces, lights.at(simd, &cells));
             lit_others.extend_from_slice(&lit.each()[..others.len()]);
         }
         let mut lit_others = lit_others.into_iter();
@@ -211,8 +209,13 @@ impl Samples {
 
 /// Returns the light of surfaces or of the sky.
 #[inline(always)]
-fn lit<S: Simd>(simd: S, shader: &Shader<'_>, seen: &Seen, surfaces: Surfaces<S>, light: Lit<S>) -> Vec3s<S> {
-    let rays = shader.view.rays(simd, seen.places(simd));
+fn lit<S: Simd>(
+    simd: S,
+    shader: &Shader<'_>,
+    (seen, rays): (&Seen, Vec3s<S>),
+    surfaces: Surfaces<S>,
+    light: Lit<S>,
+) -> Vec3s<S> {
     let sky = seen.ids.map(|id| id == SKY);
     if sky[..S::f32s::LEN].iter().all(|sky| *sky) {
         return shader.sky(simd, rays);

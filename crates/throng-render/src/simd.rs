@@ -135,6 +135,12 @@ impl<S: Simd> Mul<S::f32s> for Vec3s<S> {
     }
 }
 
+/// Sets an element of arrays, one array per component.
+#[inline(always)]
+pub fn set3(all: &mut [Floats; 3], element: usize, v: Vec3) {
+    (all[0][element], all[1][element], all[2][element]) = (v.x, v.y, v.z);
+}
+
 /// Loads a SIMD vector from the start of an array.
 #[inline(always)]
 pub fn load<S: Simd>(simd: S, all: &Floats) -> S::f32s {

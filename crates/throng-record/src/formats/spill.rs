@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
 use std::path::Path;
-use throng_figure::{Person, slerp};
+use throng_figure::{FASTEST, Person, slerp};
 
 /// The longest time between two moments that suffices for people to walk, and between moments that are added, seconds.
 const COARSE: f64 = 0.0401;
@@ -16,9 +16,8 @@ const FINE: f64 = 0.02;
 /// between moments, the rotations of a file lower the feet of those that hurry.
 const COARSE_WAY: f64 = 0.08;
 const FINE_WAY: f64 = 0.06;
-/// The share of the ways that may be longer, and the speed above which a way is a jump, m/s.
+/// The share of the ways that may be longer.
 const HURRIED: f64 = 1e-3;
-const JUMP: f64 = 15.0;
 /// The longest time in which moments are added, seconds.
 const GAP: f64 = 2.0;
 
@@ -221,12 +220,12 @@ impl Spill {
         Ok(())
     }
 
-    /// Returns the speed that nearly no person exceeds, m/s.
+    /// Returns the speed that nearly no person exceeds, m/s. Ways that are jumps do not count.
     fn hurry(&mut self) -> io::Result<f64> {
         const STEPS: f64 = 100.0;
         let is_person = |agent: &SpilledAgent| Person::of_agent(agent.number, agent.radius).is_some();
         let people: Vec<bool> = self.agents.iter().map(is_person).collect();
-        let mut counts = [0u64; (JUMP * STEPS) as usize];
+        let mut counts = [0u64; (FASTEST * STEPS) as usize];
         let (mut before, mut last) = (0.0, BTreeMap::new());
         self.replay(|_, time, rows| {
             for (agent, state) in rows.iter().filter(|(agent, _)| people[*agent as usize]) {

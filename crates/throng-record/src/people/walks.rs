@@ -3,7 +3,7 @@
 use crate::{Moments, Setting};
 use std::collections::BTreeMap;
 use throng::parallel;
-use throng_figure::{Character, Person, Sample, Walk};
+use throng_figure::{Person, Sample, Walk};
 
 /// The longest walks of a recording, all together, seconds. Ten hours take some seconds, and 200 MB of memory.
 const LONGEST: f64 = 36_000.0;
@@ -81,6 +81,5 @@ impl PartialEq for Walks {
 /// Returns the person that an agent is, with the body of its group; `None` if it is none.
 fn person(setting: &Setting, group: u32, number: u32, radius: f32) -> Option<Person> {
     let person = Person::of_agent(number, radius)?;
-    let character: Option<&Character> = setting.character(group).map(|character| &**character);
-    Some(Character::dressed(character, person).0)
+    Some(setting.character(group).map_or(person, |character| character.person(person)))
 }
