@@ -95,7 +95,7 @@ impl ForGroup for KeepFormation {
 impl Behaviour for KeepFormation {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], why: &mut TraceRecorder<'_>) -> Option<Steering> {
         let leader = self.leader.find(view)?;
-        let place = self.pattern.place(view.slot, self.count?, self.spacing);
+        let place = self.pattern.place(view.slot(), self.count?, self.spacing);
         Some(keep(view, &leader, place, self.slowing_distance, why))
     }
 

@@ -72,6 +72,10 @@ impl AgentQuery for Stage {
         let Motion { position, velocity, basis, .. } = self.actors.get(number as usize)?.motion;
         Some(Kinematics { position, velocity, basis, radius: RADIUS })
     }
+
+    fn slot(&self, number: u32) -> usize {
+        self.actors[number as usize].slot
+    }
 }
 
 impl Stage {
@@ -101,13 +105,12 @@ impl Stage {
     }
 
     pub fn view<'a>(&'a self, row: usize, neighbours: &'a [SteeringNeighbour]) -> SteeringInput<'a> {
-        let Actor { motion, vehicle, group, slot, .. } = self.actors[row];
+        let Actor { motion, vehicle, group, .. } = self.actors[row];
         SteeringInput {
             motion,
             vehicle,
             radius: RADIUS,
             group,
-            slot,
             neighbours,
             others: self,
             stimuli: &self.stimuli,

@@ -1,5 +1,6 @@
 //! Values that all worlds of a division know.
 
+use crate::perceive::Extent;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -36,6 +37,8 @@ pub struct Agreement {
     /// Lower and upper ends of a box.
     pub(crate) low: [f64; 2],
     pub(crate) high: [f64; 2],
+    /// Box around agents in space, and their number.
+    pub(crate) extent: Option<Extent>,
 }
 
 impl Default for Agreement {
@@ -55,6 +58,7 @@ impl Default for Agreement {
             same: None,
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
+            extent: None,
         }
     }
 }
@@ -83,5 +87,9 @@ impl Agreement {
             self.low[axis] = self.low[axis].min(other.low[axis]);
             self.high[axis] = self.high[axis].max(other.high[axis]);
         }
+        self.extent = match (self.extent, other.extent) {
+            (Some(own), Some(other)) => Some(own.merged(&other)),
+            (own, other) => own.or(other),
+        };
     }
 }

@@ -1,12 +1,15 @@
 //! The exchanges of a step: agents that change their world, ghosts, and what is computed for ghosts elsewhere.
 
+use super::far::FarAgents;
 use super::packet::{BROKEN, push_words, read, words, write};
 use super::{Agreement, Halo};
-use crate::agent::{Columns, GhostWords, GoalId, Rounding, Row, Status};
+use crate::agent::{Columns, GhostWords, GoalId, Group, Rounding, Row, Status};
 use crate::guard::{Clamping, Spreading};
-use crate::intend::{STANDOFF_REACH, Velocities, set};
+use crate::intend::{Planned, STANDOFF_REACH, Velocities, set};
+use crate::motion::{Attitude, Vehicle};
 use crate::navigate::{Arrivals, NavFlags, NeighbourData, Turn, Unreachable};
 use crate::parallel::WORD;
+use crate::perceive::Extent;
 use crate::world::{FARTHEST, State};
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -30,13 +33,31 @@ pub(crate) struct Others {
     /// Whether an agent of any world may be guarded, and the least radius of all agents, metres. Of a step.
     pub any_guarded: bool,
     pub least_radius: f32,
+    /// Whether a vehicle moves any agent of any world, and whether any body is longer than wide. Of a step.
+    pub any_vehicle: bool,
+    pub any_long: bool,
     /// Whether standoffs go on or may begin in any world. Of a sub-step.
     pub any_standoff: bool,
+    /// Extent of all agents, and the greatest distance within which a group searches for all neighbours. Of a sub-step, if
+    /// groups do.
+    pub flocks: Option<(Extent, f32)>,
+    /// Agents of other worlds that behaviours read at any distance.
+    pub far: FarAgents,
 }
 
 impl Default for Others {
     fn default() -> Self {
-        Self { are_there: false, ghosts: 0, any_guarded: false, least_radius: f32::INFINITY, any_standoff: false }
+        Self {
+            are_there: false,
+            ghosts: 0,
+            any_guarded: false,
+            least_radius: f32::INFINITY,
+            any_vehicle: false,
+            any_long: false,
+            any_standoff: false,
+            flocks: None,
+            far: FarAgents::default(),
+        }
     }
 }
 
@@ -120,8 +141,10 @@ impl Border {
         own.bound = most(agents.radius.values()) + own.core;
         own.speed = most(agents.max_speed.values());
         own.range = agents.group.values().iter().map(|group| state.range_of(group.index())).fold(0.0, f32::max);
+        own.flags = vec![state.any_vehicle()];
         let all = halo.agree(own);
         (state.others.any_guarded, state.others.least_radius) = (all.any, all.least_radius);
+        (state.others.any_vehicle, state.others.any_long) = (all.flags[0], all.core > 0.0);
         let parts = state.sub_steps(|| all.longest_sub_step);
         let seconds = state.settings.step as f32;
         self.set_depth(&all, seconds, seconds / parts as f32);
@@ -167,6 +190,27 @@ impl Border {
             ghosts.push(first..agents.len());
         }
         state.others.ghosts = agents.len() - own;
+        if state.others.any_vehicle {
+            self.exchange_vehicles(agents, halo);
+        }
+    }
+
+    /// Exchanges the vehicles of ghosts, and their attitudes.
+    fn exchange_vehicles(&self, agents: &mut Columns, halo: &mut dyn Halo) {
+        let packet = |rows: &Vec<u32>| {
+            let mut packet = Vec::new();
+            for &row in rows {
+                write(&mut packet, &(agents.vehicle[row as usize], agents.attitude[row as usize]));
+            }
+            packet
+        };
+        let packets = halo.exchange(self.sent.iter().map(packet).collect());
+        for (packet, rows) in packets.iter().zip(&self.ghosts) {
+            for (row, (vehicle, attitude)) in rows.clone().zip(read::<(Option<Vehicle>, Attitude)>(packet)) {
+                agents.vehicle.set(row, vehicle);
+                agents.attitude.set(row, attitude);
+            }
+        }
     }
 
     /// Returns the world of the agent of a row; `None` for an own one.
@@ -204,6 +248,17 @@ impl Border {
             set(&mut velocities.rows(), row, Vec3::from_array(words.map(f32::from_bits)));
         };
         self.trade(halo, velocities, of, put);
+    }
+
+    /// Replaces the planned motions of ghosts by those that their owners have computed. Only headings of long bodies
+    /// depend on them.
+    pub fn exchange_plans(&self, state: &State, planned: &mut Planned, halo: &mut dyn Halo) {
+        if !(state.others.any_long && (state.others.any_vehicle || state.may_behave())) {
+            return;
+        }
+        // a world in which no motion is planned has no plans
+        let of = |planned: &Planned, row: usize| planned.words(row);
+        self.trade(halo, planned, of, |planned, row, words| planned.set_words(row, words));
     }
 
     /// Removes the ghosts.
@@ -247,14 +302,38 @@ impl Border {
         own.iter().for_each(|(&goal, count)| *counts.entry(goal).or_default() += count);
         counts.retain(|_, change| *change != 0);
         self.told = own;
-        let all = halo.agree(Agreement { counts, any: state.any_standoff(seconds), ..Agreement::default() });
+        let told = state.others.far.answers(state);
+        let own = Agreement { counts, any: state.any_standoff(seconds), told, ..Agreement::default() };
+        let all = halo.agree(state.tell_flocks(own));
         state.others.any_standoff = all.any;
+        state.others.far.learn(&all.told);
+        state.others.flocks = all.extent.map(|extent| (extent, all.range));
         for (goal, change) in all.counts {
             *self.arrived.entry(goal).or_default() += change;
         }
         self.arrived.retain(|_, count| *count != 0);
         arrivals.replace(self.arrived.iter().map(|(&goal, &count)| (GoalId(goal), count as u32)));
         self.exchange_ghosts(state, halo);
+    }
+}
+
+impl State {
+    /// Whether a behaviour may steer agents of any world.
+    pub(crate) fn may_behave(&self) -> bool {
+        self.local_groups.iter().any(|group| group.guidance.behaviour.is_some())
+    }
+
+    /// Adds what the cells depend on in which groups search for all neighbours, if any group does.
+    fn tell_flocks(&self, own: Agreement) -> Agreement {
+        let looks_at_all = |group: &Group| group.neighbours == Group::ALL_NEIGHBOURS;
+        if !self.local_groups.iter().any(looks_at_all) {
+            return own;
+        }
+        let groups = self.agents.group.values().iter().map(|group| &self.local_groups[group.index()]);
+        let range =
+            groups.filter(|group| looks_at_all(group)).map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        let extent = Extent::of(self.own().len(), |row| self.place_in_space(row));
+        Agreement { range, extent, ..own }
     }
 }
 

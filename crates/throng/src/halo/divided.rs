@@ -3,7 +3,7 @@
 use super::refuse::refuse;
 use super::{Agreement, BROKEN, Cuts, Halo, Load, write};
 use crate::agent::{Hindered, ObstacleId};
-use crate::{Counts, Error, Obstacle, Summary, World};
+use crate::{Counts, Error, Obstacle, Position, Summary, World};
 use glam::Vec2;
 use std::collections::BTreeMap;
 
@@ -188,6 +188,14 @@ impl<H: Halo> DividedWorld<H> {
     /// Returns sums over all worlds, by index.
     fn sums(&mut self, counts: BTreeMap<u32, i64>) -> BTreeMap<u32, i64> {
         self.halo.agree(Agreement { counts, ..Agreement::default() }).counts
+    }
+
+    /// Tells the behaviours of all worlds of something that happened, as [`World::notify`] does.
+    ///
+    /// # Errors
+    /// Those of [`World::notify`].
+    pub fn notify(&mut self, place: impl Into<Position>, time: f64) -> Result<(), Error> {
+        self.world.notify(place, time)
     }
 
     /// Adds an obstacle in all worlds, as [`World::add_obstacle`] does.

@@ -14,6 +14,7 @@ mod agreement;
 mod border;
 mod cuts;
 mod divided;
+mod far;
 mod packet;
 mod refuse;
 
@@ -21,6 +22,7 @@ pub use agreement::Agreement;
 pub(crate) use border::{Border, Link, Others};
 pub use cuts::{Cuts, Load};
 pub use divided::DividedWorld;
+pub(crate) use far::{FarQuestions, ask_far};
 pub(crate) use packet::{BROKEN, read, write};
 
 use glam::Vec2;

@@ -22,7 +22,7 @@ pub(super) fn refuse(state: &State) -> Result<(), Error> {
         if members.peek().is_none() {
             continue;
         }
-        let why = first(&of_group(group)).or_else(|| members.find_map(|agent| first(&of_agent(state, agent))));
+        let why = first(&of_group(group)).or_else(|| members.find_map(|agent| of_agent(state, agent)));
         if let Some(why) = why {
             return Err(Error::Undivided { what: format!("group `{}`: {why}", group.name) });
         }
@@ -39,28 +39,20 @@ fn of_world(state: &State) -> [Reason; 2] {
 }
 
 /// Reasons in the properties of a group.
-fn of_group(group: &Group) -> [Reason; 5] {
+fn of_group(group: &Group) -> [Reason; 3] {
     let field = group.guidance.field.as_ref();
     let follows = |field: &Governed| field.around.iter().any(|around| !around.reach.is_finite());
     [
-        (
-            group.guidance.behaviour.is_some(),
-            "its steering behaviour may read any agent, as flocks, leaders and formations do",
-        ),
         (field.is_some_and(follows), "its field follows agents at any distance: give the field a finite reach"),
         (group.model.together().is_some(), "its local model chooses the velocities of all its agents together"),
-        (group.nearest() == 0, "its agents search for no neighbours or for all of them, as flocks do"),
         (group.wrap_around.is_some(), "its agents wrap around, so that they jump to a far place"),
     ]
 }
 
-/// Reasons in an agent, present or scheduled.
-fn of_agent(state: &State, agent: &Agent) -> [Reason; 2] {
+/// Returns the reason in an agent, present or scheduled.
+fn of_agent(state: &State, agent: &Agent) -> Option<&'static str> {
     let Journey { stops, repeat } = &state.journeys[agent.journey.index()];
     let last = stops.last().map(|stop| &state.goals[stop.goal.index()]);
     let stays = !repeat && matches!(last, Some(Goal::Area { .. }));
-    [
-        (stays, "its agents end in an area, where each chooses a place among the places of all others"),
-        (agent.motor.limits().vehicle.is_some(), "vehicles move its agents"),
-    ]
+    stays.then_some("its agents end in an area, where each chooses a place among the places of all others")
 }

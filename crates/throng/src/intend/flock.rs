@@ -3,6 +3,7 @@
 
 use super::steering::{Behaving, SteeringIndex};
 use crate::agent::{ColumnValue, Columns, Group};
+use crate::halo::FarQuestions;
 use crate::motion::Vehicle;
 use crate::parallel;
 use crate::perceive::{CellLattice, Perceived};
@@ -46,7 +47,14 @@ impl Flocks {
     }
 
     /// Computes the forces of the birds of flocks, and finds the pairs that are close enough to be measured.
-    pub fn run(&mut self, state: &State, seen: Perceived<'_>, index: &SteeringIndex, seconds: f32, now: f64) {
+    pub fn run(
+        &mut self,
+        state: &State,
+        seen: Perceived<'_>,
+        index: (&SteeringIndex, Option<&FarQuestions>),
+        seconds: f32,
+        now: f64,
+    ) {
         if !state.any_looks_at_all() {
             return;
         }
@@ -70,7 +78,9 @@ impl Flocks {
         let rows = |(a, b): (u32, u32)| (order[a as usize], order[b as usize]);
         let pairs = scratch.iter_mut().flat_map(|scratch| scratch.close_pairs.drain(..)).map(rows);
         let number = |row: u32| state.agents.number[row as usize];
-        close_pairs.extend(pairs.filter(|&(a, b)| number(a) < number(b)));
+        // a pair counts in the world of its agent with the lower number
+        let counts = |&(a, b): &(u32, u32)| number(a) < number(b) && state.own().contains(&(a as usize));
+        close_pairs.extend(pairs.filter(counts));
     }
 
     /// Gathers the bird data of all agents.

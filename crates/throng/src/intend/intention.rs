@@ -27,8 +27,9 @@ pub(super) struct InteractionRules {
 impl InteractionRules {
     fn of(group: &Group) -> Self {
         let governed = group.guidance.field.is_some();
-        // an agent that a field leads elsewhere is not blocked
-        Self { resolve: group.resolve && !governed, governed }
+        // an agent that a field or a behaviour leads elsewhere is not blocked
+        let follows_path = !governed && group.guidance.behaviour.is_none();
+        Self { resolve: group.resolve && follows_path, governed }
     }
 }
 
@@ -97,7 +98,7 @@ impl Intend {
         self.command(state);
         // behaviours change their memory, and traces need it as it was before
         let memory = state.traced.any().then(|| state.agents.memory.clone());
-        self.steer.run(state, (seen, shown), &self.sources, &mut self.preferred, (seconds, now));
+        self.steer.run(state, (seen, shown), &self.sources, &mut self.preferred, (seconds, now), &mut *link.halo);
         if let Some(memory) = memory {
             let after = std::mem::replace(&mut state.agents.memory, memory);
             self.traces = self.steer.view(state, seen).traces(&self.preferred, seconds, now);

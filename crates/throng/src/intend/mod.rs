@@ -27,7 +27,6 @@ pub(crate) use hindrance::ProgressCheck;
 pub(crate) use intention::{Intend, Intended};
 pub(crate) use right_of_way::{YIELD_AT_REST, YIELD_TO_FIRST};
 pub(crate) use standoff::Standoff;
-#[cfg(test)]
 pub(crate) use steering::Planned;
 pub use trace::{Trace, TraceRequest};
 pub(crate) use velocities::{Rows, Velocities, set};

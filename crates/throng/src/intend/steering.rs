@@ -8,6 +8,7 @@ use super::flock::Flocks;
 use super::govern::Sources;
 use super::velocities::{Rows, Velocities, set};
 use crate::agent::{ColumnValue, Columns, Group, Guidance, Memory, Status};
+use crate::halo::{FarQuestions, Halo, ask_far};
 use crate::motion::{Attitude, Basis, Motion, Steering, Stepping, Vehicle};
 use crate::navigate::{NeighbourData, Surroundings};
 use crate::parallel::{self, RowLists};
@@ -31,7 +32,34 @@ pub(crate) struct Planned {
     pub faces: Vec<bool>,
 }
 
+/// Number of the words of a planned motion.
+const WORDS: usize = 19;
+
 impl Planned {
+    /// Returns the planned motion of a row as words; zeros if no motion is planned.
+    pub fn words(&self, row: usize) -> [u32; WORDS] {
+        let mut words = [0; WORDS];
+        if row < self.faces.len() {
+            let Attitude { basis: Basis { forward, side, up }, acceleration, curvature } = self.attitude[row];
+            let all = [self.velocity[row], forward, side, up, acceleration, curvature];
+            let numbers = all.iter().flat_map(|v| v.to_array()).map(f32::to_bits);
+            words.iter_mut().zip(numbers.chain([u32::from(self.faces[row])])).for_each(|(word, number)| *word = number);
+        }
+        words
+    }
+
+    /// Sets the planned motion of a row from [`words`](Self::words), if any motion is planned.
+    pub fn set_words(&mut self, row: usize, words: [u32; WORDS]) {
+        if row >= self.faces.len() {
+            return;
+        }
+        let at = |index: usize| Vec3::from_array([0, 1, 2].map(|axis| f32::from_bits(words[3 * index + axis])));
+        self.velocity[row] = at(0);
+        let basis = Basis { forward: at(1), side: at(2), up: at(3) };
+        self.attitude[row] = Attitude { basis, acceleration: at(4), curvature: at(5) };
+        self.faces[row] = words[WORDS - 1] != 0;
+    }
+
     fn resize(&mut self, rows: usize) {
         self.velocity.resize(rows, Vec3::ZERO);
         self.attitude.resize(rows, Attitude::default());
@@ -82,14 +110,40 @@ struct SteeringScratch {
 }
 
 impl Steer {
-    /// Computes the planned motions, and so the preferred velocities, of all agents with behaviours or vehicles.
+    /// Computes the planned motions, and so the preferred velocities, of all agents with behaviours or vehicles. In a
+    /// division it does so again while behaviours of any world read further agents of other worlds.
     pub fn run(
+        &mut self,
+        state: &mut State,
+        around: (Perceived<'_>, &[NeighbourData]),
+        sources: &Sources,
+        preferred: &mut Velocities,
+        time: (f32, f64),
+        halo: &mut dyn Halo,
+    ) {
+        if !(state.others.are_there && state.may_behave()) {
+            return self.plan(state, around, sources, preferred, time, None);
+        }
+        let before = (state.agents.memory.clone(), preferred.clone());
+        loop {
+            let questions = FarQuestions::default();
+            self.plan(state, around, sources, preferred, time, Some(&questions));
+            if !ask_far(state, halo, questions) {
+                return;
+            }
+            (state.agents.memory, *preferred) = before.clone();
+        }
+    }
+
+    /// Computes the planned motions once. Notes `questions` about agents of other worlds.
+    fn plan(
         &mut self,
         state: &mut State,
         (seen, shown): (Perceived<'_>, &[NeighbourData]),
         sources: &Sources,
         preferred: &mut Velocities,
         (seconds, now): (f32, f64),
+        questions: Option<&FarQuestions>,
     ) {
         self.flocks.clear();
         if !state.any_plans() {
@@ -98,11 +152,11 @@ impl Steer {
         }
         state.stimuli.retain(|stimulus| now - stimulus.time <= FORGOTTEN);
         self.index.rebuild(state);
-        self.flocks.run(state, seen, &self.index, seconds, now);
+        self.flocks.run(state, seen, (&self.index, questions), seconds, now);
         let Self { planned, flocks, index, scratch } = self;
         planned.resize(state.agents.len());
         state.with_memory(|state, memory| {
-            let behaving = Behaving::new(state, seen, index, (&flocks.birds, &flocks.forces));
+            let behaving = Behaving::new(state, seen, (index, questions), (&flocks.birds, &flocks.forces));
             let around = Surroundings { state, near: seen.near, shown };
             behaving.run(planned, memory, preferred, scratch, Frame { around, sources, seconds, now });
         });
@@ -110,7 +164,7 @@ impl Steer {
 
     /// Returns what the behaviours read, after a sub-step.
     pub fn view<'a>(&'a self, state: &'a State, seen: Perceived<'a>) -> Behaving<'a> {
-        Behaving::new(state, seen, &self.index, (&self.flocks.birds, &self.flocks.forces))
+        Behaving::new(state, seen, (&self.index, None), (&self.flocks.birds, &self.flocks.forces))
     }
 }
 
@@ -196,6 +250,8 @@ pub(crate) struct Behaving<'a> {
     pub(super) near: &'a Neighbours,
     pub(super) lattice: &'a CellLattice,
     pub(super) index: &'a SteeringIndex,
+    /// Takes questions about agents of other worlds.
+    questions: Option<&'a FarQuestions>,
     /// The data of all agents, in the order of the lattice, if any agent searches for all neighbours.
     pub(super) birds: &'a Birds,
     /// The forces of the birds of flocks, in the order of the lattice.
@@ -204,9 +260,19 @@ pub(crate) struct Behaving<'a> {
 
 impl AgentQuery for Behaving<'_> {
     fn find(&self, number: u32) -> Option<Kinematics> {
-        let &row = self.index.rows.get(number as usize).filter(|&&row| row != u32::MAX)?;
-        let Motion { position, velocity, basis, .. } = self.state.motion(row as usize);
-        Some(Kinematics { position, velocity, basis, radius: self.state.agents.radius[row as usize] })
+        match self.index.rows.get(number as usize) {
+            Some(&row) if row != u32::MAX => Some(self.state.kinematics(row as usize)),
+            _ => self.state.others.far.find(number, self.questions),
+        }
+    }
+
+    fn slot(&self, number: u32) -> usize {
+        let Some(&row) = self.index.rows.get(number as usize).filter(|&&row| row != u32::MAX) else { return 0 };
+        if self.state.others.are_there {
+            let group = self.state.agents.group[row as usize];
+            return self.state.others.far.slot(group.0, number, self.questions);
+        }
+        self.index.slots[row as usize] as usize
     }
 }
 
@@ -214,10 +280,10 @@ impl<'a> Behaving<'a> {
     pub(super) fn new(
         state: &'a State,
         seen: Perceived<'a>,
-        index: &'a SteeringIndex,
+        (index, questions): (&'a SteeringIndex, Option<&'a FarQuestions>),
         (birds, forces): (&'a Birds, &'a [Vec3]),
     ) -> Self {
-        Self { state, near: seen.near, lattice: seen.lattice, index, birds, forces }
+        Self { state, near: seen.near, lattice: seen.lattice, index, questions, birds, forces }
     }
 
     /// Computes the planned motions of all agents that steer.
@@ -248,7 +314,8 @@ impl<'a> Behaving<'a> {
                 let SteeringScratch { rows, neighbours } = scratch;
                 for (index, group) in groups() {
                     rows.clear();
-                    let all = range.start as u32..range.end as u32;
+                    // the worlds of ghosts steer them
+                    let all = range.start as u32..range.end.min(state.own().end) as u32;
                     let belongs = |row: usize| state.agents.group[row].index() == index && state.plans(row);
                     rows.extend(all.filter(|&row| belongs(row as usize)));
                     // a SIMD vector holds agents with the same vehicle
@@ -374,7 +441,6 @@ impl<'a> Behaving<'a> {
             vehicle: self.state.steered_vehicle(row, seconds),
             radius: agents.radius[row],
             group: agents.group[row].index(),
-            slot: self.index.slots[row] as usize,
             goal: self.state.steering_goal(row),
             neighbours,
             others: self,
@@ -453,6 +519,12 @@ impl State {
         } else {
             Motion { position, velocity, basis: Basis::facing(self.forward(row)), ..Motion::default() }
         }
+    }
+
+    /// Returns the motion of an agent, as behaviours see it.
+    pub(crate) fn kinematics(&self, row: usize) -> Kinematics {
+        let Motion { position, velocity, basis, .. } = self.motion(row);
+        Kinematics { position, velocity, basis, radius: self.agents.radius[row] }
     }
 
     /// Returns the centre of an agent in space.

@@ -1,7 +1,7 @@
 //! Search for the triangle that contains a point, and for the nearest point of the mesh.
 
 use super::mesh::NavMesh;
-use crate::space::{Cells, nearest_on_segment};
+use crate::space::{Cells, Squares, nearest_on_segment};
 use glam::DVec2;
 
 /// A point this near to a triangle counts as in it, metres.
@@ -18,25 +18,22 @@ pub(super) fn sorted(vertices: &[DVec2], triangles: &[[u32; 3]]) -> Cells {
     let size = high - low;
     let wanted = 16.0 * triangles.len() as f64 + 1.0;
     // the second bound limits the number of cells of a long thin plan
-    let mut cells = Cells::new(low, high, (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted));
+    let squares = Squares::new(low, high, (size.x * size.y / wanted).sqrt().max(size.max_element() / wanted));
     let mut pairs = Vec::new();
     for (index, triangle) in triangles.iter().enumerate() {
         let corners = triangle.map(|vertex| vertices[vertex as usize]);
         let from = corners[0].min(corners[1]).min(corners[2]) - reach;
         let to = corners[0].max(corners[1]).max(corners[2]) + reach;
-        let touched = cells.touched(from, to).filter(|&cell| touches(&cells, cell, &corners));
-        pairs.extend(touched.map(|cell| (cell as u32, index as u32)));
+        let touched = squares.places(from, to).filter(|&place| touches(&squares, place, &corners));
+        pairs.extend(touched.map(|(column, row)| ((row * squares.columns + column) as u32, index as u32)));
     }
-    cells.fill(pairs);
-    cells
+    Cells::new(squares, pairs)
 }
 
 /// Whether a triangle touches a cell, by separating axes along the triangle's edges.
-fn touches(cells: &Cells, cell: usize, corners: &[DVec2; 3]) -> bool {
-    let half = DVec2::splat(cells.width * 0.5 + 1e-6);
-    let centre = cells.low
-        + DVec2::new((cell % cells.columns) as f64, (cell / cells.columns) as f64) * cells.width
-        + DVec2::splat(cells.width * 0.5);
+fn touches(squares: &Squares, place: (usize, usize), corners: &[DVec2; 3]) -> bool {
+    let half = DVec2::splat(squares.width * 0.5 + 1e-6);
+    let centre = squares.square(place).0 + DVec2::splat(squares.width * 0.5);
     (0..3).all(|edge| {
         let along = corners[(edge + 1) % 3] - corners[edge];
         along.perp_dot(centre - corners[edge]) + along.x.abs() * half.y + along.y.abs() * half.x >= 0.0
@@ -46,13 +43,13 @@ fn touches(cells: &Cells, cell: usize, corners: &[DVec2; 3]) -> bool {
 impl NavMesh {
     /// Returns the triangles of the cell of a point. They include all triangles within 1e-6 m of the point.
     fn around(&self, at: DVec2) -> &[u32] {
-        self.grid.items(self.grid.cell_of(at))
+        self.grid.items_at(at)
     }
 
     /// Finds the triangles in the cells that touch a box, in order, each once.
     pub(super) fn in_box(&self, from: DVec2, to: DVec2, out: &mut Vec<u32>) {
         out.clear();
-        out.extend(self.grid.touched(from, to).flat_map(|cell| self.grid.items(cell)));
+        out.extend(self.grid.squares.touched(from, to).flat_map(|cell| self.grid.items(cell)));
         out.sort_unstable();
         out.dedup();
     }
@@ -106,25 +103,25 @@ impl NavMesh {
         if self.holding(point).is_some() {
             return point;
         }
-        let grid = &self.grid;
-        let (column, row) = grid.place(point);
+        let (grid, squares) = (&self.grid, &self.grid.squares);
+        let (column, row) = squares.place(point);
         let (mut best, mut nearest) = (f64::INFINITY, point);
-        for ring in 0..grid.columns.max(grid.rows) {
+        for ring in 0..squares.columns.max(squares.rows) {
             // cells of this ring are at least this far away, also for points outside the grid, because the grid is
             // convex
-            let least = grid.width * (ring.max(1) - 1) as f64;
+            let least = squares.width * (ring.max(1) - 1) as f64;
             if best < least * least {
                 break;
             }
             let (left, right) = (column as isize - ring as isize, column + ring);
             let (bottom, top) = (row as isize - ring as isize, row + ring);
-            for y in bottom.max(0) as usize..=top.min(grid.rows - 1) {
+            for y in bottom.max(0) as usize..=top.min(squares.rows - 1) {
                 let whole = y as isize == bottom || y == top;
                 let step = if whole || ring == 0 { 1 } else { (2 * ring) as isize };
                 let mut x = left;
                 while x <= right as isize {
-                    if x >= 0 && (x as usize) < grid.columns {
-                        for &triangle in grid.items(y * grid.columns + x as usize) {
+                    if x >= 0 && (x as usize) < squares.columns {
+                        for &triangle in grid.items(y * squares.columns + x as usize) {
                             let candidate = closest_convex(&self.corners(triangle), point);
                             let distance = candidate.distance_squared(point);
                             if distance < best {

@@ -3,6 +3,7 @@
 use crate::parallel;
 use crate::simd::LANES;
 use glam::{UVec3, Vec3};
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Maximum height of cells and of layers, relative to the mean distance of points. With this value the points of one
@@ -19,13 +20,19 @@ const CELLS: f32 = 4.0;
 /// columns, one layer above the other. Points lie in memory in the order of cells, so a query reads one contiguous
 /// range per row of cells. Within a cell points are sorted by coordinates, then by number. So the *place* of a point
 /// does not depend on its row, and a traversal in ascending places has an order that depends on the positions only.
+///
+/// The cells follow from the [`Extent`] of points. It may be that of more points than are sorted: then the cells are those
+/// of all points, and only the block of cells around the sorted points is stored.
 #[derive(Clone, Debug, Default)]
 pub struct CellLattice {
     low: Vec3,
     /// Cells per metre.
     inverse: Vec3,
-    /// Numbers of columns, rows and layers.
+    /// The first cell of the block, among all cells.
+    first: Vec3,
+    /// Numbers of columns, rows and layers of the block, and its last cell.
     cells: UVec3,
+    last: UVec3,
     /// Greatest absolute value of a coordinate. It bounds rounding errors.
     extent: f32,
     /// Start of each cell's points, and the end of the last cell's.
@@ -43,19 +50,50 @@ pub struct CellLattice {
     len: usize,
 }
 
+/// The box around points, and their number.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Extent {
+    low: Vec3,
+    high: Vec3,
+    count: u64,
+}
+
+impl Extent {
+    /// Returns the extent of a number of points; `None` without points.
+    pub fn of(count: usize, point: impl Fn(usize) -> Vec3) -> Option<Self> {
+        let first = (count > 0).then(|| point(0))?;
+        let (low, high) = (1..count).map(point).fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
+        Some(Self { low, high, count: count as u64 })
+    }
+
+    /// Returns the extent of these points and others.
+    pub fn merged(&self, other: &Self) -> Self {
+        let Self { low, high, count } = *self;
+        Self { low: low.min(other.low), high: high.max(other.high), count: count + other.count }
+    }
+}
+
 impl CellLattice {
     /// Sorts points into cells at most twice `reach` (metres) high. Cells are higher if there would otherwise be many
     /// more cells than points. `numbers` break ties and must all differ.
     pub fn rebuild(&mut self, point: impl Fn(usize) -> Vec3 + Sync, numbers: &[u32], reach: f32) {
+        self.rebuild_within(None, point, numbers, reach);
+    }
+
+    /// As [`rebuild`](Self::rebuild), with the cells of points with another extent, among which these points are.
+    pub(crate) fn rebuild_within(
+        &mut self,
+        all: Option<Extent>,
+        point: impl Fn(usize) -> Vec3 + Sync,
+        numbers: &[u32],
+        reach: f32,
+    ) {
         self.len = numbers.len();
-        if self.len == 0 {
-            return;
-        }
-        let (low, high) =
-            (1..self.len).map(&point).fold((point(0), point(0)), |(low, high), p| (low.min(p), high.max(p)));
+        let Some(own) = Extent::of(self.len, &point) else { return };
+        let Extent { low, high, count } = all.unwrap_or(own);
         let size = high - low;
         self.extent = low.abs().max(high.abs()).max_element();
-        let count = self.len as f32;
+        let count = count as f32;
         let longest = size.max_element();
         let area = (size.x * size.y).max(size.y * size.z).max(size.z * size.x);
         let spacing = (size.element_product() / count).cbrt().max((area / count).sqrt()).max(longest / count);
@@ -65,7 +103,10 @@ impl CellLattice {
             height *= 1.25;
         }
         (self.low, self.inverse) = (low, across(height));
-        self.cells = (size * self.inverse).as_uvec3() + 1;
+        let cell = |point: Vec3| ((point - low) * self.inverse).as_uvec3();
+        let first = cell(own.low);
+        (self.first, self.last) = (first.as_vec3(), cell(own.high) - first);
+        self.cells = self.last + 1;
         self.sort(&point, numbers);
     }
 
@@ -140,11 +181,11 @@ impl CellLattice {
         }
     }
 
-    /// Returns the cell of a point, or the nearest cell. Each component is monotonic in the coordinate.
+    /// Returns the cell of a point, or the nearest cell of the block. Each component is monotonic in the coordinate.
     #[inline]
     fn cell(&self, point: Vec3) -> UVec3 {
-        // `as` saturates
-        ((point - self.low) * self.inverse).as_uvec3().min(self.cells - 1)
+        // `as` saturates; the difference is exact, because there are fewer than 2^24 cells along each axis
+        ((point - self.low) * self.inverse - self.first).as_uvec3().min(self.last)
     }
 
     #[inline]

@@ -65,6 +65,9 @@ impl LongBodies {
         accept: impl Fn(&mut Near) -> bool,
         found: &mut Vec<Near>,
     ) {
+        if k == 0 {
+            return found.clear();
+        }
         let at = agents.position[row];
         if agents.is_disc(row) {
             found.retain(|near| agents.is_disc(near.row as usize));

@@ -16,6 +16,7 @@ mod tile;
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use grid::Grid;
 pub use lattice::CellLattice;
+pub(crate) use lattice::Extent;
 use long_bodies::LongBodies;
 #[cfg_attr(not(feature = "internals"), doc(hidden))]
 pub use nearest::Near;

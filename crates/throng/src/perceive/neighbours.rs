@@ -34,7 +34,14 @@ impl Neighbours {
         }
     }
 
-    /// Empties the lists of all rows.
+    /// Empties the lists of all rows, for places in the order of the grid.
+    pub(super) fn empty(&mut self, places: &[u32]) {
+        self.lists.clear();
+        self.close.clear();
+        self.resize(places, 0);
+    }
+
+    /// Empties the lists of all rows, which are in no grid.
     pub(super) fn clear(&mut self, rows: usize) {
         self.most = 0;
         self.lists.clear();

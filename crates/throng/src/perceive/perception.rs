@@ -88,16 +88,18 @@ impl Perceive {
     /// Sorts all agents into the lattice, if a group searches for all neighbours within a distance.
     fn rebuild_lattice(&mut self, state: &State) {
         let looking = state.groups_in_use().filter(|group| group.neighbours == Group::ALL_NEIGHBOURS);
-        let reach = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
-        if reach > 0.0 {
-            self.lattice.rebuild(|row| state.place_in_space(row), &state.agents.number, reach);
+        let own = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
+        // sums over neighbours run in the order of cells, which in a division are those of all agents
+        let (all, reach) = state.others.flocks.map_or((None, own), |(all, reach)| (Some(all), reach));
+        if own > 0.0 {
+            self.lattice.rebuild_within(all, |row| state.place_in_space(row), &state.agents.number, reach);
         }
     }
 
     fn find(&mut self, state: &mut State, sleep: &mut SleepBlocks, seconds: f32) {
         self.close = state.close_enough_to_measure(seconds);
         self.rebuild_lattice(state);
-        let guarded = state.groups_in_use().any(|group| group.guard);
+        let guarded = state.others.any_guarded || state.groups_in_use().any(|group| group.guard);
         if state.none_counts_the_nearest() && !guarded && !state.any_needs_model() {
             self.near.clear(state.agents.len());
             return self.sort_rows_if_scattered(state, sleep);
@@ -105,6 +107,10 @@ impl Perceive {
         let range = self.rebuild_grid(state);
         self.sort_rows_if_scattered(state, sleep);
         let most = state.groups_in_use().map(|group| group.nearest()).max().unwrap_or(1);
+        if most == 0 {
+            self.grid.set_heights(None::<fn(usize) -> f32>);
+            return self.near.empty(self.grid.places());
+        }
         let alike = state.groups_in_use().all(|group| group.nearest() == most && group.neighbour_distance == range);
         let (agents, groups, close, level) =
             (&state.agents, &state.local_groups, self.close, state.instructions.level());

@@ -9,9 +9,10 @@ mod rounded;
 mod segment;
 mod shape;
 pub mod surface;
+mod wall_cells;
 mod walls;
 
-pub(crate) use cells::Cells;
+pub(crate) use cells::{Cells, Squares};
 pub(crate) use collision::{is_between, times_to_discs};
 pub use collision::{time_to_disc, time_to_segment};
 pub use pathway::{OnPath, PathDirection, Pathway, Segment};

@@ -3,7 +3,8 @@
 //! Edges are directed: the solid side is on the left, free ground on the right. A thin wall consists of two opposite
 //! edges.
 
-use super::{Cells, Core, Obstacle, Walkable};
+use super::wall_cells::{REACH, WallCells};
+use super::{Cells, Core, Obstacle, Squares, Walkable};
 use glam::{DVec2, Vec2};
 
 /// A solid edge.
@@ -93,13 +94,16 @@ impl Wall<'_> {
 /// The walls of a place.
 #[derive(Clone, Debug, Default)]
 pub struct Walls {
+    shapes: WallShapes,
+    cells: WallCells,
+    solids: Solids,
+}
+
+/// The edges and discs of a place. Their numbers: edges, then discs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WallShapes {
     edges: Vec<Edge>,
     discs: Vec<Disc>,
-    /// The walls within `REACH` of each cell: edges, then discs (their numbers follow those of the edges).
-    cells: Cells,
-    /// A lower bound of the distance between a cell and the nearest of its walls; infinite if there are none.
-    clearance: Vec<f32>,
-    solids: Solids,
 }
 
 /// The obstacles that enclose an area, relative to the local origin.
@@ -110,65 +114,10 @@ struct Solids {
     cells: Cells,
 }
 
-/// Distance from a cell up to which it lists walls, metres. With it, queries of pedestrians need only one cell.
-const REACH: f64 = 2.25;
-
-/// Width of the cells that walls are sorted into, metres.
-const CELL: f64 = 2.0;
-/// Maximum number of cells. Cells are wider if there would be more.
-const MOST_CELLS: f64 = 4e6;
-
-impl Walls {
-    /// Collects the walls of areas and obstacles, given in world coordinates, relative to a local origin. The areas
-    /// must not overlap.
-    pub fn new<'a>(areas: &[Walkable], obstacles: impl IntoIterator<Item = &'a Obstacle>, origin: DVec2) -> Self {
-        let mut walls = Self::default();
-        let mut solids = Vec::new();
-        for area in areas {
-            walls.add_ring(&area.outer, false, origin);
-            for hole in &area.holes {
-                walls.add_ring(hole, true, origin);
-            }
-        }
-        for obstacle in obstacles {
-            if !matches!(obstacle, Obstacle::Wall { .. }) {
-                solids.push(obstacle.clone().moved(-origin));
-            }
-            match obstacle {
-                Obstacle::Circle { center, radius } => {
-                    walls.discs.push(Disc { center: *center - origin, radius: *radius });
-                }
-                Obstacle::Polygon { corners } => walls.add_ring(corners, true, origin),
-                Obstacle::Wall { points } => {
-                    let back = points.iter().rev().skip(1).take(points.len().saturating_sub(2));
-                    let round: Vec<DVec2> = points.iter().chain(back).map(|&p| p - origin).collect();
-                    walls.add_loop(&round);
-                }
-            }
-        }
-        walls.sort();
-        walls.solids = Solids::new(solids);
-        walls
-    }
-
-    /// Whether a point is inside an obstacle. A thin wall has no inside.
-    pub fn cover(&self, p: DVec2) -> bool {
-        self.solids.cover(p)
-    }
-
-    /// Returns the edges.
-    pub fn edges(&self) -> &[Edge] {
-        &self.edges
-    }
-
-    /// Returns the discs.
-    pub fn discs(&self) -> &[Disc] {
-        &self.discs
-    }
-
-    /// Whether there are no walls.
-    pub fn is_empty(&self) -> bool {
-        self.edges.is_empty() && self.discs.is_empty()
+impl WallShapes {
+    /// Returns the number of walls.
+    pub fn count(&self) -> usize {
+        self.edges.len() + self.discs.len()
     }
 
     fn add_ring(&mut self, corners: &[DVec2], solid_inside: bool, origin: DVec2) {
@@ -210,38 +159,31 @@ impl Walls {
         }
     }
 
-    fn bounds(&self, item: usize) -> (DVec2, DVec2) {
-        match self.edges.get(item) {
+    /// Returns the box around a wall.
+    pub fn bounds(&self, wall: usize) -> (DVec2, DVec2) {
+        match self.edges.get(wall) {
             Some(edge) => (edge.start.min(edge.end), edge.start.max(edge.end)),
             None => {
-                let disc = self.discs[item - self.edges.len()];
+                let disc = self.discs[wall - self.edges.len()];
                 (disc.center - disc.radius, disc.center + disc.radius)
             }
         }
     }
 
-    fn sort(&mut self) {
-        let count = self.edges.len() + self.discs.len();
-        let Some(mut cells) = cells_of((0..count).map(|item| self.bounds(item)), MOST_CELLS) else { return };
-        let mut pairs = Vec::new();
-        for item in 0..count {
-            self.touch(&cells, item, &mut pairs);
-        }
-        let mut clearance = vec![f32::INFINITY; cells.columns * cells.rows];
-        for &(cell, item) in &pairs {
-            // minus the rounding of cell positions
-            let gap = (self.gap(cells.square(cell as usize), item as usize) - 1e-3) as f32;
-            clearance[cell as usize] = clearance[cell as usize].min(gap);
-        }
-        cells.fill(pairs);
-        (self.cells, self.clearance) = (cells, clearance);
+    /// Returns the range along x of the part of a wall between two values of y; of a disc, its whole range.
+    pub fn span(&self, wall: usize, band: (f64, f64)) -> (f64, f64) {
+        let Some(edge) = self.edges.get(wall) else {
+            let (low, high) = self.bounds(wall);
+            return (low.x, high.x);
+        };
+        edge.span(band)
     }
 
-    /// Returns the distance of an item from a square; 0 or less if it reaches into the square.
-    fn gap(&self, (low, high): (DVec2, DVec2), item: usize) -> f64 {
+    /// Returns the distance of an wall from a square; 0 or less if it reaches into the square.
+    pub fn gap(&self, (low, high): (DVec2, DVec2), wall: usize) -> f64 {
         let to_square = |p: DVec2| p.distance(p.clamp(low, high));
-        let Some(edge) = self.edges.get(item) else {
-            let disc = &self.discs[item - self.edges.len()];
+        let Some(edge) = self.edges.get(wall) else {
+            let disc = &self.discs[wall - self.edges.len()];
             return to_square(disc.center) - disc.radius;
         };
         let (bottom, top) = (edge.start.y.min(edge.end.y), edge.start.y.max(edge.end.y));
@@ -255,21 +197,83 @@ impl Walls {
         of_corners.into_iter().fold(to_square(edge.start).min(to_square(edge.end)), f64::min)
     }
 
-    /// Collects the cells within reach of an item: row by row, for long slanting edges.
-    fn touch(&self, cells: &Cells, item: usize, pairs: &mut Vec<(u32, u32)>) {
-        // slightly farther, for the rounding of cell positions
-        let reach = DVec2::splat(REACH + 1e-6);
-        let (low, high) = self.bounds(item);
-        for (bottom, row) in cells.rows_of(low - reach, high + reach) {
-            let band = (bottom - reach.y, bottom + cells.width + reach.y);
-            let (left, right) = match self.edges.get(item) {
-                Some(edge) => edge.span(band),
-                None => (low.x, high.x),
-            };
-            for column in cells.columns_of(left - reach.x, right + reach.x) {
-                pairs.push(((row * cells.columns + column) as u32, item as u32));
+    fn wall(&self, number: u32) -> Wall<'_> {
+        match self.edges.get(number as usize) {
+            Some(edge) => Wall::Edge(edge),
+            None => Wall::Disc(&self.discs[number as usize - self.edges.len()]),
+        }
+    }
+
+    /// Whether the bounding box of an wall is within `range`: cheaper than the distance of the wall.
+    fn may_be_near(&self, wall: u32, from: DVec2, range: f64) -> bool {
+        let (low, high) = self.bounds(wall as usize);
+        let reach = range * (1.0 + 1e-9);
+        (from - from.clamp(low, high)).length_squared() <= reach * reach
+    }
+
+    /// Returns the distance of an wall; for a disc to its circumference, negative inside.
+    fn distance_to(&self, wall: u32, from: DVec2) -> f64 {
+        let wall = wall as usize;
+        if let Some(edge) = self.edges.get(wall) {
+            return edge.nearest(from).distance(from);
+        }
+        let disc = &self.discs[wall - self.edges.len()];
+        disc.center.distance(from) - disc.radius
+    }
+}
+
+impl Walls {
+    /// Collects the walls of areas and obstacles, given in world coordinates, relative to a local origin. The areas
+    /// must not overlap.
+    pub fn new<'a>(areas: &[Walkable], obstacles: impl IntoIterator<Item = &'a Obstacle>, origin: DVec2) -> Self {
+        let mut shapes = WallShapes::default();
+        let mut solids = Vec::new();
+        for area in areas {
+            shapes.add_ring(&area.outer, false, origin);
+            for hole in &area.holes {
+                shapes.add_ring(hole, true, origin);
             }
         }
+        for obstacle in obstacles {
+            if !matches!(obstacle, Obstacle::Wall { .. }) {
+                solids.push(obstacle.clone().moved(-origin));
+            }
+            match obstacle {
+                Obstacle::Circle { center, radius } => {
+                    shapes.discs.push(Disc { center: *center - origin, radius: *radius });
+                }
+                Obstacle::Polygon { corners } => shapes.add_ring(corners, true, origin),
+                Obstacle::Wall { points } => {
+                    let back = points.iter().rev().skip(1).take(points.len().saturating_sub(2));
+                    let round: Vec<DVec2> = points.iter().chain(back).map(|&p| p - origin).collect();
+                    shapes.add_loop(&round);
+                }
+            }
+        }
+        Self { cells: WallCells::new(&shapes), shapes, solids: Solids::new(solids) }
+    }
+
+    /// Whether a point is inside an obstacle. A thin wall has no inside.
+    pub fn cover(&self, p: DVec2) -> bool {
+        self.solids.cover(p)
+    }
+
+    /// Returns the edges.
+    #[inline]
+    pub fn edges(&self) -> &[Edge] {
+        &self.shapes.edges
+    }
+
+    /// Returns the discs.
+    #[inline]
+    pub fn discs(&self) -> &[Disc] {
+        &self.shapes.discs
+    }
+
+    /// Whether there are no walls.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.shapes.edges.is_empty() && self.shapes.discs.is_empty()
     }
 
     /// Finds the walls within `range` of `from`: nearest first, ties by index. Clears `near` first.
@@ -277,12 +281,12 @@ impl Walls {
         let NearWalls { edges, discs, met } = near;
         edges.clear();
         discs.clear();
-        let first_disc = self.edges.len() as u32;
+        let first_disc = self.shapes.edges.len() as u32;
         self.each_once(from, range, met, |item| {
-            if !self.may_be_near(item, from, range) {
+            if !self.shapes.may_be_near(item, from, range) {
                 return;
             }
-            let distance = self.distance_to(item, from);
+            let distance = self.shapes.distance_to(item, from);
             if distance <= range {
                 match item.checked_sub(first_disc) {
                     None => edges.push((distance, item)),
@@ -305,8 +309,8 @@ impl Walls {
         mut see: impl FnMut(Wall<'a>),
     ) {
         self.each_once(from, range, met, |item| {
-            if self.may_be_near(item, from, range) {
-                see(self.wall(item));
+            if self.shapes.may_be_near(item, from, range) {
+                see(self.shapes.wall(item));
             }
         });
     }
@@ -319,19 +323,12 @@ impl Walls {
         // each wall is listed by a cell on the line to it, at the distance `REACH` before it
         let away = range - REACH;
         if away <= 0.0 {
-            self.cells.items(self.cells.cell_of(from)).iter().for_each(|&item| see(item));
+            self.cells.at(&self.shapes, from).walls().iter().for_each(|&item| see(item));
         } else {
-            met.begin(self.edges.len() + self.discs.len());
-            for cell in self.cells.touched(from - away, from + away) {
-                self.cells.items(cell).iter().filter(|&&item| met.is_new(item)).for_each(|&item| see(item));
+            met.begin(self.shapes.count());
+            for cell in self.cells.touched(&self.shapes, from - away, from + away) {
+                cell.walls().iter().filter(|&&item| met.is_new(item)).for_each(|&item| see(item));
             }
-        }
-    }
-
-    fn wall(&self, item: u32) -> Wall<'_> {
-        match self.edges.get(item as usize) {
-            Some(edge) => Wall::Edge(edge),
-            None => Wall::Disc(&self.discs[item as usize - self.edges.len()]),
         }
     }
 
@@ -342,9 +339,9 @@ impl Walls {
             return;
         }
         let away = (range - REACH).max(0.0);
-        for cell in self.cells.touched(from - away, from + away) {
-            for &item in self.cells.items(cell).iter().filter(|&&item| self.may_be_near(item, from, range)) {
-                see(self.wall(item));
+        for cell in self.cells.touched(&self.shapes, from - away, from + away) {
+            for &item in cell.walls().iter().filter(|&&item| self.shapes.may_be_near(item, from, range)) {
+                see(self.shapes.wall(item));
             }
         }
     }
@@ -363,26 +360,9 @@ impl Walls {
         clear
     }
 
-    /// Whether the bounding box of an item is within `range`: cheaper than the distance of the item.
-    fn may_be_near(&self, item: u32, from: DVec2, range: f64) -> bool {
-        let (low, high) = self.bounds(item as usize);
-        let reach = range * (1.0 + 1e-9);
-        (from - from.clamp(low, high)).length_squared() <= reach * reach
-    }
-
-    /// Returns the distance of an item; for a disc to its circumference, negative inside.
-    fn distance_to(&self, item: u32, from: DVec2) -> f64 {
-        let item = item as usize;
-        if let Some(edge) = self.edges.get(item) {
-            return edge.nearest(from).distance(from);
-        }
-        let disc = &self.discs[item - self.edges.len()];
-        disc.center.distance(from) - disc.radius
-    }
-
     /// Whether a cheap test shows that no wall is within `range` of `from`.
     pub fn are_far(&self, from: DVec2, range: f64) -> bool {
-        range <= REACH && (self.is_empty() || f64::from(self.clearance[self.cells.cell_of(from)]) > range)
+        range <= REACH && (self.is_empty() || self.cells.at(&self.shapes, from).clearance() > range)
     }
 
     /// Returns the distance from `p` to the nearest wall, at most `range`; infinite if there is none within it.
@@ -393,34 +373,24 @@ impl Walls {
     }
 }
 
-/// Returns empty cells that cover all of these boxes, at most this number; `None` if there are no boxes.
-fn cells_of(boxes: impl Iterator<Item = (DVec2, DVec2)>, most: f64) -> Option<Cells> {
-    let (low, high) = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-    let size = high - low;
-    let mut cell = CELL;
-    while (size.x / cell + 1.0) * (size.y / cell + 1.0) > most {
-        cell *= 2.0;
-    }
-    Some(Cells::new(low, high, cell))
-}
+/// Least width of the cells that solids are sorted into, metres.
+const SOLID_CELL: f64 = 2.0;
 
 impl Solids {
     fn new(all: Vec<Obstacle>) -> Self {
         let boxes: Vec<(DVec2, DVec2)> = all.iter().map(Obstacle::bounds).collect();
-        let Some(mut cells) = cells_of(boxes.iter().copied(), 4.0 * all.len() as f64) else {
-            return Self::default();
-        };
+        let around = boxes.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let Some((low, high)) = around else { return Self::default() };
+        let squares = Squares::at_most(4.0 * all.len() as f64, low, high, SOLID_CELL);
         let mut pairs = Vec::new();
         for (&(low, high), item) in boxes.iter().zip(0..) {
-            pairs.extend(cells.touched(low, high).map(|cell| (cell as u32, item)));
+            pairs.extend(squares.touched(low, high).map(|cell| (cell as u32, item)));
         }
-        cells.fill(pairs);
-        Self { all, cells }
+        Self { all, cells: Cells::new(squares, pairs) }
     }
 
     fn cover(&self, p: DVec2) -> bool {
-        !self.all.is_empty()
-            && self.cells.items(self.cells.cell_of(p)).iter().any(|&item| self.all[item as usize].covers(p))
+        !self.all.is_empty() && self.cells.items_at(p).iter().any(|&item| self.all[item as usize].covers(p))
     }
 }
 

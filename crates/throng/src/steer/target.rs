@@ -3,9 +3,10 @@
 use super::{SteeringInput, SteeringNeighbour};
 use crate::motion::Basis;
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// The position and motion of a target. Metres, seconds.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Kinematics {
     /// Centre.
     pub position: Vec3,

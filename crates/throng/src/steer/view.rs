@@ -50,6 +50,12 @@ pub struct Stimulus {
 pub trait AgentQuery: Debug + Sync {
     /// Returns the agent with this number as it is at the start of the step; `None` if there is none.
     fn find(&self, number: u32) -> Option<Kinematics>;
+
+    /// Returns the slot of an agent in the formation of its group: the number of agents of the group with lower numbers.
+    fn slot(&self, number: u32) -> usize {
+        let _ = number;
+        0
+    }
 }
 
 /// A world without other agents.
@@ -72,8 +78,6 @@ pub struct SteeringInput<'a> {
     pub radius: f32,
     /// Index of the agent's group.
     pub group: usize,
-    /// Slot in the formation of the agent's group.
-    pub slot: usize,
     /// The next point of the agent's own journey.
     pub goal: Option<Vec3>,
     /// The agent's neighbours, nearest first.
@@ -99,7 +103,6 @@ impl Default for SteeringInput<'_> {
             vehicle: Vehicle::default(),
             radius: 0.2,
             group: 0,
-            slot: 0,
             goal: None,
             neighbours: &[],
             others: &(),
@@ -129,6 +132,11 @@ impl SteeringInput<'_> {
     #[inline]
     pub fn forward(&self) -> Vec3 {
         self.motion.basis.forward
+    }
+
+    /// Returns the slot of the agent in the formation of its group, in the order of numbers.
+    pub fn slot(&self) -> usize {
+        self.others.slot(self.rng.number)
     }
 
     /// Whether the agent moves in the plane.

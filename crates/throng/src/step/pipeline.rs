@@ -84,6 +84,7 @@ impl Pipeline {
         let shown = &*shown;
         let intended = intend.run(state, (seen, shown), sleep, of, &mut Link { border: &*border, halo: &mut *halo });
         border.exchange_velocities(state, intended.preferred, halo);
+        border.exchange_plans(state, intended.planned, halo);
         ended(Stage::Intend);
 
         let chosen = avoid.run(state, (seen, shown), intended.preferred, sleep, of);

@@ -129,6 +129,10 @@ impl AgentQuery for ShiftedAgents<'_> {
         let found = self.agents.find(number)?;
         Some(Kinematics { position: found.position + self.shift, ..found })
     }
+
+    fn slot(&self, number: u32) -> usize {
+        self.agents.slot(number)
+    }
 }
 
 impl Behaviour for ShiftedBehaviour {

@@ -1,5 +1,6 @@
 //! One crowd in several worlds, each in its thread, has the bits of one world.
 
+mod behaviours;
 mod common;
 mod crowds;
 mod cuts;
@@ -41,7 +42,8 @@ impl Snapshot {
             let sums = (agents.turned[row], agents.course_turned[row], agents.shortest[row]);
             let air = (agents.altitude[row], agents.vertical_velocity[row]);
             let given = (agents.radius[row], agents.group[row], agents.user_data[row], agents.max_speed[row]);
-            (agents.number[row], postcard::to_stdvec(&(place, way, trip, sums, (given, air))).unwrap())
+            let steered = (agents.attitude[row], agents.memory.of(row), agents.vehicle[row]);
+            (agents.number[row], postcard::to_stdvec(&(place, way, trip, sums, (given, air, steered))).unwrap())
         };
         let event = |event: &Event| (event.time.to_bits(), event.number, event.kind);
         let (counts, summary) = (world.counts(), world.summary());
@@ -77,7 +79,8 @@ impl Snapshot {
     fn difference(&self, other: &Self) -> Option<String> {
         let mut pairs = self.agents.iter().zip(&other.agents);
         if let Some((one, two)) = pairs.find(|(one, two)| one != two) {
-            return Some(format!("agent {} or {}", one.0, two.0));
+            let at = one.1.iter().zip(&two.1).position(|(a, b)| a != b);
+            return Some(format!("agent {} or {}, byte {at:?}", one.0, two.0));
         }
         let numbers = |all: &Self| all.agents.len();
         (self != other).then(|| {

@@ -4,12 +4,11 @@ use crate::common::{journey_to, rectangle, with_settings};
 use glam::{DVec2, Vec2, Vec3};
 use std::sync::Arc;
 use throng::agent::Guidance;
-use throng::avoid::{AvoidanceInput, Crowd, CrowdModel, LocalModel, NoAvoidance, Workspace};
+use throng::avoid::{AvoidanceInput, Crowd, CrowdModel, LocalModel, Workspace};
 use throng::field::{Governed, Interaction};
 use throng::halo::{Alone, DividedWorld};
-use throng::motion::{Vehicle, WrapAround};
+use throng::motion::WrapAround;
 use throng::{Agent, Error, Goal, Group, Rules, SubSteps, World};
-use throng_steer::Wander;
 
 /// A world without agents.
 fn empty() -> World {
@@ -83,19 +82,14 @@ fn properties_of_groups_are_refused() {
     let mut follows = Governed::new(east, 0.5);
     follows.around.push(Interaction::new(0, east));
     let ball = WrapAround { center: Vec3::ZERO, radius: 9.0 };
-    let none = || Arc::new(NoAvoidance);
-    assert_refused(Group { guidance: Guidance::behaviour(Wander::default()), ..odd() }, agent(), "steering behaviour");
     assert_refused(governed(follows), agent(), "give the field a finite reach");
     assert_refused(Group { model: Arc::new(Together), ..odd() }, agent(), "of all its agents together");
-    assert_refused(Group { model: none(), neighbours: Group::ALL_NEIGHBOURS, ..odd() }, agent(), "as flocks do");
-    assert_refused(Group { model: none(), neighbours: 0, ..odd() }, agent(), "as flocks do");
     assert_refused(Group { wrap_around: Some(ball), ..odd() }, agent(), "wrap around");
 }
 
 #[test]
 fn agents_are_refused() {
     let at = || Agent::at([0.0, 0.0]);
-    assert_refused(odd(), at().motor(Vehicle::default()), "vehicles move its agents");
     let corners = rectangle(DVec2::new(9.0, 0.0), DVec2::splat(3.0));
     assert_refused(odd(), at().goal(Goal::Area { corners }), "end in an area");
 }

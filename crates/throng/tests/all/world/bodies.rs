@@ -6,7 +6,7 @@ use crate::world::determinism::{bits, history, with_threads};
 use crate::world::scenes::{clutter, free_spot};
 use glam::{DVec2, Vec2};
 use std::sync::Arc;
-use throng::avoid::{Hrvo, Orca, Rvo, Vo};
+use throng::avoid::{Hrvo, NoAvoidance, Orca, Rvo, Vo};
 use throng::motion::Holonomic;
 use throng::{Agent, Body, Group, GroupId, Keyframe, Obstacle, Script, SubSteps, World};
 
@@ -262,7 +262,7 @@ fn a_loaded_world_of_all_shapes_continues_with_the_same_bits() {
 fn the_unguarded_overlap_each_other_and_are_seen_to_the_guarded_are_not() {
     for guard in [false, true] {
         let mut world = with_settings(0.04, SubSteps::Auto, DVec2::ZERO);
-        let model = Arc::new(throng::avoid::NoAvoidance);
+        let model = Arc::new(NoAvoidance);
         let group = Group { guard: false, model, look_ahead: false, keep_right: 0.0, ..Group::default() };
         let ghosts = world.add_group(group.clone()).unwrap();
         let other = if guard { world.add_group(Group { guard: true, ..group }).unwrap() } else { ghosts };
@@ -295,5 +295,24 @@ fn shapes_out_of_their_limits_are_refused() {
     for (heading, fits) in [(0.0, true), (1.5, false), (3.1, true)] {
         let agent = Agent { heading: Some(heading), ..Agent::default() }.with_body(Body::capsule(2.0, 0.4));
         assert_eq!(world.add_agent(agent).is_ok(), fits, "{heading}");
+    }
+}
+
+/// A group without a neighbour search, alone and beside one that has it, of long bodies and discs.
+#[test]
+fn agents_that_look_for_no_neighbours() {
+    for (alone, long) in [(true, true), (true, false), (false, true), (false, false)] {
+        let mut world = with_settings(0.1, SubSteps::Auto, DVec2::ZERO);
+        let blind = Group { neighbours: 0, model: Arc::new(NoAvoidance), ..Group::default() };
+        let blind = world.add_group(blind).unwrap();
+        for k in 0..8 {
+            let at = DVec2::new(f64::from(k % 4), 1.5 * f64::from(k / 4));
+            let agent = Agent::at(at).goal(at + DVec2::new(0.1 * f64::from(k), 6.0 + 0.3 * f64::from(k % 3)));
+            let agent = if long { agent.with_body(Body::capsule(0.8, 0.3)) } else { agent };
+            world.add_agent(if alone || k % 2 == 0 { agent.group(blind) } else { agent }).unwrap();
+        }
+        run(&mut world, 20.0, |_| ());
+        let summary = world.summary();
+        assert_eq!((summary.overlaps, world.counts().arrived), (0, 8), "{alone} {long} {summary:?}");
     }
 }

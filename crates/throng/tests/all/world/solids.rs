@@ -92,7 +92,7 @@ struct Jolt {
 
 impl Behaviour for Jolt {
     fn steer(&self, view: &SteeringInput<'_>, _: &mut [f32], _: &mut TraceRecorder<'_>) -> Option<Steering> {
-        let mut draw = Draw::new(((view.time / self.keeps) as u64) << 20 | view.slot as u64);
+        let mut draw = Draw::new(((view.time / self.keeps) as u64) << 20 | view.slot() as u64);
         draw.bits();
         let mut part = || draw.between(-1.0, 1.0) as f32;
         let direction = Vec3::new(part(), part(), part());
