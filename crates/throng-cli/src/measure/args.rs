@@ -42,6 +42,7 @@ Keys of --json (one object on standard output; metres, seconds):
     size, axes       radius of gyration, and its components along [x, y, z]: means over moments
     polarisation     mean over moments
     over_time        [[time, agents, size, polarisation, speed], ..], at most 500
+  beside           the figures of the file of --beside, like a group; null without it
   people           null for a scene and for flying agents; else
     people, frame_rate, moments   number of people; moments per second; number of moments
     interval         samples to each side over which a velocity is taken
@@ -67,6 +68,8 @@ Examples:
   throng measure flocking
   throng measure flocking --group birds --from 5 --to 20 -o flock.html
       one page without network, with plots
+  throng measure swarm-aggregation --from 5 --beside midges.csv -o swarm.html
+      a scene, and the curves of an experiment beside its own
   throng measure midges.csv --lag 1 --json
       a table with the columns number, time, x, y, and optionally group and z
   throng measure AO_300_bottleneck.txt --area=-0.1,-2,2,2 --line=-0.6,0,2.4,0 -o bottleneck.html -o bottleneck.csv
@@ -102,8 +105,15 @@ pub struct MeasureArgs {
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 2.0)]
     pub lag: f64,
 
+    /// A file of trajectories to compare with, such as an experiment with insects: its figures follow, and its curves are
+    /// drawn beside
+    ///
+    /// Its groups are measured together, from its first moment to its last.
+    #[arg(long, value_name = "FILE")]
+    pub beside: Option<PathBuf>,
+
     /// Measures how far the feet of the people in a .glb, .usda or .bvh file slide, read at four times its frames
-    #[arg(long, conflicts_with_all = ["group", "area", "line", "output", "walkable", "cut_off"])]
+    #[arg(long, conflicts_with_all = ["group", "beside", "area", "line", "output", "walkable", "cut_off"])]
     pub feet: bool,
 
     /// Options for measuring people.

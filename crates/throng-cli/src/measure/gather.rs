@@ -8,6 +8,7 @@ use crate::out::note;
 use crate::progress::{Progress, share, waiting};
 use crate::source::Loaded;
 use crate::{interrupt, threads};
+use std::path::Path;
 use throng_record::swarm::Swarm;
 use throng_record::{Frame, Sample, Trajectories, moment};
 
@@ -30,8 +31,9 @@ pub fn gather(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
             note(&loaded.notes);
         }
         let groups = threads::with(args.threads.count(), || simulated(args, &loaded))?;
-        MeasuredSubject { title: loaded.name.clone(), name: loaded.name, groups, people: None }
+        MeasuredSubject { title: loaded.name.clone(), name: loaded.name, groups, beside: None, people: None }
     };
+    subject.beside = args.beside.as_ref().map(|path| beside(args, path)).transpose()?;
     subject.groups.retain(|group| group.swarm.moments().iter().any(|moment| moment.count > 0));
     Ok(subject)
 }
@@ -90,7 +92,22 @@ fn recorded(args: &MeasureArgs) -> Result<MeasuredSubject, Failure> {
         (chosen.iter().map(measured).collect(), people::of(args, &tracks, counts))
     });
     let people = people?;
-    Ok(MeasuredSubject { name: args.of.display().to_string(), title: title(&args.of), groups, people })
+    Ok(MeasuredSubject { name: args.of.display().to_string(), title: title(&args.of), groups, beside: None, people })
+}
+
+/// Measures a file to compare with: all of its groups together.
+fn beside(args: &MeasureArgs, path: &Path) -> Result<Measured, Failure> {
+    let tracks = args.tracks.read(path, args.report.quiet)?;
+    let mut measured = begin(args, &title(path));
+    for spots in tracks.spots.chunk_by(|a, b| a.time == b.time) {
+        let places: Vec<_> = spots.iter().map(|spot| (spot.number, spot.place)).collect();
+        measured.swarm.push(spots[0].time, &places);
+    }
+    if measured.swarm.moments().is_empty() {
+        let text = format!("--beside {}: it has no agents", path.display());
+        return Err(Failure::hint(text, "give a file with trajectories"));
+    }
+    Ok(measured)
 }
 
 fn begin(args: &MeasureArgs, name: &str) -> Measured {

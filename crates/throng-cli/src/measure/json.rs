@@ -16,6 +16,7 @@ pub fn of(subject: &MeasuredSubject, files: &[PathBuf]) -> Value {
     json!({
         "scene": subject.name,
         "groups": subject.groups.iter().map(group).collect::<Vec<_>>(),
+        "beside": subject.beside.as_ref().map(group),
         "people": subject.people.as_ref().map(people::json),
         "files": files,
     })

@@ -38,6 +38,8 @@ pub struct MeasuredSubject {
     pub title: String,
     /// The figures of the groups as swarms.
     pub groups: Vec<Measured>,
+    /// The file to compare with.
+    pub beside: Option<Measured>,
     /// The figures of walking people, for a file.
     pub people: Option<people::People>,
 }
@@ -78,6 +80,9 @@ pub fn measure(args: &MeasureArgs, out: &mut Out) -> Result<(), Failure> {
         let people = subject.people.as_ref().map_or_else(String::new, |people| people.text(name));
         out.text(people.as_bytes())?;
         out.text(text::text(name, &subject.groups).as_bytes())?;
+        if let Some(beside) = &subject.beside {
+            out.text(text::of("beside", beside).as_bytes())?;
+        }
         args.output.iter().try_for_each(|path| out.line(format_args!("wrote {}", path.display())))?;
     }
     out.flush()?;

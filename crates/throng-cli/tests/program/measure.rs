@@ -46,6 +46,29 @@ fn a_table_is_measured_group_by_group() {
     assert_eq!((part["groups"].as_array().unwrap().len(), &part["groups"][0]["moments"]), (1, &101.into()));
 }
 
+/// A file beside has the figures that it has alone, and its curves are in the plots.
+#[test]
+fn a_scene_is_measured_beside_a_recording() {
+    let folder = folder();
+    let flies =
+        circles().lines().filter(|line| !line.contains("post")).fold(String::new(), |all, line| all + line + "\n");
+    std::fs::write(folder.path().join("flies.csv"), flies).unwrap();
+    let alone = measured(folder.path(), "flies.csv --lag 1");
+    let both = measured(folder.path(), "flocking --to 3 --lag 1 --beside flies.csv");
+    assert_eq!((&alone["beside"], both["groups"].as_array().unwrap().len() > 0), (&Value::Null, true));
+    for key in ["agents", "moments", "speed", "nearest", "correlation", "size"] {
+        assert_eq!(both["beside"][key], alone["groups"][0][key], "{key}");
+    }
+    let lines = |options: &str| {
+        call(folder.path(), &format!("measure flocking --to 3 {options} -o page.html -q")).success();
+        std::fs::read_to_string(folder.path().join("page.html")).unwrap().matches("line m4").count()
+    };
+    // speed, velocity, acceleration, nearest, autocorrelation, and the legend
+    assert_eq!((lines(""), lines("--beside flies.csv")), (0, 6));
+    let missing = call(folder.path(), "measure flocking --to 1 --beside none.csv");
+    assert!(stderr(&missing.failure()).contains("none.csv"));
+}
+
 #[test]
 fn a_scene_has_the_same_figures_as_its_recording() {
     let folder = folder();
