@@ -209,7 +209,7 @@ fn assert_refused(output: &Output, words: &[&str]) {
 fn what_cannot_be_divided_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let refused = |arguments: &[&str], words: &[&str]| assert_refused(&run(2, folder.path(), arguments), words);
-    refused(&["boids"], &["group `", "may read any agent"]);
+    refused(&["boids-open"], &["group `birds`", "wrap around"]);
     refused(&["soccer"], &["rules see the whole world"]);
     refused(&["no-such-scene"], &["no-such-scene"]);
     refused(&["circle", "--people", "none.parquet"], &["cannot read none.parquet"]);

@@ -4,6 +4,9 @@ use crate::perceive::Extent;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
+/// What single worlds tell all others, by a kind and a number.
+pub(crate) type Told = BTreeMap<(u8, u32), Vec<u8>>;
+
 /// Values that all worlds of a division [agree](super::Halo::agree) on. The merged values do not depend on the order in
 /// which they are merged: they are least and greatest values, flags, sums of whole numbers, and what
 /// single worlds tell by keys of their own.
@@ -31,7 +34,7 @@ pub struct Agreement {
     /// Changes of counts, by index.
     pub(crate) counts: BTreeMap<u32, i64>,
     /// What single worlds tell all others, by a kind and a number. Worlds that tell of the same number tell the same.
-    pub(crate) told: BTreeMap<(u8, u32), Vec<u8>>,
+    pub(crate) told: Told,
     /// The least and the greatest of a value that should be the same in all worlds.
     pub(crate) same: Option<(u64, u64)>,
     /// Lower and upper ends of a box.

@@ -206,7 +206,9 @@ impl Border {
         };
         let packets = halo.exchange(self.sent.iter().map(packet).collect());
         for (packet, rows) in packets.iter().zip(&self.ghosts) {
-            for (row, (vehicle, attitude)) in rows.clone().zip(read::<(Option<Vehicle>, Attitude)>(packet)) {
+            let all: Vec<(Option<Vehicle>, Attitude)> = read(packet).collect();
+            assert_eq!(all.len(), rows.len(), "{BROKEN}");
+            for (row, (vehicle, attitude)) in rows.clone().zip(all) {
                 agents.vehicle.set(row, vehicle);
                 agents.attitude.set(row, attitude);
             }

@@ -190,7 +190,7 @@ impl<H: Halo> DividedWorld<H> {
         self.halo.agree(Agreement { counts, ..Agreement::default() }).counts
     }
 
-    /// Tells the behaviours of all worlds of something that happened, as [`World::notify`] does.
+    /// Tells behaviours of something that happened, as [`World::notify`] does. All worlds call it.
     ///
     /// # Errors
     /// Those of [`World::notify`].

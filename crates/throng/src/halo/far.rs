@@ -5,16 +5,13 @@
 //! answers, and the agents are steered once more. A question is asked again at the start of every sub-step after that, so
 //! agents are seldom steered twice.
 
-use super::{Agreement, BROKEN, Halo};
+use super::{Agreement, BROKEN, Halo, Told};
 use crate::steer::Kinematics;
 use crate::world::State;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Mutex;
-
-/// What worlds tell, by kind and number.
-type Told = BTreeMap<(u8, u32), Vec<u8>>;
 
 /// Kinds of what worlds tell: a question for an agent, by its number; a question for the members of a group, by its index;
 /// the motion of an agent, by its number; the group of an agent, by the number of the agent.
@@ -57,8 +54,8 @@ impl FarQuestions {
 pub(crate) struct FarAgents {
     /// The agents asked for, by number; `None` for an agent that is in no world.
     agents: BTreeMap<u32, Option<Kinematics>>,
-    /// The numbers of the agents of the groups asked for, by index of the group.
-    members: BTreeMap<u32, BTreeSet<u32>>,
+    /// The numbers of the agents of the groups asked for, ascending, by index of the group.
+    members: BTreeMap<u32, Vec<u32>>,
 }
 
 impl FarAgents {
@@ -77,7 +74,7 @@ impl FarAgents {
     /// answer yet.
     pub fn slot(&self, group: u32, number: u32, questions: Option<&FarQuestions>) -> usize {
         match self.members.get(&group) {
-            Some(members) => members.range(..number).count(),
+            Some(members) => members.partition_point(|&other| other < number),
             None => {
                 if let Some(questions) = questions {
                     questions.note(FarQuestion::Group(group));
@@ -99,7 +96,7 @@ impl FarAgents {
     }
 
     /// Returns the answers of this world to all questions so far.
-    pub fn answers(&self, state: &State) -> BTreeMap<(u8, u32), Vec<u8>> {
+    pub fn answers(&self, state: &State) -> Told {
         let mut told = Told::new();
         if self.agents.is_empty() && self.members.is_empty() {
             return told;
@@ -119,11 +116,11 @@ impl FarAgents {
     /// Takes the answers of all worlds.
     pub fn learn(&mut self, told: &Told) {
         self.agents.values_mut().for_each(|agent| *agent = None);
-        self.members.values_mut().for_each(BTreeSet::clear);
+        self.members.values_mut().for_each(Vec::clear);
         for (&(kind, number), bytes) in told {
             match kind {
                 AGENT => _ = self.agents.insert(number, Some(unpacked(bytes))),
-                _ => _ = self.members.entry(unpacked(bytes)).or_default().insert(number),
+                _ => _ = self.members.entry(unpacked(bytes)).or_default().push(number),
             }
         }
     }

@@ -19,6 +19,7 @@ mod packet;
 mod refuse;
 
 pub use agreement::Agreement;
+pub(crate) use agreement::Told;
 pub(crate) use border::{Border, Link, Others};
 pub use cuts::{Cuts, Load};
 pub use divided::DividedWorld;

@@ -15,7 +15,7 @@
 use super::agree::StandoffView;
 use super::standoff::{CLOSE_IF_NARROW, NewStandoff, Newcomers, RowsByNumber};
 use crate::agent::Row;
-use crate::halo::{Agreement, BROKEN, Link, read, write};
+use crate::halo::{Agreement, BROKEN, Link, Told, read, write};
 use crate::perceive::{Grid, Perceived};
 use crate::world::State;
 use glam::Vec2;
@@ -30,9 +30,6 @@ const SEEKER: u8 = 1;
 const MEMBER: u8 = 2;
 const NEWCOMERS: u8 = 3;
 const BEGINS: u8 = 4;
-
-/// What worlds tell, by kind and number.
-type Told = BTreeMap<(u8, u32), Vec<u8>>;
 
 /// A copy of an agent for another world.
 #[derive(Serialize, Deserialize)]

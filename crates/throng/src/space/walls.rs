@@ -456,7 +456,13 @@ mod tests {
         fn near_walls_are_those_of_a_search_through_all(
             obstacles in prop::collection::vec(obstacle(), 0..12),
             eyes in prop::collection::vec((point(40.0), prop_oneof![0.0f64..REACH, REACH..12.0]), 1..40),
+            // obstacles near each other, or far apart, with empty blocks of cells between them
+            far: bool,
         ) {
+            let shift = |k: usize| if far { DVec2::new(k as f64, -((k % 3) as f64)) * 150.0 } else { DVec2::ZERO };
+            let obstacles: Vec<Obstacle> =
+                obstacles.into_iter().enumerate().map(|(k, obstacle)| obstacle.moved(shift(k))).collect();
+            let eyes = eyes.into_iter().enumerate().map(|(k, (eye, range))| (eye + shift(k % 12), range));
             let walls = Walls::new(&[], &obstacles, DVec2::ZERO);
             let mut near = NearWalls::default();
             for (eye, range) in eyes {
