@@ -88,7 +88,7 @@ fn counterflow_in_a_corridor_has_the_bits_of_one_world() {
     assert_same("corridor", &[], 12.0);
 }
 
-/// A flock, whose sums run in the order of cells, and followers of a leader that may be in another rank.
+/// A flock with sums in the order of cells, and followers of a leader that may be in another rank.
 #[test]
 fn flocks_and_leaders_have_the_bits_of_one_world() {
     for (scene, seconds) in [("flocking", 5.0), ("formation", 10.0)] {

@@ -18,7 +18,7 @@ const SKIPPED: &[(&str, usize, &str)] = &[
     ("flocks.md", 1, "cargo, minutes"),
     ("gallery.md", 1, "minutes"),
     ("machines.md", 4, "cargo, MPI"),
-    ("papers.md", 2, "minutes"),
+    ("papers.md", 3, "minutes"),
     ("peers.md", 1, "the network, minutes"),
     ("performance.md", 1, "cargo, minutes"),
     ("pictures.md", 1, "minutes"),

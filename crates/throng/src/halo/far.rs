@@ -120,7 +120,7 @@ impl FarAgents {
         for (&(kind, number), bytes) in told {
             match kind {
                 AGENT => _ = self.agents.insert(number, Some(unpacked(bytes))),
-                _ => _ = self.members.entry(unpacked(bytes)).or_default().push(number),
+                _ => self.members.entry(unpacked(bytes)).or_default().push(number),
             }
         }
     }

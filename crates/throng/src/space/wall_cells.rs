@@ -47,8 +47,7 @@ pub(super) struct WallCell<'a> {
 }
 
 impl<'a> WallCell<'a> {
-    /// Returns the walls within `REACH` of the cell, and perhaps others: edges, then discs, whose numbers follow those of
-    /// the edges.
+    /// Returns the walls within `REACH` of the cell, and perhaps others, by number.
     pub fn walls(&self) -> &'a [u32] {
         self.block.walls.of(self.cell)
     }

@@ -32,7 +32,7 @@ fn steered(behaviour: impl Into<BoxedBehaviour>) -> Group {
     }
 }
 
-/// A flock whose agents see all others within a distance.
+/// A flock: its agents see all others within a distance.
 fn flock(behaviour: impl Into<BoxedBehaviour>, range: f32) -> Group {
     Group { neighbours: Group::ALL_NEIGHBOURS, neighbour_distance: range, ..steered(behaviour) }
 }
