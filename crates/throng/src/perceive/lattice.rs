@@ -21,8 +21,8 @@ const CELLS: f32 = 4.0;
 /// range per row of cells. Within a cell points are sorted by coordinates, then by number. So the *place* of a point
 /// does not depend on its row, and a traversal in ascending places has an order that depends on the positions only.
 ///
-/// The cells follow from the [`Extent`] of points. It may be that of more points than are sorted: then the cells are those
-/// of all points, and only the block of cells around the sorted points is stored.
+/// The cells follow from the extent of points: the box around them, and their number. It may be that of more points than
+/// are sorted: then the cells are those of all points, and only the block of cells around the sorted points is stored.
 #[derive(Clone, Debug, Default)]
 pub struct CellLattice {
     low: Vec3,
