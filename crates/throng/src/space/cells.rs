@@ -70,38 +70,18 @@ impl Squares {
     }
 }
 
-/// A list of the numbers of the items that touch each cell, in ascending order.
-#[derive(Clone, Debug, Default)]
-pub struct Lists {
-    /// Start of each cell's items, and the end of the last cell's. Empty if no cell has items.
-    starts: Vec<u32>,
-    items: Vec<u32>,
-}
-
-impl Lists {
-    /// Returns the lists of a number of cells, from pairs of (cell, item).
-    pub fn new(cells: usize, mut pairs: Vec<(u32, u32)>) -> Self {
-        if pairs.is_empty() {
-            return Self::default();
-        }
-        pairs.sort_unstable();
-        let mut starts = vec![0; cells + 1];
-        for &(cell, _) in &pairs {
-            starts[cell as usize + 1] += 1;
-        }
-        for cell in 1..starts.len() {
-            starts[cell] += starts[cell - 1];
-        }
-        Self { starts, items: pairs.into_iter().map(|(_, item)| item).collect() }
+/// Sorts pairs of (cell, item) into lists of the items of each cell, in ascending order. Returns the items of all cells, and
+/// sets `starts` to the start of each cell's items and the end of the last cell's.
+pub fn lists(mut pairs: Vec<(u32, u32)>, starts: &mut [u32]) -> Vec<u32> {
+    pairs.sort_unstable();
+    starts.fill(0);
+    for &(cell, _) in &pairs {
+        starts[cell as usize + 1] += 1;
     }
-
-    /// Returns the items of a cell.
-    pub fn of(&self, cell: usize) -> &[u32] {
-        match self.starts.get(cell..=cell + 1) {
-            Some(&[start, end]) => &self.items[start as usize..end as usize],
-            _ => &[],
-        }
+    for cell in 1..starts.len() {
+        starts[cell] += starts[cell - 1];
     }
+    pairs.into_iter().map(|(_, item)| item).collect()
 }
 
 /// Square cells of the ground with a list of items each.
@@ -109,19 +89,22 @@ impl Lists {
 pub struct Cells {
     /// The cells.
     pub squares: Squares,
-    lists: Lists,
+    /// Start of each cell's items, and the end of the last cell's.
+    starts: Vec<u32>,
+    items: Vec<u32>,
 }
 
 impl Cells {
     /// Returns cells with lists, from pairs of (cell, item).
     pub fn new(squares: Squares, pairs: Vec<(u32, u32)>) -> Self {
-        let lists = Lists::new(squares.count(), pairs);
-        Self { squares, lists }
+        let mut starts = vec![0; squares.count() + 1];
+        let items = lists(pairs, &mut starts);
+        Self { squares, starts, items }
     }
 
     /// Returns the items of a cell.
     pub fn items(&self, cell: usize) -> &[u32] {
-        self.lists.of(cell)
+        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
     /// Returns the items of the cell of a point, or of the nearest cell.

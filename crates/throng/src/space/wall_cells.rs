@@ -4,7 +4,7 @@
 //! agents, however large the place is: a world of a division has the cells of its own ground. The cells do not depend
 //! on when they are filled.
 
-use super::cells::{Cells, Lists, Squares};
+use super::cells::{Cells, Squares, lists};
 use super::walls::WallShapes;
 use glam::DVec2;
 use std::ops::Range;
@@ -17,6 +17,7 @@ pub(super) const REACH: f64 = 2.25;
 const CELL: f64 = 2.0;
 /// Cells along each side of a block.
 const BLOCK: usize = 32;
+const CELLS: usize = BLOCK * BLOCK;
 /// Maximum number of blocks. Cells are wider if there would be more.
 const MOST_BLOCKS: f64 = 1e6;
 
@@ -26,36 +27,40 @@ pub(super) struct WallCells {
     squares: Squares,
     /// The walls near each block.
     near_blocks: Cells,
-    blocks: Vec<OnceLock<Block>>,
+    blocks: Vec<OnceLock<Box<Block>>>,
 }
 
 /// The cells of a block.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Block {
-    /// The walls within `REACH` of each cell.
-    walls: Lists,
-    /// A lower bound of the distance between a cell and the nearest of its walls; infinite if there are none. Empty if no
-    /// cell of the block has walls.
-    clearance: Vec<f32>,
+    /// A lower bound of the distance between each cell and the nearest of its walls, metres; infinite if there are none.
+    clearance: [f32; CELLS],
+    /// The walls within `REACH` of each cell: the start of its walls, and the end of the last cell's.
+    starts: [u32; CELLS + 1],
+    walls: Vec<u32>,
 }
 
 /// A cell and the walls near it.
 #[derive(Clone, Copy)]
 pub(super) struct WallCell<'a> {
     block: &'a Block,
+    /// Index in the block.
     cell: usize,
 }
 
 impl<'a> WallCell<'a> {
     /// Returns the walls within `REACH` of the cell, and perhaps others, by number.
+    #[inline]
     pub fn walls(&self) -> &'a [u32] {
-        self.block.walls.of(self.cell)
+        let [start, end] = [self.cell, self.cell + 1].map(|cell| self.block.starts[cell] as usize);
+        &self.block.walls[start..end]
     }
 
     /// Returns a lower bound of the distance between the cell and the nearest wall, metres; infinite if there is none
     /// within `REACH`.
+    #[inline]
     pub fn clearance(&self) -> f64 {
-        self.block.clearance.get(self.cell).map_or(f64::INFINITY, |&clearance| clearance.into())
+        self.block.clearance[self.cell].into()
     }
 }
 
@@ -84,14 +89,23 @@ impl WallCells {
         self.cell(walls, self.squares.place(point))
     }
 
-    /// Returns the cells that a box touches, row by row. There must be walls.
-    pub fn touched<'a>(
+    /// Calls `see` for the cells that a box touches, row by row. There must be walls.
+    pub fn each_touched<'a>(
         &'a self,
-        walls: &'a WallShapes,
-        from: DVec2,
-        to: DVec2,
-    ) -> impl Iterator<Item = WallCell<'a>> + 'a {
-        self.squares.places(from, to).map(|place| self.cell(walls, place))
+        walls: &WallShapes,
+        (from, to): (DVec2, DVec2),
+        mut see: impl FnMut(WallCell<'a>),
+    ) {
+        let ((left, bottom), (right, top)) = (self.squares.place(from), self.squares.place(to));
+        for row in bottom..=top {
+            let mut column = left;
+            while column <= right {
+                let first = self.cell(walls, (column, row));
+                let count = (BLOCK - column % BLOCK).min(right + 1 - column);
+                (first.cell..first.cell + count).for_each(|cell| see(WallCell { cell, ..first }));
+                column += count;
+            }
+        }
     }
 
     #[inline]
@@ -103,24 +117,25 @@ impl WallCells {
 
     /// Returns the cells of a block.
     #[cold]
-    fn fill(&self, walls: &WallShapes, block: usize) -> Block {
+    fn fill(&self, walls: &WallShapes, block: usize) -> Box<Block> {
         let across = self.near_blocks.squares.columns;
         let (left, bottom) = (block % across * BLOCK, block / across * BLOCK);
-        let mut pairs = Vec::new();
-        let near = self.near_blocks.items(block);
-        let mut clearance = vec![f32::INFINITY; if near.is_empty() { 0 } else { BLOCK * BLOCK }];
         let own = || (left..left + BLOCK, bottom..bottom + BLOCK);
-        for &wall in near {
+        let mut filled =
+            Box::new(Block { clearance: [f32::INFINITY; CELLS], starts: [0; CELLS + 1], walls: Vec::new() });
+        let mut pairs = Vec::new();
+        for &wall in self.near_blocks.items(block) {
             // slightly farther, for the rounding of cell positions
             touch(walls, wall as usize, REACH + 1e-6, (&self.squares, own()), |(column, row)| {
                 let cell = (row - bottom) * BLOCK + column - left;
                 pairs.push((cell as u32, wall));
                 // minus the rounding of cell positions
                 let gap = (walls.gap(self.squares.square((column, row)), wall as usize) - 1e-3) as f32;
-                clearance[cell] = clearance[cell].min(gap);
+                filled.clearance[cell] = filled.clearance[cell].min(gap);
             });
         }
-        Block { walls: Lists::new(BLOCK * BLOCK, pairs), clearance }
+        filled.walls = lists(pairs, &mut filled.starts);
+        filled
     }
 }
 

@@ -326,9 +326,9 @@ impl Walls {
             self.cells.at(&self.shapes, from).walls().iter().for_each(|&item| see(item));
         } else {
             met.begin(self.shapes.count());
-            for cell in self.cells.touched(&self.shapes, from - away, from + away) {
+            self.cells.each_touched(&self.shapes, (from - away, from + away), |cell| {
                 cell.walls().iter().filter(|&&item| met.is_new(item)).for_each(|&item| see(item));
-            }
+            });
         }
     }
 
@@ -339,11 +339,11 @@ impl Walls {
             return;
         }
         let away = (range - REACH).max(0.0);
-        for cell in self.cells.touched(&self.shapes, from - away, from + away) {
+        self.cells.each_touched(&self.shapes, (from - away, from + away), |cell| {
             for &item in cell.walls().iter().filter(|&&item| self.shapes.may_be_near(item, from, range)) {
                 see(self.shapes.wall(item));
             }
-        }
+        });
     }
 
     /// Whether the segment between two points stays farther than `gap` metres from all walls. With 0: whether it
