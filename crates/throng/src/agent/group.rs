@@ -96,7 +96,12 @@ impl Group {
 
     /// Returns the number of nearest neighbours that the neighbour search finds for each of its agents.
     pub(crate) fn nearest(&self) -> usize {
-        if self.neighbours == Self::ALL_NEIGHBOURS { 0 } else { self.neighbours }
+        if self.looks_at_all() { 0 } else { self.neighbours }
+    }
+
+    /// Whether its agents search for all neighbours within the distance, instead of the nearest few.
+    pub(crate) fn looks_at_all(&self) -> bool {
+        self.neighbours == Self::ALL_NEIGHBOURS
     }
 
     /// Returns a group of agents that move only as a behaviour steers them: without interaction rules, avoidance or

@@ -327,13 +327,12 @@ impl State {
 
     /// Adds what the cells depend on in which groups search for all neighbours, if any group does.
     fn tell_flocks(&self, own: Agreement) -> Agreement {
-        let looks_at_all = |group: &Group| group.neighbours == Group::ALL_NEIGHBOURS;
-        if !self.local_groups.iter().any(looks_at_all) {
+        if !self.local_groups.iter().any(Group::looks_at_all) {
             return own;
         }
         let groups = self.agents.group.values().iter().map(|group| &self.local_groups[group.index()]);
         let range =
-            groups.filter(|group| looks_at_all(group)).map(|group| group.neighbour_distance).fold(0.0, f32::max);
+            groups.filter(|group| group.looks_at_all()).map(|group| group.neighbour_distance).fold(0.0, f32::max);
         let extent = Extent::of(self.own().len(), |row| self.place_in_space(row));
         Agreement { range, extent, ..own }
     }

@@ -61,7 +61,7 @@ impl Flocks {
         self.note_birds(state, seen.lattice);
         let Self { birds, forces, vehicles, scratch, close_pairs } = self;
         let groups = || state.local_groups.iter().zip(&state.groups_with_agents).enumerate();
-        let looks_at_all = |group: &Group, in_use: bool| in_use && group.neighbours == Group::ALL_NEIGHBOURS;
+        let looks_at_all = |group: &Group, in_use: bool| in_use && group.looks_at_all();
         vehicles.clear();
         vehicles.extend(groups().map(|(index, (group, &in_use))| {
             looks_at_all(group, in_use).then(|| state.vehicle_of_all(index)).flatten()
@@ -167,7 +167,7 @@ impl Behaving<'_> {
     pub fn look_at_all(&self, row: usize, neighbours: &mut Vec<SteeringNeighbour>) {
         let (agents, Self { lattice, birds, .. }) = (&self.state.agents, *self);
         let group = &self.state.local_groups[agents.group[row].index()];
-        if group.neighbours != Group::ALL_NEIGHBOURS {
+        if !group.looks_at_all() {
             return;
         }
         lattice.within(self.state.place_in_space(row), group.neighbour_distance, |place, offset| {
@@ -194,7 +194,7 @@ impl Behaving<'_> {
 impl State {
     /// Whether any group searches for all neighbours within a distance.
     pub(crate) fn any_looks_at_all(&self) -> bool {
-        self.groups_in_use().any(|group| group.neighbours == Group::ALL_NEIGHBOURS)
+        self.groups_in_use().any(Group::looks_at_all)
     }
 
     /// Returns the vehicle of all agents of a group; `None` if they differ or have none.
@@ -216,7 +216,7 @@ impl State {
 impl Group {
     /// Whether the forces of its agents are those of a flock, which are computed before the vehicles step.
     pub(super) fn is_flock(&self) -> bool {
-        self.neighbours == Self::ALL_NEIGHBOURS
+        self.looks_at_all()
             && self.guidance.behaviour.as_ref().is_some_and(|steering| steering.is_flock() && steering.words() == 0)
     }
 }

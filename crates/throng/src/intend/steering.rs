@@ -40,10 +40,11 @@ impl Planned {
     pub fn words(&self, row: usize) -> [u32; WORDS] {
         let mut words = [0; WORDS];
         if row < self.faces.len() {
-            let Attitude { basis: Basis { forward, side, up }, acceleration, curvature } = self.attitude[row];
-            let all = [self.velocity[row], forward, side, up, acceleration, curvature];
-            let numbers = all.iter().flat_map(|v| v.to_array()).map(f32::to_bits);
-            words.iter_mut().zip(numbers.chain([u32::from(self.faces[row])])).for_each(|(word, number)| *word = number);
+            let record = self.attitude[row].record();
+            let numbers = self.velocity[row].to_array().into_iter().chain(record).map(f32::to_bits);
+            words.iter_mut().zip(numbers).for_each(|(word, number)| *word = number);
+            // the place of the zero of the record
+            words[WORDS - 1] = u32::from(self.faces[row]);
         }
         words
     }
@@ -53,10 +54,9 @@ impl Planned {
         if row >= self.faces.len() {
             return;
         }
-        let at = |index: usize| Vec3::from_array([0, 1, 2].map(|axis| f32::from_bits(words[3 * index + axis])));
-        self.velocity[row] = at(0);
-        let basis = Basis { forward: at(1), side: at(2), up: at(3) };
-        self.attitude[row] = Attitude { basis, acceleration: at(4), curvature: at(5) };
+        let [x, y, z, record @ ..] = words.map(f32::from_bits);
+        self.velocity[row] = Vec3::new(x, y, z);
+        self.attitude[row] = Attitude::of_record(&record);
         self.faces[row] = words[WORDS - 1] != 0;
     }
 

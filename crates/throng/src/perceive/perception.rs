@@ -87,7 +87,7 @@ impl Perceive {
 
     /// Sorts all agents into the lattice, if a group searches for all neighbours within a distance.
     fn rebuild_lattice(&mut self, state: &State) {
-        let looking = state.groups_in_use().filter(|group| group.neighbours == Group::ALL_NEIGHBOURS);
+        let looking = state.groups_in_use().filter(|group| group.looks_at_all());
         let own = looking.map(|group| group.neighbour_distance).fold(0.0, f32::max);
         // sums over neighbours run in the order of cells, which in a division are those of all agents
         let (all, reach) = state.others.flocks.map_or((None, own), |(all, reach)| (Some(all), reach));

@@ -2,6 +2,11 @@
 
 use glam::DVec2;
 
+/// Returns the lower and upper corners of the box around boxes; `None` if there are none.
+pub fn around(boxes: impl IntoIterator<Item = (DVec2, DVec2)>) -> Option<(DVec2, DVec2)> {
+    boxes.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
 /// Square cells of the ground.
 #[derive(Clone, Debug, Default)]
 pub struct Squares {

@@ -4,7 +4,7 @@
 //! agents, however large the place is: a world of a division has the cells of its own ground. The cells do not depend
 //! on when they are filled.
 
-use super::cells::{Cells, Squares, lists};
+use super::cells::{Cells, Squares, around, lists};
 use super::walls::WallShapes;
 use glam::DVec2;
 use std::ops::Range;
@@ -68,7 +68,7 @@ impl WallCells {
     /// Returns the cells around these walls, with no block filled yet.
     pub fn new(walls: &WallShapes) -> Self {
         let boxes = (0..walls.count()).map(|wall| walls.bounds(wall));
-        let Some((low, high)) = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else { return Self::default() };
+        let Some((low, high)) = around(boxes) else { return Self::default() };
         let blocks = Squares::at_most(MOST_BLOCKS, low, high, CELL * BLOCK as f64);
         let squares = Squares::new(low, high, blocks.width / BLOCK as f64);
         let mut pairs = Vec::new();

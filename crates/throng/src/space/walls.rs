@@ -3,8 +3,9 @@
 //! Edges are directed: the solid side is on the left, free ground on the right. A thin wall consists of two opposite
 //! edges.
 
+use super::cells::{Cells, Squares, around};
 use super::wall_cells::{REACH, WallCells};
-use super::{Cells, Core, Obstacle, Squares, Walkable};
+use super::{Core, Obstacle, Walkable};
 use glam::{DVec2, Vec2};
 
 /// A solid edge.
@@ -179,7 +180,7 @@ impl WallShapes {
         edge.span(band)
     }
 
-    /// Returns the distance of an wall from a square; 0 or less if it reaches into the square.
+    /// Returns the distance of a wall from a square; 0 or less if it reaches into the square.
     pub fn gap(&self, (low, high): (DVec2, DVec2), wall: usize) -> f64 {
         let to_square = |p: DVec2| p.distance(p.clamp(low, high));
         let Some(edge) = self.edges.get(wall) else {
@@ -204,14 +205,14 @@ impl WallShapes {
         }
     }
 
-    /// Whether the bounding box of an wall is within `range`: cheaper than the distance of the wall.
+    /// Whether the bounding box of a wall is within `range`: cheaper than the distance of the wall.
     fn may_be_near(&self, wall: u32, from: DVec2, range: f64) -> bool {
         let (low, high) = self.bounds(wall as usize);
         let reach = range * (1.0 + 1e-9);
         (from - from.clamp(low, high)).length_squared() <= reach * reach
     }
 
-    /// Returns the distance of an wall; for a disc to its circumference, negative inside.
+    /// Returns the distance of a wall; for a disc to its circumference, negative inside.
     fn distance_to(&self, wall: u32, from: DVec2) -> f64 {
         let wall = wall as usize;
         if let Some(edge) = self.edges.get(wall) {
@@ -379,8 +380,7 @@ const SOLID_CELL: f64 = 2.0;
 impl Solids {
     fn new(all: Vec<Obstacle>) -> Self {
         let boxes: Vec<(DVec2, DVec2)> = all.iter().map(Obstacle::bounds).collect();
-        let around = boxes.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-        let Some((low, high)) = around else { return Self::default() };
+        let Some((low, high)) = around(boxes.iter().copied()) else { return Self::default() };
         let squares = Squares::at_most(4.0 * all.len() as f64, low, high, SOLID_CELL);
         let mut pairs = Vec::new();
         for (&(low, high), item) in boxes.iter().zip(0..) {

@@ -48,6 +48,20 @@ impl Attitude {
         Self { basis: Basis::facing(Vec3::new(cos, sin, 0.0)), ..Self::default() }
     }
 
+    /// Returns the components: forward, side, up, acceleration, curvature, and a zero.
+    #[inline]
+    pub(crate) fn record(self) -> [f32; 16] {
+        let Self { basis: Basis { forward: f, side: s, up: u }, acceleration: a, curvature: c } = self;
+        [f.x, f.y, f.z, s.x, s.y, s.z, u.x, u.y, u.z, a.x, a.y, a.z, c.x, c.y, c.z, 0.0]
+    }
+
+    /// Returns the attitude of a [`record`](Self::record).
+    #[inline]
+    pub(crate) fn of_record(record: &[f32; 16]) -> Self {
+        let v = |at: usize| Vec3::new(record[at], record[at + 1], record[at + 2]);
+        Self { basis: Basis { forward: v(0), side: v(3), up: v(6) }, acceleration: v(9), curvature: v(12) }
+    }
+
     /// Returns the motion with this attitude at a position with a velocity.
     pub fn motion(self, position: Vec3, velocity: Vec3) -> Motion {
         let Self { basis, acceleration, curvature } = self;

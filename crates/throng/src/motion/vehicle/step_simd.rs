@@ -1,7 +1,7 @@
 //! SIMD version of [`step`](super::step) for many vehicles of the same kind, with the same bits.
 
 use super::step::{CURVATURE_TIME, GRAVITY, REST, ROLL_TIME};
-use super::{Attitude, Basis, Forces, Integrator, Locomotion, Vehicle, part_in};
+use super::{Attitude, Forces, Integrator, Locomotion, Vehicle, part_in};
 use crate::simd::{LANES, Vec3s, WORDS, load_records, store_records};
 use fearless_simd::prelude::*;
 use glam::Vec3;
@@ -29,7 +29,7 @@ impl<S: Simd> Attitudes<S> {
     #[inline(always)]
     pub fn load(simd: S, all: impl Iterator<Item = Attitude>) -> Self {
         let mut records = [[0.0; WORDS]; LANES];
-        records.iter_mut().zip(all).for_each(|(record, attitude)| *record = to_words(attitude));
+        records.iter_mut().zip(all).for_each(|(record, attitude)| *record = attitude.record());
         let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, _] = load_records(simd, &records);
         Self {
             forward: Vec3s { x: a, y: b, z: c },
@@ -50,18 +50,8 @@ impl<S: Simd> Attitudes<S> {
         }
         let mut records = [[0.0; WORDS]; LANES];
         store_records(simd, words, &mut records);
-        all.iter_mut().zip(&records).for_each(|(attitude, record)| *attitude = from_words(record));
+        all.iter_mut().zip(&records).for_each(|(attitude, record)| *attitude = Attitude::of_record(record));
     }
-}
-
-fn to_words(attitude: Attitude) -> [f32; WORDS] {
-    let Attitude { basis: Basis { forward: f, side: s, up: u }, acceleration: a, curvature: c } = attitude;
-    [f.x, f.y, f.z, s.x, s.y, s.z, u.x, u.y, u.z, a.x, a.y, a.z, c.x, c.y, c.z, 0.0]
-}
-
-fn from_words(words: &[f32; WORDS]) -> Attitude {
-    let v = |at: usize| Vec3::new(words[at], words[at + 1], words[at + 2]);
-    Attitude { basis: Basis { forward: v(0), side: v(3), up: v(6) }, acceleration: v(9), curvature: v(12) }
 }
 
 /// A step of vehicles of one kind that the SIMD version supports.
